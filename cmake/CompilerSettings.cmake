@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One set of compiler settings for the whole tree.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# -ffp-contract=off: a fused multiply-add rounds once instead of twice, and the compiler chooses
+# where; without it the same input gives the same bytes whatever is inlined.
+set(HEPATICA_COMPILE_OPTIONS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    -Werror -ffp-contract=off)
+
+# AVX2 has been in desktop processors since 2013; HEPATICA_CPU=native or x86-64 chooses otherwise.
+# Applied to the whole tree, because Eigen's alignment is part of the binary interface.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set(HEPATICA_CPU "x86-64-v3" CACHE STRING "Value of -march=")
+    add_compile_options($<$<COMPILE_LANGUAGE:C,CXX>:-march=${HEPATICA_CPU}>)
+endif()
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -fno-omit-frame-pointer")
+
+if(HEPATICA_SANITIZE)
+    add_compile_options(-fsanitize=${HEPATICA_SANITIZE} -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${HEPATICA_SANITIZE})
+endif()
+
+find_program(HEPATICA_CCACHE ccache)
+if(HEPATICA_CCACHE)
+    # Precompiled headers are only cached when ccache is told to trust their time stamps.
+    set(ccache_launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        ${HEPATICA_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${ccache_launcher})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${ccache_launcher})
+endif()

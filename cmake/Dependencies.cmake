@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Everything comes from Debian's own packages: see scripts/packages.txt.
+include(GoogleTest)
+
+if(HEPATICA_SOLVER_ONLY)
+    # A GPU server often has neither TBB nor GoogleTest nor Eigen installed: sources copied into
+    # third_party_local/ (ignored by git) serve instead.
+    find_package(Eigen3 QUIET NO_MODULE)
+    if(NOT TARGET Eigen3::Eigen)
+        add_library(Eigen3::Eigen INTERFACE IMPORTED)
+        target_include_directories(Eigen3::Eigen SYSTEM INTERFACE
+            ${PROJECT_SOURCE_DIR}/third_party_local/eigen3)
+    endif()
+    find_package(GTest QUIET)
+    if(NOT TARGET GTest::gtest_main)
+        add_subdirectory(${PROJECT_SOURCE_DIR}/third_party_local/googletest googletest
+                         EXCLUDE_FROM_ALL)
+        add_library(GTest::gmock ALIAS gmock)
+        add_library(GTest::gtest_main ALIAS gtest_main)
+    endif()
+    find_package(Threads REQUIRED)
+else()
+    # VTK's targets name MPI::MPI_C, which must exist before VTK is found.
+    find_package(MPI REQUIRED COMPONENTS C)
+    find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+    find_package(TBB REQUIRED)
+    find_package(Threads REQUIRED)
+    find_package(nlohmann_json REQUIRED)
+    find_package(CLI11 REQUIRED)
+    find_package(spdlog REQUIRED)
+    find_package(GTest REQUIRED)
+    find_package(benchmark REQUIRED)
+    find_package(ZLIB REQUIRED)
+    find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+    find_package(CGAL 5.5 REQUIRED)
+    find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIOGDCM ITKIONIFTI
+        ITKIOMeta ITKIONRRD)
+    set(vtk_components CommonCore CommonDataModel IOXML IOLegacy)
+    if(HEPATICA_WINDOW)
+        list(APPEND vtk_components IOImage FiltersCore FiltersSources FiltersGeneral
+            InteractionStyle RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
+            RenderingUI RenderingVolumeOpenGL2 ChartsCore ViewsContext2D RenderingContextOpenGL2)
+        find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Test)
+    endif()
+    find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components})
+endif()

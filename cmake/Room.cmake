@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# hepatica_room(NAME SOURCES a.cpp ... [LINK target ...] [PRIVATE_LINK target ...])
+# A room is a folder and a static library hepatica_NAME; LINK is what its headers may include.
+function(hepatica_room name)
+    cmake_parse_arguments(ROOM "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+    add_library(hepatica_${name} STATIC ${ROOM_SOURCES})
+    target_include_directories(hepatica_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_compile_options(hepatica_${name} PRIVATE
+        $<$<COMPILE_LANGUAGE:CXX>:${HEPATICA_COMPILE_OPTIONS}>)
+    target_link_libraries(hepatica_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
+endfunction()
+
+# hepatica_tests(NAME SOURCES a_test.cpp ... [LINK target ...] [LABELS label ...])
+# One test program per room; ctest sees every TEST by its own name.
+function(hepatica_tests name)
+    cmake_parse_arguments(TESTS "" "" "SOURCES;LINK;LABELS" ${ARGN})
+    add_executable(${name}_tests ${TESTS_SOURCES})
+    target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
+    target_compile_options(${name}_tests PRIVATE
+        $<$<COMPILE_LANGUAGE:CXX>:${HEPATICA_COMPILE_OPTIONS}>)
+    target_link_libraries(${name}_tests PRIVATE ${TESTS_LINK} GTest::gmock GTest::gtest_main)
+    gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
+        PROPERTIES LABELS "${name};${TESTS_LABELS}" TIMEOUT 300)
+endfunction()

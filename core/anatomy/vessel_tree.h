@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vessel tree: centrelines with radii between bifurcations and ends. Plain data that every later
+// stage reads (mesh, flow, preconditioner, pictures); how it is extracted stands in tree_extraction.
+#pragma once
+
+#include <vector>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// A bifurcation, an end, or a root.
+struct VesselNode {
+    Vec3 position_mm = Vec3::Zero();
+    double radius_mm = 0.0;
+};
+
+// The stretch of vessel between two nodes, directed away from the root of its system.
+struct VesselSegment {
+    int proximal_node = -1;
+    int distal_node = -1;
+    int parent = -1;                 // segment that ends where this one begins; -1 at a root
+    int system = 0;                  // which vascular system (seed) it belongs to
+    int strahler_order = 1;
+    bool closes_loop = false;        // the link of a loop that is not part of the spanning tree
+    std::vector<Vec3> points_mm;     // centreline from node to node, both included; 2 or more,
+                                     // no two consecutive ones equal
+    std::vector<double> radii_mm;    // lumen radius at each point, > 0
+};
+
+// A forest (one tree per system and component) plus the links that close loops. Segments are
+// sorted so that a parent stands before its children; a segment's index is its id.
+struct VesselTree {
+    std::vector<VesselNode> nodes;
+    std::vector<VesselSegment> segments;
+};
+
+double length_mm(const VesselSegment& segment);
+double length_mm(const VesselTree& tree);
+
+// Ids of the segments without parent, in order.
+std::vector<int> roots(const VesselTree& tree);
+// children[i]: ids of the segments whose parent is i, in order.
+std::vector<std::vector<int>> children(const VesselTree& tree);
+// Number of segments that meet in each node.
+std::vector<int> node_degrees(const VesselTree& tree);
+int bifurcation_count(const VesselTree& tree);  // nodes of degree 3 or more
+int end_count(const VesselTree& tree);          // nodes of degree 1
+
+// A point on the tree: a segment and the distance along it from its proximal node.
+struct TreePoint {
+    int segment = -1;
+    double arclength_mm = 0.0;
+    double distance_mm = 0.0;  // from the query to the centreline
+};
+
+// The centreline point nearest to a position. Throws InputError if the tree is empty.
+TreePoint nearest_point(const VesselTree& tree, const Vec3& position_mm);
+
+// Checks what this header promises (indices, order, radii, points, lengths); throws InputError that
+// names the first segment or node that breaks it. Readers call it on whatever comes from outside.
+void validate(const VesselTree& tree);
+
+}  // namespace hepatica

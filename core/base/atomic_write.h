@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files and folders that appear whole or not at all: written beside their place under a temporary
+// name, then renamed. On any exception the temporary is removed and what stood there before stays.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace hepatica {
+
+// Calls write(temporary_path), which must create that file, then renames it to `file`. The
+// temporary keeps the extension(s) of `file`, which many writers choose their format by.
+// Throws InputError, naming `file`, where the folder cannot be written or the disk is full.
+void write_file_atomically(const std::filesystem::path& file,
+                           const std::function<void(const std::filesystem::path&)>& write);
+
+// The same for a text already in memory.
+void write_text_atomically(const std::filesystem::path& file, std::string_view text);
+
+// Calls write(temporary_folder), an empty folder, then renames it to `folder`, replacing a folder
+// that stood there. Throws InputError as above.
+void write_folder_atomically(const std::filesystem::path& folder,
+                             const std::function<void(const std::filesystem::path&)>& write);
+
+}  // namespace hepatica

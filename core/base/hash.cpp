@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/hash.h"
+
+#include <fstream>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr std::uint64_t fnv_prime = 0x100000001b3ULL;
+
+std::uint64_t absorb(std::uint64_t state, std::uint64_t word) {
+    state = (state ^ word) * fnv_prime;
+    return state ^ (state >> 29);  // carries the high half down: plain FNV never does
+}
+
+}  // namespace
+
+void Hasher::add_bytes(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    length_ += size;
+    for (std::size_t i = 0; i < size; ++i) {
+        pending_ |= static_cast<std::uint64_t>(bytes[i]) << (8 * pending_bytes_);
+        if (++pending_bytes_ == 8) {
+            state_ = absorb(state_, pending_);
+            pending_ = 0;
+            pending_bytes_ = 0;
+        }
+    }
+}
+
+std::uint64_t Hasher::value() const {
+    std::uint64_t h = absorb(absorb(state_, pending_), length_);
+    h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;
+    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+    return h ^ (h >> 33);
+}
+
+std::string to_hex(std::uint64_t value) {
+    std::string text(16, '0');
+    for (int i = 15; i >= 0; --i, value >>= 4) text[i] = "0123456789abcdef"[value & 15];
+    return text;
+}
+
+std::uint64_t hash_of_file(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError("cannot be read", file.string(), "Check that it exists");
+    Hasher hasher;
+    std::vector<char> block(1 << 16);
+    while (in) {
+        in.read(block.data(), static_cast<std::streamsize>(block.size()));
+        hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
+    }
+    return hasher.value();
+}
+
+}  // namespace hepatica

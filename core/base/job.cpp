@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/job.h"
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void Job::throw_if_cancelled() const {
+    if (cancelled_) throw Cancelled();
+}
+
+void Job::expect_stages(int count) {
+    const std::scoped_lock lock(mutex_);
+    progress_.stage_count = count;
+}
+
+void Job::begin_stage(const std::string& name) {
+    throw_if_cancelled();
+    const std::scoped_lock lock(mutex_);
+    if (progress_.stage_number > 0)
+        finished_.push_back({progress_.stage, seconds_since(stage_start_)});
+    progress_.stage = name;
+    progress_.fraction = 0.0;
+    ++progress_.stage_number;
+    stage_start_ = Clock::now();
+}
+
+void Job::advance(double fraction) {
+    throw_if_cancelled();
+    const std::scoped_lock lock(mutex_);
+    progress_.fraction = fraction;
+}
+
+JobProgress Job::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return progress_;
+}
+
+std::vector<StageTime> Job::stage_times() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<StageTime> times = finished_;
+    if (progress_.stage_number > 0)
+        times.push_back({progress_.stage, seconds_since(stage_start_)});
+    return times;
+}
+
+}  // namespace hepatica

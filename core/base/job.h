@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A long piece of work as its caller sees it: named stages, progress, and a way to stop it.
+// The worker holds a Job&, the other threads hold the same Job and ask or cancel it at any time.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace hepatica {
+
+struct JobProgress {
+    std::string stage;        // what is being done now, in words for the user
+    double fraction = 0.0;    // of this stage, in [0, 1]
+    int stage_number = 0;     // from 1; 0 before the first stage
+    int stage_count = 0;      // as announced; 0 if it was not
+};
+
+struct StageTime {
+    std::string name;
+    double seconds = 0.0;
+};
+
+// Thread-safe: the worker calls the first three, anybody calls the rest.
+class Job {
+  public:
+    // Announces how many stages there will be. Optional.
+    void expect_stages(int count);
+    // Ends the stage before, starts this one. Throws Cancelled if the user has asked to stop.
+    void begin_stage(const std::string& name);
+    // Reports how much of the stage is done. Throws Cancelled if the user has asked to stop.
+    // Cheap enough for every slice or every few thousand voxels; call it at least every 0.1 s.
+    void advance(double fraction);
+
+    void cancel() { cancelled_ = true; }
+    bool cancelled() const { return cancelled_; }
+    void throw_if_cancelled() const;
+
+    JobProgress progress() const;
+    // Stages so far with their wall time; the last one is still running.
+    std::vector<StageTime> stage_times() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::atomic<bool> cancelled_{false};
+    mutable std::mutex mutex_;
+    JobProgress progress_;
+    std::vector<StageTime> finished_;
+    Clock::time_point stage_start_{};
+};
+
+}  // namespace hepatica

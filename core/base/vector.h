@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vector types of the whole program. Lengths are millimetres unless a name says otherwise.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace hepatica {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Index3 = std::array<int, 3>;
+
+}  // namespace hepatica

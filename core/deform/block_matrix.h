@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Symmetric sparse matrix of 3x3 blocks, one block row per vertex: the system matrix of eq. (12),
+// A = M + dt B + dt^2 K, in the form that assembly writes and every linear solver reads.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// Row-major compressed rows with both triangles stored: row i holds blocks
+// [row_begin[i], row_begin[i+1]), columns ascending, the diagonal block among them.
+// block(i,j) == block(j,i).transpose() to the last bit.
+struct BlockMatrix {
+    std::vector<int> row_begin{0};
+    std::vector<int> column;
+    std::vector<Mat3> block;
+    std::vector<int> diagonal;  // position of the diagonal block of each row
+
+    int rows() const { return static_cast<int>(row_begin.size()) - 1; }
+    // Position of block (i, j), or -1 where it is not in the pattern. O(log blocks in the row).
+    int find(int i, int j) const;
+};
+
+// y = A x, over fixed blocks of rows: the same bits for any number of threads.
+// Thread safety: const access only.
+void multiply(const BlockMatrix& matrix, const std::vector<Vec3>& x, std::vector<Vec3>& y);
+
+}  // namespace hepatica

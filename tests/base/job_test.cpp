@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/job.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+TEST(Job, ReportsStagesAndTheirTimes) {
+    Job job;
+    job.expect_stages(2);
+    EXPECT_EQ(job.progress().stage_number, 0);
+    job.begin_stage("read");
+    job.advance(0.5);
+    EXPECT_EQ(job.progress().stage, "read");
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.5);
+    job.begin_stage("thin");
+    EXPECT_EQ(job.progress().stage_number, 2);
+    EXPECT_EQ(job.progress().stage_count, 2);
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.0);
+    const auto times = job.stage_times();
+    ASSERT_EQ(times.size(), 2u);
+    EXPECT_EQ(times[0].name, "read");
+    EXPECT_GE(times[0].seconds, 0.0);
+}
+
+TEST(Job, StopsTheWorkerAtItsNextReport) {
+    Job job;
+    bool stopped = false;
+    std::thread worker([&] {
+        try {
+            job.begin_stage("endless");
+            for (;;) job.advance(0.0);
+        } catch (const Cancelled&) {
+            stopped = true;
+        }
+    });
+    while (job.progress().stage_number == 0) std::this_thread::yield();
+    job.cancel();
+    worker.join();
+    EXPECT_TRUE(stopped);
+}
+
+}  // namespace
+}  // namespace hepatica
