@@ -68,8 +68,8 @@ TreePoint nearest_point(const VesselTree& tree, const Vec3& position_mm) {
         double start_mm = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i) {
             const Vec3 edge = points[i] - points[i - 1];
-            const double share = std::clamp(
-                (position_mm - points[i - 1]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+            const double share =
+                std::clamp((position_mm - points[i - 1]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
             const double distance_mm = (points[i - 1] + share * edge - position_mm).norm();
             if (distance_mm < best.distance_mm)
                 best = {static_cast<int>(s), start_mm + share * edge.norm(), distance_mm};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel tree: centrelines with radii between bifurcations and ends. Plain data that every later
-// stage reads (mesh, flow, preconditioner, pictures); how it is extracted stands in tree_extraction.
+// The vessel tree: centrelines with radii between bifurcations and ends. Plain data that every
+// later stage reads (mesh, flow, preconditioner, pictures); how it is extracted stands in
+// tree_extraction.
 #pragma once
 
 #include <vector>
@@ -19,13 +20,13 @@ struct VesselNode {
 struct VesselSegment {
     int proximal_node = -1;
     int distal_node = -1;
-    int parent = -1;                 // segment that ends where this one begins; -1 at a root
-    int system = 0;                  // which vascular system (seed) it belongs to
+    int parent = -1;  // segment that ends where this one begins; -1 at a root
+    int system = 0;   // which vascular system (seed) it belongs to
     int strahler_order = 1;
-    bool closes_loop = false;        // the link of a loop that is not part of the spanning tree
-    std::vector<Vec3> points_mm;     // centreline from node to node, both included; 2 or more,
-                                     // no two consecutive ones equal
-    std::vector<double> radii_mm;    // lumen radius at each point, > 0
+    bool closes_loop = false;      // the link of a loop that is not part of the spanning tree
+    std::vector<Vec3> points_mm;   // centreline from node to node, both included; 2 or more,
+                                   // no two consecutive ones equal
+    std::vector<double> radii_mm;  // lumen radius at each point, > 0
 };
 
 // A forest (one tree per system and component) plus the links that close loops. Segments are

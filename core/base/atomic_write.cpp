@@ -55,7 +55,8 @@ void make_parent(const fs::path& target) {
 
 }  // namespace
 
-void write_file_atomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+void write_file_atomically(const fs::path& file,
+                           const std::function<void(const fs::path&)>& write) {
     make_parent(file);
     const Temporary temporary(file);
     write(temporary.path());

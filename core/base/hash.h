@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A 64-bit hash (FNV-1a over 8-byte words, finished by a mixer) for case files and simulation states.
-// It finds accidents and divergence; it does not protect against forgery.
+// A 64-bit hash (FNV-1a over 8-byte words, finished by a mixer) for case files and simulation
+// states. It finds accidents and divergence; it does not protect against forgery.
 #pragma once
 
 #include <cstddef>

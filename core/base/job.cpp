@@ -47,8 +47,7 @@ JobProgress Job::progress() const {
 std::vector<StageTime> Job::stage_times() const {
     const std::scoped_lock lock(mutex_);
     std::vector<StageTime> times = finished_;
-    if (progress_.stage_number > 0)
-        times.push_back({progress_.stage, seconds_since(stage_start_)});
+    if (progress_.stage_number > 0) times.push_back({progress_.stage, seconds_since(stage_start_)});
     return times;
 }
 

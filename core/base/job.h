@@ -12,10 +12,10 @@
 namespace hepatica {
 
 struct JobProgress {
-    std::string stage;        // what is being done now, in words for the user
-    double fraction = 0.0;    // of this stage, in [0, 1]
-    int stage_number = 0;     // from 1; 0 before the first stage
-    int stage_count = 0;      // as announced; 0 if it was not
+    std::string stage;      // what is being done now, in words for the user
+    double fraction = 0.0;  // of this stage, in [0, 1]
+    int stage_number = 0;   // from 1; 0 before the first stage
+    int stage_count = 0;    // as announced; 0 if it was not
 };
 
 struct StageTime {

@@ -15,23 +15,23 @@ namespace hepatica {
 // A compliant pull: a spring of limited force between a point of the body and a target. Never a
 // prescribed position, so that no speed of the mouse can make the body explode.
 struct Grab {
-    std::array<int, 4> vertices{-1, -1, -1, -1};   // the held point is their weighted mean
-    std::array<double, 4> weights{1, 0, 0, 0};     // sum 1
+    std::array<int, 4> vertices{-1, -1, -1, -1};  // the held point is their weighted mean
+    std::array<double, 4> weights{1, 0, 0, 0};    // sum 1
     Vec3 target_mm = Vec3::Zero();
-    double stiffness_un_per_mm = 0.0;   // micronewton per millimetre, > 0
-    double force_limit_un = 0.0;        // micronewton, > 0
+    double stiffness_un_per_mm = 0.0;  // micronewton per millimetre, > 0
+    double force_limit_un = 0.0;       // micronewton, > 0
 };
 
 // Energies in nanojoule (g mm2/s2) at the end of the step; the ledger's terms over the step.
 struct EnergyLedger {
     double kinetic = 0.0;
     double elastic = 0.0;
-    double grab = 0.0;              // stored in grab springs and tethers
-    double gravity_work = 0.0;      // done on the body during the step
-    double tool_work = 0.0;         // done by moving targets during the step
-    double damping_loss = 0.0;      // >= 0
-    double integrator_loss = 0.0;   // dissipated by backward Euler
-    double imbalance = 0.0;         // what does not add up; 0 but for rounding
+    double grab = 0.0;             // stored in grab springs and tethers
+    double gravity_work = 0.0;     // done on the body during the step
+    double tool_work = 0.0;        // done by moving targets during the step
+    double damping_loss = 0.0;     // >= 0
+    double integrator_loss = 0.0;  // dissipated by backward Euler
+    double imbalance = 0.0;        // what does not add up; 0 but for rounding
 };
 
 struct StepReport {

@@ -13,8 +13,8 @@ namespace hepatica {
 // Where a grid of voxels lies. Index (0,0,0) is the centre of the first voxel; x runs fastest.
 struct Grid {
     Index3 dims{0, 0, 0};
-    Vec3 spacing_mm{1, 1, 1};        // all > 0
-    Vec3 origin_mm{0, 0, 0};         // centre of voxel (0,0,0)
+    Vec3 spacing_mm{1, 1, 1};           // all > 0
+    Vec3 origin_mm{0, 0, 0};            // centre of voxel (0,0,0)
     Mat3 direction = Mat3::Identity();  // columns: unit vectors of the index axes, orthonormal
 
     std::size_t count() const {
@@ -56,9 +56,9 @@ struct Image {
     const T& at(int x, int y, int z) const { return voxels[grid.offset(x, y, z)]; }
 };
 
-using Volume = Image<std::int16_t>;   // a CT, in Hounsfield units
-using FloatVolume = Image<float>;     // filtered intensities, distances
-using Mask = Image<std::uint8_t>;     // 0 background, anything else object
+using Volume = Image<std::int16_t>;  // a CT, in Hounsfield units
+using FloatVolume = Image<float>;    // filtered intensities, distances
+using Mask = Image<std::uint8_t>;    // 0 background, anything else object
 using LabelMap = Image<std::uint16_t>;
 
 // True where both grids have the same dims and agree in space to a hundredth of a voxel.

@@ -25,29 +25,29 @@ struct GrabView {
 struct DrugView {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached.
                                                           // Null: nothing was injected
-    std::uint64_t version = 0;   // changes whenever arrival_s does
-    double time_s = 0.0;         // since the injection began
-    double end_s = 0.0;          // when the last reachable vertex is reached
+    std::uint64_t version = 0;                            // changes whenever arrival_s does
+    double time_s = 0.0;                                  // since the injection began
+    double end_s = 0.0;  // when the last reachable vertex is reached
     bool playing = false;
 };
 
 struct FrameStatistics {
-    double step_ms = 0.0;             // wall time of the step
-    double real_time_factor = 1.0;    // simulated over wall time, at most 1
+    double step_ms = 0.0;           // wall time of the step
+    double real_time_factor = 1.0;  // simulated over wall time, at most 1
     int linear_iterations = 0;
-    double expected_error = 0.0;      // relative, of the present setting of the dial; 0: not known
-    std::string error_reference;      // what that error was measured against
+    double expected_error = 0.0;  // relative, of the present setting of the dial; 0: not known
+    std::string error_reference;  // what that error was measured against
     bool degraded = false;
     bool paused = false;
-    std::string message;              // for the user; usually empty
+    std::string message;  // for the user; usually empty
 };
 
 struct Frame {
     std::uint64_t step = 0;
     double time_s = 0.0;
-    std::uint64_t topology_version = 0;   // changes whenever the triangles do
+    std::uint64_t topology_version = 0;  // changes whenever the triangles do
     std::shared_ptr<const std::vector<std::array<int, 3>>> surface;  // triangles over the vertices
-    std::vector<float> positions_mm;      // x, y, z per vertex
+    std::vector<float> positions_mm;                                 // x, y, z per vertex
     std::optional<GrabView> grab;
     DrugView drug;
     FrameStatistics statistics;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads every include of the tree and fails on an arrow that runs against the layers:
+// app -> ui -> render -> core, gpu -> core; and within core along the flow of data.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_root = HEPATICA_SOURCE_DIR;
+
+// What a room's headers and sources may include, besides themselves.
+const std::map<std::string, std::set<std::string>> allowed_rooms{
+    {"core/base", {}},
+    {"core/image", {"core/base"}},
+    {"core/anatomy", {"core/base", "core/image"}},
+    {"core/mesh", {"core/base", "core/anatomy"}},
+    {"core/flow", {"core/base", "core/anatomy"}},
+    {"core/deform", {"core/base", "core/mesh"}},
+    {"core/study", {"core/base", "core/mesh", "core/deform"}},
+    {"core/patient", {"core/base", "core/image", "core/anatomy", "core/mesh"}},
+    {"core/scene",
+     {"core/base", "core/image", "core/anatomy", "core/mesh", "core/flow", "core/deform",
+      "core/patient"}},
+    {"core/session",
+     {"core/base", "core/image", "core/anatomy", "core/mesh", "core/flow", "core/deform",
+      "core/patient", "core/scene"}},
+};
+
+// Libraries that a layer must not name at all.
+const std::map<std::string, std::regex> forbidden_libraries{
+    {"core", std::regex("^(Q[A-Z]|vtkRender|vtkOpenGL|vtkActor|vtkQt|GL/|cuda)")},
+    {"render", std::regex("^(Q[A-Z]|cuda|itk|opencv|CGAL|bt[A-Z])")},
+    {"ui", std::regex("^(cuda|itk|opencv|CGAL|bt[A-Z]|bullet)")},
+};
+
+// Libraries that compile slowly or leak their types: only inside .cpp files of core.
+const std::regex source_only_libraries("^(itk|opencv|CGAL|vtk|bt[A-Z]|bullet|gdcm)");
+
+std::string layer_of(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+std::string room_of(const std::string& path) {
+    const std::size_t first = path.find('/');
+    const std::size_t second = path.find('/', first + 1);
+    return layer_of(path) == "core" && second != std::string::npos ? path.substr(0, second)
+                                                                   : layer_of(path);
+}
+
+bool layer_may_include(const std::string& from, const std::string& to) {
+    static const std::map<std::string, std::set<std::string>> allowed{
+        {"core", {}},
+        {"gpu", {"core"}},
+        {"render", {"core"}},
+        {"ui", {"render", "core"}},
+        {"app", {"ui", "render", "gpu", "core"}},
+        {"bench", {"app", "render", "gpu", "core"}},
+    };
+    return from == to || allowed.at(from).contains(to);
+}
+
+// Why `file` may not include `include`; empty where it may.
+std::string objection(const std::string& file, const std::string& include) {
+    const std::string layer = layer_of(file);
+    static const std::set<std::string> layers{"core", "gpu", "render", "ui", "app", "bench"};
+    if (layers.contains(layer_of(include)) && include.find('/') != std::string::npos) {
+        if (!layer_may_include(layer, layer_of(include))) return "runs against the layers";
+        const std::string from = room_of(file);
+        const std::string to = room_of(include);
+        if (layer == "core" && from != to) {
+            if (!allowed_rooms.contains(from)) return "room " + from + " is not in the plan";
+            if (!allowed_rooms.at(from).contains(to)) return "runs against the flow of data";
+        }
+        return "";
+    }
+    const auto library = forbidden_libraries.find(layer);
+    if (library != forbidden_libraries.end() && std::regex_search(include, library->second))
+        return "is a library this layer must not know";
+    if (layer == "core" && file.ends_with(".h") &&
+        std::regex_search(include, source_only_libraries))
+        return "is a library for .cpp files only";
+    return "";
+}
+
+std::vector<std::string> includes_of(const fs::path& file) {
+    static const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    std::vector<std::string> includes;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, line_pattern)) includes.push_back(match[1]);
+    }
+    return includes;
+}
+
+TEST(Layers, NoIncludeRunsBackwards) {
+    int checked = 0;
+    for (const char* layer : {"core", "gpu", "render", "ui", "app", "bench"}) {
+        if (!fs::exists(source_root / layer)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(source_root / layer)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".h" && extension != ".cpp" && extension != ".cu") continue;
+            const std::string file = fs::relative(entry.path(), source_root).generic_string();
+            for (const std::string& include : includes_of(entry.path())) {
+                EXPECT_EQ(objection(file, include), "") << file << " includes " << include;
+                ++checked;
+            }
+        }
+    }
+    EXPECT_GT(checked, 100) << "the tree was not found at " << source_root;
+}
+
+TEST(Layers, TheCheckItselfObjects) {
+    EXPECT_NE(objection("core/flow/a.cpp", "render/scene_view.h"), "");
+    EXPECT_NE(objection("core/image/a.cpp", "core/flow/fluid.h"), "");
+    EXPECT_NE(objection("core/deform/a.h", "core/anatomy/vessel_tree.h"), "");
+    EXPECT_NE(objection("render/a.cpp", "ui/main_window.h"), "");
+    EXPECT_NE(objection("render/a.cpp", "QWidget"), "");
+    EXPECT_NE(objection("core/image/volume_reader.h", "itkImage.h"), "");
+    EXPECT_NE(objection("core/session/a.cpp", "vtkRenderWindow.h"), "");
+    EXPECT_NE(objection("core/cellar/a.cpp", "core/base/error.h"), "");
+    EXPECT_EQ(objection("core/image/volume_reader.cpp", "itkImage.h"), "");
+    EXPECT_EQ(objection("app/verb_render.cpp", "render/scene_view.h"), "");
+    EXPECT_EQ(objection("core/scene/world.cpp", "core/flow/fluid.h"), "");
+}
+
+TEST(Layers, EveryFileNamesItsLicence) {
+    for (const char* layer : {"core", "gpu", "render", "ui", "app", "bench", "tests", "cmake"}) {
+        if (!fs::exists(source_root / layer)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(source_root / layer)) {
+            const std::string name = entry.path().filename().string();
+            if (!(name.ends_with(".h") || name.ends_with(".cpp") || name.ends_with(".cu") ||
+                  name.ends_with(".cmake") || name == "CMakeLists.txt"))
+                continue;
+            std::string first;
+            std::ifstream in(entry.path());
+            std::getline(in, first);
+            EXPECT_NE(first.find("SPDX-License-Identifier: GPL-3.0-or-later"), std::string::npos)
+                << entry.path();
+        }
+    }
+}
+
+}  // namespace
