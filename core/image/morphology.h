@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shapes of masks: exact Euclidean distances (Felzenszwalb and Huttenlocher 2012), dilation,
+// erosion, closing and opening by a ball of a physical radius, connected components, holes.
+// All give the same bytes for any number of threads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+// Distance in mm from each voxel's centre to the nearest centre of an object voxel (0 inside);
+// infinity where there is no object. Honours the spacing of each axis.
+FloatVolume distance_to(const Mask& object, Job& job);
+// Negative inside: minus the distance to the nearest background voxel; positive outside: distance
+// to the nearest object voxel.
+FloatVolume signed_distance(const Mask& object, Job& job);
+
+// By a ball of radius_mm (>= 0). The outside of the image counts as background for dilation and
+// closing, and as object for erosion, so that closing never removes an object voxel.
+Mask dilate(const Mask& mask, double radius_mm, Job& job);
+Mask erode(const Mask& mask, double radius_mm, Job& job);
+Mask close(const Mask& mask, double radius_mm, Job& job);
+Mask open(const Mask& mask, double radius_mm, Job& job);
+
+enum class Connectivity { faces6 = 6, all26 = 26 };
+
+struct Components {
+    Image<std::uint32_t> labels;  // 0 background, 1 the largest component, 2 the next ...
+    std::vector<std::size_t>
+        sizes;  // sizes[i]: voxels of label i + 1, falling; ties by first voxel
+};
+
+Components connected_components(const Mask& mask, Connectivity connectivity);
+// Keeps the `count` largest components, and of those only the ones of at least minimum_voxels.
+Mask largest_components(const Mask& mask, Connectivity connectivity, int count = 1,
+                        std::size_t minimum_voxels = 1);
+// Fills background that no path through faces joins to the border of the image.
+Mask fill_holes(const Mask& mask);
+
+}  // namespace hepatica

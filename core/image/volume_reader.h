@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Images from disk into patient space (LPS, millimetres): a DICOM folder, NIfTI, MetaImage, NRRD.
+// A header is compared with the file's size and the free memory before anything is allocated, and
+// the geometry of a DICOM series is checked slice by slice: what cannot be trusted is refused.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+// What the reader decided on its own, in sentences for the user: the series it left out, slices
+// that stood twice, values it clamped. Empty where nothing was out of the ordinary.
+using ReadRemarks = std::vector<std::string>;
+
+// Reads a CT. `file_or_folder` is a DICOM folder (with subfolders; names and extensions do not
+// matter, files that are not images are passed over, the CT series with the most slices is taken),
+// any one file of such a folder, a DICOMDIR, or a .nii, .nii.gz, .mha, .mhd, .nrrd or .nhdr file.
+// Values are in Hounsfield units after the file's slope and intercept, clamped to
+// [-32768, 32767]; values that are not numbers become -1024.
+// Begins one stage of `job` and reports progress slice by slice. Throws Cancelled, or InputError
+// that names the file: unreadable, truncated, no CT in it, sizes or orientations that differ
+// between slices, missing slices, uneven gaps, gantry tilt, a spacing that is not positive, a
+// header that claims more than the file or the memory can hold.
+Volume read_volume(const std::filesystem::path& file_or_folder, Job& job,
+                   ReadRemarks* remarks = nullptr);
+
+// Reads labels (whole numbers 0 to 65535) from .nii, .nii.gz, .mha, .mhd, .nrrd, .nhdr or
+// .seg.nrrd. Throws InputError as above, and where a value is negative or not whole.
+LabelMap read_label_map(const std::filesystem::path& file, Job& job);
+
+// Reads a mask from the same formats: 1 where the value is one of `labels`, or is not zero where
+// `labels` is empty; else 0. Throws InputError as above, and where no voxel is left.
+Mask read_mask(const std::filesystem::path& file, Job& job, std::span<const int> labels = {});
+
+// Throws InputError, naming `place`, where the mask does not cover the volume voxel by voxel.
+void require_same_grid(const Grid& mask, const Grid& volume, const std::string& place);
+
+// Throws InputError, naming `place`, where nothing can be reconstructed from the volume: fewer
+// than 8 voxels along an axis, all values equal, or no soft tissue (-200 to 400 HU) in sight.
+void require_plausible_ct(const Volume& volume, const std::string& place);
+
+}  // namespace hepatica

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Images to disk, in formats that other programs open. Files and folders appear whole or not at
+// all, and the same image gives the same bytes on every day and for any number of threads.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "core/base/job.h"
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+// NIfTI-1 (.nii, or .nii.gz compressed), RAS on disk as the format wants, millimetres.
+// Throws InputError, naming the file, where it cannot be written or its name ends otherwise.
+void write_nifti(const std::filesystem::path& file, const Volume& volume);
+void write_nifti(const std::filesystem::path& file, const FloatVolume& volume);
+void write_nifti(const std::filesystem::path& file, const Mask& mask);
+void write_nifti(const std::filesystem::path& file, const LabelMap& labels);
+
+struct SegmentDescription {
+    std::uint16_t label = 1;
+    std::string name;               // as 3D Slicer lists it
+    Vec3 colour{0.85, 0.40, 0.31};  // red, green, blue in [0, 1]
+};
+
+// A .seg.nrrd that 3D Slicer opens as a segmentation, gzip-compressed, LPS.
+// Throws InputError as above.
+void write_segmentation(const std::filesystem::path& file, const LabelMap& labels,
+                        std::span<const SegmentDescription> segments);
+
+struct DicomSeriesInfo {
+    std::string patient_name = "Hepatica^Phantom";  // DICOM order: family^given
+    std::string patient_id = "HEPATICA";
+    std::string series_description = "Synthetic contrast CT";
+    std::string study_date = "20000101";  // YYYYMMDD
+    double window_centre_hu = 110.0;
+    double window_width_hu = 300.0;
+};
+
+// A CT series (SOP class CT Image Storage, explicit little endian, 16 bits signed, one file a
+// slice named slice_0001.dcm ...), UIDs derived from the content. Replaces a folder that stood
+// there. Throws InputError as above, and Cancelled.
+void write_dicom_series(const std::filesystem::path& folder, const Volume& volume,
+                        const DicomSeriesInfo& info, Job& job);
+
+}  // namespace hepatica
