@@ -10,6 +10,11 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(HEPATICA_COMPILE_OPTIONS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Werror -ffp-contract=off)
 
+# GCC 12 warns of overlapping copies inside std::string's own operator+ (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-restrict)
+endif()
+
 # AVX2 has been in desktop processors since 2013; HEPATICA_CPU=native or x86-64 chooses otherwise.
 # Applied to the whole tree, because Eigen's alignment is part of the binary interface.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <utility>
+
+#include "app/progress_display.h"
+#include "app/readable.h"
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int exit_done = 0;
+constexpr int exit_bad_input = 1;
+constexpr int exit_bad_usage = 2;
+constexpr int exit_internal = 3;
+constexpr int exit_interrupted = 130;
+
+int report(const Error& error, int code) {
+    const std::string where = error.place().empty() ? "" : error.place() + ": ";
+    spdlog::error("{}{}", where, error.problem());
+    if (!error.remedy().empty()) spdlog::error("{}", error.remedy());
+    return code;
+}
+
+// The log goes to standard error, so that standard output holds the answer alone.
+void set_up_log(bool quiet) {
+    auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+    auto logger = std::make_shared<spdlog::logger>("hepatica", sink);
+    logger->set_pattern("hepatica-cli: %l: %v");
+    logger->set_level(quiet ? spdlog::level::warn : spdlog::level::info);
+    spdlog::set_default_logger(std::move(logger));
+}
+
+}  // namespace
+
+CommandLine::CommandLine()
+    : program_(
+          "Hepatica without a window: reconstructs hepatic vessels from CT, simulates them "
+          "and measures. Every verb takes --help and --json.",
+          "hepatica-cli") {
+    program_.require_subcommand(1);
+    program_.set_version_flag("--version", HEPATICA_VERSION);
+}
+
+CLI::App& CommandLine::add_verb(const std::string& name, const std::string& description, Run run) {
+    return add_to(program_, name, description, std::move(run));
+}
+
+CLI::App& CommandLine::add_verb(const std::string& group, const std::string& group_description,
+                                const std::string& name, const std::string& description, Run run) {
+    CLI::App*& parent = groups_[group];
+    if (parent == nullptr) {
+        parent = program_.add_subcommand(group, group_description);
+        parent->require_subcommand(1);
+    }
+    return add_to(*parent, name, description, std::move(run));
+}
+
+CLI::App& CommandLine::add_to(CLI::App& parent, const std::string& name,
+                              const std::string& description, Run run) {
+    CLI::App& verb = *parent.add_subcommand(name, description);
+    verb.add_flag("--json", json_, "Print one JSON object on standard output and nothing else");
+    verb.add_flag("--quiet", quiet_, "Show no progress");
+    verb.callback([this, run = std::move(run)] { chosen_ = run; });
+    return verb;
+}
+
+int CommandLine::run(int argc, const char* const* argv) {
+    set_up_log(false);
+    try {
+        program_.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return program_.exit(success);  // --help and --version
+    } catch (const CLI::ParseError& error) {
+        spdlog::error("{}", error.what());
+        spdlog::error("See `hepatica-cli --help` or `hepatica-cli VERB --help`");
+        return exit_bad_usage;
+    }
+    set_up_log(quiet_);
+    return run_verb();
+}
+
+int CommandLine::run_verb() {
+    try {
+        Json answer;
+        {
+            Job job;
+            const ProgressDisplay display(job, quiet_);
+            answer = chosen_(job);
+        }
+        if (json_)
+            std::cout << answer.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+        else
+            std::cout << readable(answer);
+        std::cout.flush();
+        if (!std::cout)
+            throw InputError("the answer could not be written", "standard output",
+                             "Check that the disk is not full and the pipe not closed");
+        return exit_done;
+    } catch (const Cancelled&) {
+        spdlog::warn("interrupted; nothing was left behind");
+        return exit_interrupted;
+    } catch (const UsageError& error) {
+        return report(error, exit_bad_usage);
+    } catch (const Error& error) {
+        return report(error, exit_bad_input);
+    } catch (const std::filesystem::filesystem_error& error) {
+        spdlog::error("{}: {}", error.path1().string(), error.code().message());
+        return exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        spdlog::error("not enough memory; give a smaller image or crop it with --liver-mask");
+        return exit_internal;
+    } catch (const std::exception& error) {
+        spdlog::error("internal error: {}", error.what());
+        return exit_internal;
+    }
+}
+
+std::array<double, 3> parse_triple(const std::string& option, const std::string& text) {
+    std::array<double, 3> values{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0 && (at == end || *at++ != ','))
+            throw UsageError("\"" + text + "\" is not three numbers", option,
+                             "Write them as X,Y,Z with a decimal point");
+        const auto [rest, error] = std::from_chars(at, end, values[i]);
+        if (error != std::errc{})
+            throw UsageError("\"" + text + "\" is not three numbers", option,
+                             "Write them as X,Y,Z with a decimal point");
+        at = rest;
+    }
+    if (at != end)
+        throw UsageError("\"" + text + "\" has more than three numbers", option,
+                         "Write them as X,Y,Z with a decimal point");
+    return values;
+}
+
+}  // namespace hepatica

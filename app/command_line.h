@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame that every verb of hepatica-cli stands in: options, JSON or readable output, progress,
+// Ctrl-C, and the exit codes (0 done, 1 bad input, 2 bad usage, 3 internal error, 130 interrupted).
+//
+// A verb is one file with one function add_NAME(CommandLine&), listed in verbs/verbs.h:
+//     void add_pressure_drop(CommandLine& line) {
+//         auto options = std::make_shared<Options>();
+//         CLI::App& verb = line.add_verb("pressure-drop", "Loss of pressure along one segment",
+//                                        [options](Job&) { return Json{{"total_pa", ...}}; });
+//         verb.add_option("--r1-mm", options->r1_mm, "Radius at the inlet [mm]")->required();
+//     }
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/job.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+class CommandLine {
+  public:
+    // What a verb does: works under the job (which Ctrl-C cancels, and whose progress is shown on
+    // standard error) and returns what it found. Throws Error for whatever the user can mend.
+    using Run = std::function<Json(Job&)>;
+
+    CommandLine();
+    CommandLine(const CommandLine&) = delete;
+    CommandLine& operator=(const CommandLine&) = delete;
+
+    // Adds `hepatica-cli NAME`, with --json and --quiet; the caller adds the verb's own options.
+    CLI::App& add_verb(const std::string& name, const std::string& description, Run run);
+
+    // A group of verbs, as in `hepatica-cli bench iterations`: give its name as `group` below.
+    CLI::App& add_verb(const std::string& group, const std::string& group_description,
+                       const std::string& name, const std::string& description, Run run);
+
+    // Parses, runs the verb and prints: JSON on standard output and nothing else there with
+    // --json, else the same facts in readable lines. Returns the exit code.
+    int run(int argc, const char* const* argv);
+
+  private:
+    CLI::App& add_to(CLI::App& parent, const std::string& name, const std::string& description,
+                     Run run);
+    int run_verb();
+
+    CLI::App program_;
+    std::map<std::string, CLI::App*> groups_;
+    Run chosen_;
+    bool json_ = false;
+    bool quiet_ = false;
+};
+
+// Parses "1,2,3" given to `option` into three values. Throws UsageError that names the option.
+std::array<double, 3> parse_triple(const std::string& option, const std::string& text);
+
+}  // namespace hepatica

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "app/verbs/verbs.h"
+
+namespace hepatica {
+
+namespace {
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
+}
+
+// "name version" joined by commas, as CMake found them.
+Json library_versions() {
+    Json versions = Json::object();
+    const std::string list = HEPATICA_VERSIONS;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        const std::string entry = list.substr(begin, end - begin);
+        const std::size_t space = entry.find(' ');
+        versions[entry.substr(0, space)] = entry.substr(space + 1);
+        begin = end + 1;
+    }
+    return versions;
+}
+
+Json diagnose() {
+    return {{"version", HEPATICA_VERSION},
+            {"cpu", {{"name", processor_name()}, {"threads", std::thread::hardware_concurrency()}}},
+            {"cuda", {{"compiled", false}, {"device", nullptr}}},
+            {"libraries", library_versions()}};
+}
+
+}  // namespace
+
+void add_diagnose(CommandLine& line) {
+    line.add_verb("diagnose", "What this computer offers: processor, graphics, library versions",
+                  [](Job&) { return diagnose(); });
+}
+
+}  // namespace hepatica

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs of hepatica-cli: one function and one file (verb_NAME.cpp) each.
+#pragma once
+
+#include "app/command_line.h"
+
+namespace hepatica {
+
+void add_diagnose(CommandLine& line);
+
+// All of them, in the order in which --help lists them.
+void add_all_verbs(CommandLine& line);
+
+}  // namespace hepatica

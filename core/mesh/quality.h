@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a mesh is worth as a body: shape of its tetrahedra, and the topology of its boundary.
+#pragma once
+
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+struct MeshQuality {
+    double min_dihedral_deg = 0.0;
+    double max_dihedral_deg = 0.0;
+    double volume_mm3 = 0.0;
+    int components = 0;           // bodies: tetrahedra connected through shared vertices
+    bool closed = false;          // every boundary edge belongs to exactly two triangles, and the
+                                  // triangles around every boundary vertex form one fan
+    int boundary_components = 0;  // more than `components`: there are cavities
+    int handles = 0;              // tunnels of the boundary: 1 - chi/2, summed over its components
+};
+
+// Zeros for an empty mesh. Thread safety: const access only.
+MeshQuality quality_of(const TetMesh& mesh);
+
+// Smallest and largest of the six dihedral angles [degrees].
+struct DihedralRange {
+    double min_deg = 0.0;
+    double max_deg = 0.0;
+};
+DihedralRange dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+}  // namespace hepatica

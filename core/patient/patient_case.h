@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One patient on disk: NAME.hep, a folder of open formats.
+//   case.json (version, source, parameters, hashes of the rest), mask.nii.gz, skeleton.nii.gz,
+//   tree.vtp, tree.swc, surface.vtp, mesh.vtu
+// The CT itself is referred to, not copied.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/anatomy/vessel_tree.h"
+#include "core/image/volume.h"
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+// Where a case came from and how it was made.
+struct CaseSource {
+    std::string image_path;       // the CT, as given
+    Grid image_grid;              // its geometry
+    std::string parameters_json;  // options of the reconstruction, one JSON object
+    std::string program_version;
+};
+
+struct PatientCase {
+    CaseSource source;
+    Mask mask;      // vessels, on the grid they were segmented on; may be empty
+    Mask skeleton;  // its unit-width skeleton, same grid; may be empty
+    VesselTree tree;
+    TriangleMesh surface;  // boundary of `mesh`
+    TetMesh mesh;
+};
+
+// A folder that holds a case.json. Says nothing about whether it can be read.
+bool is_case(const std::filesystem::path& path);
+
+// Writes the whole case or nothing; a case that stood there is replaced.
+// Throws InputError where the place cannot be written or the disk is full.
+void write_case(const std::filesystem::path& folder, const PatientCase& patient);
+
+// Reads and checks a case. Throws InputError that says why where the version is another, a file is
+// missing, or a file's hash is not the one that case.json holds.
+PatientCase read_case(const std::filesystem::path& folder);
+
+// The same without the voxels (mask and skeleton stay empty): for simulation, which needs neither.
+PatientCase read_case_without_voxels(const std::filesystem::path& folder);
+
+// Hash of what the simulation reads (tree and mesh): a recording names the case that it belongs to.
+std::uint64_t hash_of(const PatientCase& patient);
+
+}  // namespace hepatica

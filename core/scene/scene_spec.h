@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which parts a scene requires, and their settings. What is not named is not built: a flow lesson
+// makes no tetrahedra's matrices and no solver, a drag lesson no flow network.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// Which ends of the tree are held in place.
+enum class FixedEnds { none, roots, all };
+
+struct DeformSpec {
+    std::string material = "portal vein";  // name of a preset, see core/deform/material.h
+    FixedEnds fixed = FixedEnds::all;
+    Vec3 gravity_mm_per_s2 = Vec3::Zero();
+    double tether_pa_per_mm = 0.0;  // springs to the rest shape: tissue around
+    double quality = 0.5;           // the dial, 0 to 1
+};
+
+struct FlowSpec {
+    double drug_speed = 1.0;  // drug seconds per simulated second
+};
+
+struct SceneSpec {
+    std::string name = "scene";
+    std::optional<DeformSpec> deform = DeformSpec{};
+    std::optional<FlowSpec> flow = FlowSpec{};
+    double dt_s = 1.0 / 60.0;  // 1e-4 to 1
+};
+
+// Both parts, with their defaults: what the window opens a case with.
+SceneSpec default_scene();
+
+nlohmann::ordered_json to_json(const SceneSpec& spec);
+// Throws InputError that names the key that is unknown, missing or out of range.
+SceneSpec scene_from_json(const nlohmann::ordered_json& json);
+
+// A scene file names its case beside the parts; a relative path starts at the file's folder.
+struct SceneFile {
+    SceneSpec spec;
+    std::filesystem::path patient;
+};
+SceneFile read_scene(const std::filesystem::path& file);
+
+}  // namespace hepatica

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that a person or a script can do to the world. Commands are plain values: they wait in
+// a queue, are applied at a step boundary only, and are written into the recording as they are.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// Takes hold of the body at the point of its present surface nearest to point_mm (for example where
+// the mouse's ray met it). Replaces a grab that is held.
+struct GrabPoint {
+    Vec3 point_mm = Vec3::Zero();
+};
+// Takes hold of one vertex of the body.
+struct GrabVertex {
+    int vertex = 0;
+};
+// Where the hand is now. Without a grab it does nothing.
+struct MoveGrab {
+    Vec3 target_mm = Vec3::Zero();
+};
+struct ReleaseGrab {};
+
+// Injects at the point of the tree nearest to point_mm, seen in the present (deformed) shape.
+// Replaces an injection that was made before; the drug's clock starts at zero and plays.
+struct InjectDrug {
+    Vec3 point_mm = Vec3::Zero();
+    double mass_flow_g_s = 2.0;                 // > 0
+    double void_fraction = 0.0;                 // volume share of gas, 0 to below 1
+    std::string pressure_model = "regime";      // published, consistent or regime
+    std::optional<double> drug_viscosity_pa_s;  // > 0; otherwise the fluid's own
+};
+struct RemoveDrug {};
+struct PlayDrug {
+    bool playing = true;
+};
+struct SetDrugTime {
+    double time_s = 0.0;  // >= 0
+};
+struct SetDrugSpeed {
+    double factor = 1.0;  // drug seconds per simulated second, > 0
+};
+
+struct SetGravity {
+    Vec3 gravity_mm_per_s2 = Vec3::Zero();
+};
+// Tissue around the vessels as springs to the rest shape.
+struct SetTether {
+    double stiffness_pa_per_mm = 0.0;  // pressure per millimetre of displacement, >= 0
+};
+// The dial: 0 fastest, 1 most accurate.
+struct SetQuality {
+    double quality = 0.5;
+};
+// Stops and resumes the clock; the view stays alive.
+struct SetPaused {
+    bool paused = true;
+};
+// Back to the rest shape: no grab, no drug, step count goes on.
+struct ResetWorld {};
+// After a divergence: back to the last good snapshot, and on.
+struct RestoreSnapshot {};
+
+using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
+                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
+                             SetPaused, ResetWorld, RestoreSnapshot>;
+
+// {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
+// Reading throws InputError that names the command and the field that is missing or out of range.
+nlohmann::ordered_json to_json(const Command& command);
+Command command_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace hepatica
