@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/linear_solver.h"
+
+#include <array>
+
+#include "core/base/error.h"
+#include "core/deform/block_jacobi.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Entry {
+    LinearSolverKind kind;
+    std::string_view name;
+};
+
+constexpr std::array<Entry, 4> entries{{{LinearSolverKind::block_jacobi, "block-jacobi"},
+                                        {LinearSolverKind::skeleton, "skeleton"},
+                                        {LinearSolverKind::cholesky, "cholesky"},
+                                        {LinearSolverKind::automatic, "automatic"}}};
+
+}  // namespace
+
+LinearSolverKind linear_solver_kind(std::string_view name) {
+    for (const Entry& entry : entries) {
+        if (entry.name == name) return entry.kind;
+    }
+    throw UsageError("there is no linear solver \"" + std::string(name) + "\"", "",
+                     "Choose block-jacobi, skeleton, cholesky or automatic.");
+}
+
+std::string_view name_of(LinearSolverKind kind) {
+    return entries[static_cast<std::size_t>(kind)].name;
+}
+
+std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
+    return std::make_unique<BlockJacobiSolver>();
+}
+
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const FrameSkeleton& skeleton,
+                                                 std::span<const Vec3> rest_positions_mm) {
+    static_cast<void>(kind);
+    static_cast<void>(skeleton);
+    static_cast<void>(rest_positions_mm);
+    return make_block_jacobi_solver();
+}
+
+}  // namespace hepatica
