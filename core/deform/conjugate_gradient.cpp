@@ -154,7 +154,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     const auto finished = [&] {
         const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;
         const double residual_limit = limits.residual_tolerance * limits.residual_tolerance;
-        report.converged = error_squared <= energy_limit * (solution_energy + error_squared) ||
+        report.converged = (1.0 - energy_limit) * error_squared <= energy_limit * solution_energy ||
                            residual_squared <= residual_limit * rhs_squared || work == 0.0;
         return report.converged || report.iterations >= limits.max_iterations;
     };

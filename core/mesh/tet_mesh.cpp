@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/tet_mesh.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <string>
 

@@ -73,7 +73,7 @@ TEST(BlockJacobi, StoppedEarlyItOwnsUpToItsError) {
             solver->solve(system.load, x, {.energy_tolerance = 1e-2, .max_iterations = iterations});
         const double error = test::energy_error(system.matrix, x, system.exact);
         RecordProperty("error_" + std::to_string(iterations), std::to_string(error));
-        EXPECT_GE(report.energy_error, 0.9 * error) << iterations << " iterations";
+        EXPECT_GE(report.energy_error, 0.8 * error) << iterations << " iterations";
         EXPECT_EQ(report.converged, report.iterations < iterations);
     }
 }
