@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/anatomy/thinning.h"
+
+#include "core/anatomy/parallel_thinning.h"
+#include "core/anatomy/queue_thinning.h"
+
+namespace hepatica {
+
+Mask thin(const Mask& mask, ThinningMethod method, Job& job) {
+    PaddedObject object(mask);
+    if (object.empty()) return Mask(mask.grid);
+    if (method == ThinningMethod::parallel) thin_by_templates(object, job);
+    // After the templates this removes what they leave thicker than it need be.
+    thin_by_queue(object, job);
+    return object.to_mask();
+}
+
+}  // namespace hepatica
