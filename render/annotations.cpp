@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/annotations.h"
+
+#include <vtkActor2D.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+#include "render/palette.h"
+#include "render/text_style.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int legend_cells = 48;
+constexpr double margin_pt = 18.0;
+constexpr double pi = 3.14159265358979323846;
+
+vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkUnsignedCharArray* colours,
+                                        vtkRenderer& renderer) {
+    vtkNew<vtkCellArray> cells;
+    for (int q = 0; q < quads; ++q) {
+        cells->InsertNextCell({4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3});
+    }
+    points->SetNumberOfPoints(4 * quads);
+    vtkNew<vtkPolyData> polydata;
+    polydata->SetPoints(points);
+    polydata->SetPolys(cells);
+    if (colours) polydata->GetCellData()->SetScalars(colours);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(polydata);
+    auto actor = vtkSmartPointer<vtkActor2D>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(palette::text[0], palette::text[1], palette::text[2]);
+    renderer.AddActor2D(actor);
+    return actor;
+}
+
+void set_quad(vtkPoints& points, int quad, double x0, double y0, double x1, double y1) {
+    points.SetPoint(4 * quad, x0, y0, 0);
+    points.SetPoint(4 * quad + 1, x1, y0, 0);
+    points.SetPoint(4 * quad + 2, x1, y1, 0);
+    points.SetPoint(4 * quad + 3, x0, y1, 0);
+}
+
+vtkSmartPointer<vtkTextActor> text_actor(vtkRenderer& renderer) {
+    auto actor = vtkSmartPointer<vtkTextActor>::New();
+    renderer.AddActor2D(actor);
+    return actor;
+}
+
+void place_text(vtkTextActor& actor, const std::string& text, double x, double y, double size,
+                const Colour& colour) {
+    // VTK warns about empty texts, so an empty one is hidden instead.
+    actor.SetVisibility(!text.empty());
+    if (text.empty()) return;
+    style_text(*actor.GetTextProperty(), std::max(6, static_cast<int>(std::lround(size))), colour);
+    actor.SetInput(text.c_str());
+    actor.SetPosition(std::round(x), std::round(y));
+}
+
+std::string formatted(double value, int decimals) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(decimals) << value;
+    return text.str();
+}
+
+int decimals_for(double range) {
+    return range < 1.0 ? 2 : range < 20.0 ? 1 : 0;
+}
+
+}  // namespace
+
+double round_length_below(double length) {
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    const double leading = length / power;
+    return power * (leading >= 5.0 ? 5.0 : leading >= 2.0 ? 2.0 : 1.0);
+}
+
+Annotations::Annotations(vtkRenderer& renderer)
+    : legend_points_(vtkSmartPointer<vtkPoints>::New()),
+      marker_points_(vtkSmartPointer<vtkPoints>::New()),
+      bar_points_(vtkSmartPointer<vtkPoints>::New()) {
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    for (int c = 0; c < legend_cells; ++c) {
+        for (const double channel : palette::drug((c + 0.5) / legend_cells)) {
+            colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * channel)));
+        }
+    }
+    legend_ = quads_actor(legend_points_, legend_cells, colours, renderer);
+    marker_ = quads_actor(marker_points_, 1, nullptr, renderer);
+    bar_ = quads_actor(bar_points_, 3, nullptr, renderer);
+    legend_title_ = text_actor(renderer);
+    legend_start_ = text_actor(renderer);
+    legend_end_ = text_actor(renderer);
+    legend_end_->GetTextProperty()->SetJustificationToRight();
+    bar_label_ = text_actor(renderer);
+    bar_label_->GetTextProperty()->SetJustificationToCentered();
+    caption_ = text_actor(renderer);
+    caption_->GetTextProperty()->SetVerticalJustificationToTop();
+}
+
+void Annotations::set_caption(const std::string& text) {
+    caption_text_ = text;
+}
+
+void Annotations::update(const PictureSize& size, vtkCamera& camera, const DrugView& drug) {
+    update_legend(size, drug);
+    update_scale_bar(size, camera);
+    const double r = size.pixel_ratio;
+    place_text(*caption_, visible_ ? caption_text_ : std::string(), margin_pt * r,
+               size.height - margin_pt * r, 12.0 * r, palette::faint_text);
+}
+
+void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
+    const bool shown = visible_ && drug.arrival_s && drug.end_s > 0.0;
+    legend_->SetVisibility(shown);
+    marker_->SetVisibility(shown);
+    const double r = size.pixel_ratio;
+    const double width = std::min(190.0 * r, 0.45 * size.width);
+    const double x = size.width - margin_pt * r - width;
+    const double y = (margin_pt + 16.0) * r;
+    const double height = 9.0 * r;
+    for (int c = 0; c < legend_cells; ++c) {
+        set_quad(*legend_points_, c, x + width * c / legend_cells, y,
+                 x + width * (c + 1) / legend_cells, y + height);
+    }
+    legend_points_->Modified();
+    const double now = shown ? std::clamp(drug.time_s / drug.end_s, 0.0, 1.0) : 0.0;
+    const double at = x + width * now;
+    set_quad(*marker_points_, 0, at - 1.2 * r, y - 3.0 * r, at + 1.2 * r, y + height + 3.0 * r);
+    marker_points_->Modified();
+    const int decimals = decimals_for(drug.end_s);
+    const std::string title =
+        "Drug arrival (s)   now " + formatted(std::min(drug.time_s, 1e6), decimals) + " s";
+    place_text(*legend_title_, shown ? title : "", x, y + height + 7.0 * r, 11.5 * r,
+               palette::text);
+    place_text(*legend_start_, shown ? "0" : "", x, margin_pt * r - 2.0 * r, 11.0 * r,
+               palette::faint_text);
+    place_text(*legend_end_, shown ? formatted(drug.end_s, decimals) : "", x + width,
+               margin_pt * r - 2.0 * r, 11.0 * r, palette::faint_text);
+}
+
+void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
+    const double r = size.pixel_ratio;
+    const double tangent = std::tan(0.5 * camera.GetViewAngle() * pi / 180.0);
+    const double mm_per_pixel = 2.0 * camera.GetDistance() * tangent / std::max(size.height, 1);
+    const double longest_mm = mm_per_pixel * std::min(140.0 * r, 0.3 * size.width);
+    const bool shown = visible_ && std::isfinite(longest_mm) && longest_mm > 0.0;
+    bar_->SetVisibility(shown);
+    if (!shown) return place_text(*bar_label_, "", 0, 0, 1, palette::text);
+    const double length_mm = round_length_below(longest_mm);
+    const double width = length_mm / mm_per_pixel;
+    const double x = 0.5 * (size.width - width);
+    const double y = margin_pt * r;
+    set_quad(*bar_points_, 0, x, y, x + width, y + 1.5 * r);
+    set_quad(*bar_points_, 1, x, y, x + 1.5 * r, y + 6.0 * r);
+    set_quad(*bar_points_, 2, x + width - 1.5 * r, y, x + width, y + 6.0 * r);
+    bar_points_->Modified();
+    const int decimals = length_mm < 1.0 ? 1 : 0;
+    place_text(*bar_label_, formatted(length_mm, decimals) + " mm", x + 0.5 * width, y + 8.0 * r,
+               11.0 * r, palette::text);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands around the picture: the drug's legend, a scale bar, a caption, and the letters that
+// say which way the patient lies. Sizes are in points and follow the screen's pixel ratio.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+#include "core/scene/frame.h"
+
+class vtkActor2D;
+class vtkCamera;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace hepatica {
+
+// Size of the picture in device pixels and of one point in pixels.
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+    double pixel_ratio = 1.0;
+};
+
+// Draws into the two-dimensional layer of one renderer; not thread-safe.
+class Annotations {
+  public:
+    explicit Annotations(vtkRenderer& renderer);
+
+    // Brings every mark up to date before a picture is drawn.
+    void update(const PictureSize& size, vtkCamera& camera, const DrugView& drug);
+    void set_caption(const std::string& text);
+    void set_visible(bool visible) { visible_ = visible; }
+
+  private:
+    void update_legend(const PictureSize& size, const DrugView& drug);
+    void update_scale_bar(const PictureSize& size, vtkCamera& camera);
+
+    bool visible_ = true;
+    std::string caption_text_;
+    vtkSmartPointer<vtkPoints> legend_points_;
+    vtkSmartPointer<vtkActor2D> legend_;
+    vtkSmartPointer<vtkPoints> marker_points_;
+    vtkSmartPointer<vtkActor2D> marker_;
+    vtkSmartPointer<vtkTextActor> legend_title_;
+    vtkSmartPointer<vtkTextActor> legend_start_;
+    vtkSmartPointer<vtkTextActor> legend_end_;
+    vtkSmartPointer<vtkPoints> bar_points_;
+    vtkSmartPointer<vtkActor2D> bar_;
+    vtkSmartPointer<vtkTextActor> bar_label_;
+    vtkSmartPointer<vtkTextActor> caption_;
+};
+
+// The largest of 1, 2, 5 times a power of ten that is at most `length` > 0.
+double round_length_below(double length);
+
+}  // namespace hepatica

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/ghost_actor.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+
+#include <cstddef>
+
+#include "render/palette.h"
+#include "render/surface_geometry.h"
+
+namespace hepatica {
+namespace {
+
+// Opaque at the rim, clear at the face: the shape is told by its outline.
+const char* const ghost = R"(//VTK::Light::Impl
+  {
+    float facing = abs(dot(normalVCVSOutput, normalize(-vertexVC.xyz)));
+    gl_FragData[0] = vec4(diffuseColor, 0.03 + 0.30 * pow(1.0 - facing, 2.5));
+  }
+)";
+
+}  // namespace
+
+GhostActor::GhostActor() : actor_(vtkSmartPointer<vtkActor>::New()) {
+    vtkProperty& look = *actor_->GetProperty();
+    look.SetColor(palette::liver[0], palette::liver[1], palette::liver[2]);
+    look.SetOpacity(0.5);  // below 1, so that VTK draws it in the pass for translucent surfaces
+    look.BackfaceCullingOn();
+    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, ghost,
+                                                              false);
+    actor_->SetVisibility(false);
+}
+
+void GhostActor::set_surface(const TriangleMesh& surface) {
+    Frame frame;
+    frame.surface = std::make_shared<const std::vector<std::array<int, 3>>>(surface.triangles);
+    frame.positions_mm.reserve(3 * surface.vertices_mm.size());
+    for (const Vec3& vertex : surface.vertices_mm) {
+        for (int axis = 0; axis < 3; ++axis) {
+            frame.positions_mm.push_back(static_cast<float>(vertex[axis]));
+        }
+    }
+    SurfaceGeometry geometry;
+    geometry.update(frame);
+
+    vtkNew<vtkFloatArray> positions;
+    vtkNew<vtkFloatArray> normals;
+    vtkNew<vtkCellArray> cells;
+    for (vtkFloatArray* array : {positions.Get(), normals.Get()}) array->SetNumberOfComponents(3);
+    for (const float value : geometry.positions_mm()) positions->InsertNextValue(value);
+    for (const float value : geometry.normals()) normals->InsertNextValue(value);
+    for (const auto& [a, b, c] : geometry.triangles()) cells->InsertNextCell({a, b, c});
+    vtkNew<vtkPoints> points;
+    points->SetData(positions);
+    vtkNew<vtkPolyData> polydata;
+    polydata->SetPoints(points);
+    polydata->SetPolys(cells);
+    polydata->GetPointData()->SetNormals(normals);
+    vtkNew<vtkOpenGLPolyDataMapper> mapper;
+    mapper->SetInputData(polydata);
+    actor_->SetMapper(mapper);
+    empty_ = geometry.triangles().empty();
+    apply_visibility();
+}
+
+void GhostActor::set_visible(bool visible) {
+    visible_ = visible;
+    apply_visibility();
+}
+
+void GhostActor::apply_visibility() {
+    actor_->SetVisibility(visible_ && !empty_);
+}
+
+}  // namespace hepatica

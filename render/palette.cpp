@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/palette.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+
+namespace hepatica::palette {
+namespace {
+
+// From deep red-brown to pale yellow: the sequential "YlOrBr" ramp of Brewer turned round, which
+// stands out against blue vessels for normal and for red-green-blind eyes alike.
+constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
+                                            {0.80, 0.30, 0.008},
+                                            {0.925, 0.44, 0.078},
+                                            {0.996, 0.60, 0.16},
+                                            {0.996, 0.79, 0.38},
+                                            {1.000, 0.96, 0.72}}};
+
+constexpr std::array<Colour, 6> system_colours{{{0.47, 0.43, 0.80},
+                                                {0.27, 0.55, 0.85},
+                                                {0.83, 0.27, 0.25},
+                                                {0.33, 0.62, 0.60},
+                                                {0.66, 0.47, 0.66},
+                                                {0.55, 0.60, 0.68}}};
+
+}  // namespace
+
+Colour vessel_system(int system) {
+    const int count = static_cast<int>(system_colours.size());
+    return system_colours[static_cast<std::size_t>(((system % count) + count) % count)];
+}
+
+Colour drug(double fraction) {
+    constexpr int intervals = static_cast<int>(drug_stops.size()) - 1;
+    const double place = std::clamp(fraction, 0.0, 1.0) * intervals;
+    const int below = std::min(static_cast<int>(place), intervals - 1);
+    const double weight = place - below;
+    const Colour& a = drug_stops[static_cast<std::size_t>(below)];
+    const Colour& b = drug_stops[static_cast<std::size_t>(below) + 1];
+    Colour mixed{};
+    for (std::size_t c = 0; c < 3; ++c) mixed[c] = a[c] + weight * (b[c] - a[c]);
+    return mixed;
+}
+
+std::string drug_glsl() {
+    std::ostringstream code;
+    code.imbue(std::locale::classic());
+    code << std::fixed;
+    const auto vec3 = [&](const Colour& c) {
+        code << "vec3(" << c[0] << ", " << c[1] << ", " << c[2] << ")";
+    };
+    constexpr std::size_t intervals = drug_stops.size() - 1;
+    code << "vec3 drugColour(float fraction) {\n  float place = clamp(fraction, 0.0, 1.0) * "
+         << static_cast<double>(intervals) << ";\n  vec3 mixed = ";
+    vec3(drug_stops[0]);
+    code << ";\n";
+    for (std::size_t i = 0; i < intervals; ++i) {
+        code << "  mixed = mix(mixed, ";
+        vec3(drug_stops[i + 1]);
+        code << ", clamp(place - " << static_cast<double>(i) << ", 0.0, 1.0));\n";
+    }
+    code << "  return mixed;\n}\n";
+    return code.str();
+}
+
+}  // namespace hepatica::palette

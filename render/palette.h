@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colours of the three-dimensional view in one place: background, vessels by system, and the
+// drug's map, which rises monotonically in lightness so that every reader, colour-blind ones
+// included, sees the same order.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace hepatica {
+
+// Red, green, blue in [0, 1], sRGB.
+using Colour = std::array<double, 3>;
+
+namespace palette {
+
+inline constexpr Colour background_top{0.110, 0.129, 0.157};
+inline constexpr Colour background_bottom{0.043, 0.051, 0.066};
+inline constexpr Colour liver{0.62, 0.36, 0.31};
+inline constexpr Colour grab_line{0.30, 0.95, 0.85};
+inline constexpr Colour text{0.88, 0.90, 0.92};
+inline constexpr Colour faint_text{0.58, 0.62, 0.67};
+
+// The vessel's own colour. System 0 is portal (blue-violet), 1 hepatic veins (blue), 2 artery
+// (red); further systems cycle through quiet hues.
+Colour vessel_system(int system);
+
+// The drug's colour at `fraction` in [0, 1] of the map; values outside are clamped.
+Colour drug(double fraction);
+
+// GLSL function `vec3 drugColour(float fraction)` that equals drug() above.
+std::string drug_glsl();
+
+}  // namespace palette
+}  // namespace hepatica

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture in memory, read from a render window, written to and read from PNG.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+class vtkRenderWindow;
+
+namespace hepatica {
+
+// Red, green, blue, 8 bits each; rows from the top, no padding.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+// What the window shows since its last Render(); its context must be current.
+Picture read_picture(vtkRenderWindow& window);
+
+// Atomic. Throws InputError, naming the file, where it cannot be written.
+void write_png(const std::filesystem::path& file, const Picture& picture);
+// Throws InputError, naming the file, where it is missing or no PNG.
+Picture read_png(const std::filesystem::path& file);
+
+}  // namespace hepatica

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/scene_view.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/annotations.h"
+#include "render/ghost_actor.h"
+#include "render/grab_actor.h"
+#include "render/orientation_marker.h"
+#include "render/palette.h"
+#include "render/tree_actor.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+void add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour, double intensity) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(from.x(), from.y(), from.z());
+    light->SetFocalPoint(0, 0, 0);
+    light->SetColor(colour[0], colour[1], colour[2]);
+    light->SetIntensity(intensity);
+    renderer.AddLight(light);
+}
+
+}  // namespace
+
+struct SceneView::Parts {
+    explicit Parts(vtkRenderWindow& render_window)
+        : window(render_window), annotations(*renderer), orientation(render_window) {}
+
+    PictureSize picture_size() const {
+        const int* size = window.GetSize();
+        return {size[0], size[1], pixel_ratio};
+    }
+    double aspect() const {
+        const PictureSize size = picture_size();
+        return static_cast<double>(std::max(size.width, 1)) / std::max(size.height, 1);
+    }
+
+    vtkRenderWindow& window;
+    vtkNew<vtkRenderer> renderer;
+    TreeActor tree;
+    GhostActor liver;
+    GrabActor grab;
+    Annotations annotations;
+    OrientationMarker orientation;
+    DrugView drug;
+    double pixel_ratio = 1.0;
+    bool looked = false;  // a camera was chosen for the present tree
+};
+
+SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
+    vtkRenderer& renderer = *parts_->renderer;
+    const Colour& top = palette::background_top;
+    const Colour& bottom = palette::background_bottom;
+    renderer.SetGradientBackground(true);
+    renderer.SetBackground(bottom[0], bottom[1], bottom[2]);
+    renderer.SetBackground2(top[0], top[1], top[2]);
+    renderer.AutomaticLightCreationOff();
+    // Key from the upper left, cool fill from the right, a little from below: soft and readable.
+    add_light(renderer, {-0.6, 0.9, 1.0}, {1.0, 0.98, 0.95}, 0.85);
+    add_light(renderer, {1.0, 0.1, 0.8}, {0.80, 0.88, 1.0}, 0.35);
+    add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);
+    renderer.AddActor(parts_->tree.actor());
+    renderer.AddActor(parts_->liver.actor());
+    renderer.AddActor(parts_->grab.line());
+    renderer.AddActor(parts_->grab.point());
+    window.AddRenderer(&renderer);
+    hepatica::look_from(*renderer.GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-50),
+                        Vec3::Constant(50), 1.0);
+}
+
+SceneView::~SceneView() {
+    parts_->window.RemoveRenderer(parts_->renderer);
+}
+
+void SceneView::show(const Frame& frame) {
+    parts_->tree.update(frame);
+    parts_->grab.update(frame.grab);
+    parts_->drug = frame.drug;
+    if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
+        look_from(ViewDirection::anterior);
+    }
+}
+
+void SceneView::render(double pixel_ratio) {
+    parts_->pixel_ratio = pixel_ratio;
+    vtkRenderer& renderer = *parts_->renderer;
+    vtkCamera& eye = camera();
+    const SurfaceGeometry& surface = parts_->tree.surface();
+    if (!surface.triangles().empty()) {
+        const double distance = eye.GetDistance();
+        const double reach = 0.5 * (surface.upper_mm() - surface.lower_mm()).norm();
+        parts_->tree.set_fade(distance - 0.35 * reach, distance + 1.1 * reach);
+        parts_->grab.set_scale(parts_->picture_size().height > 0
+                                   ? 2.0 * distance *
+                                         std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) /
+                                         parts_->picture_size().height * pixel_ratio
+                                   : 1.0);
+    }
+    renderer.ResetCameraClippingRange();
+    parts_->annotations.update(parts_->picture_size(), eye, parts_->drug);
+    parts_->orientation.update(eye, parts_->picture_size());
+    parts_->window.Render();
+}
+
+void SceneView::set_vertex_systems(std::vector<int> systems) {
+    parts_->tree.set_vertex_systems(std::move(systems));
+}
+
+void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
+    parts_->tree.set_highlight(std::move(vertices));
+}
+
+void SceneView::set_liver(const TriangleMesh& surface) {
+    parts_->liver.set_surface(surface);
+}
+void SceneView::set_liver_visible(bool visible) {
+    parts_->liver.set_visible(visible);
+}
+void SceneView::set_caption(const std::string& text) {
+    parts_->annotations.set_caption(text);
+}
+
+void SceneView::set_annotations_visible(bool visible) {
+    parts_->annotations.set_visible(visible);
+    parts_->orientation.set_visible(visible);
+}
+
+void SceneView::look_from(ViewDirection direction) {
+    const SurfaceGeometry& surface = parts_->tree.surface();
+    const bool empty = surface.triangles().empty();
+    parts_->looked = !empty;
+    hepatica::look_from(camera(), direction, empty ? Vec3::Constant(-50) : surface.lower_mm(),
+                        empty ? Vec3::Constant(50) : surface.upper_mm(), parts_->aspect());
+}
+
+vtkCamera& SceneView::camera() {
+    return *parts_->renderer->GetActiveCamera();
+}
+
+ViewRay SceneView::ray_through(const Pixel& pixel) const {
+    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
+    const PictureSize size = parts_->picture_size();
+    const Vec3 origin(eye.GetPosition());
+    const Vec3 forward(eye.GetDirectionOfProjection());
+    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
+    const Vec3 up = right.cross(forward);
+    const double per_pixel =
+        2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / std::max(size.height, 1);
+    const Vec3 direction = forward + per_pixel * (pixel.x - 0.5 * size.width) * right -
+                           per_pixel * (pixel.y - 0.5 * size.height) * up;
+    return {origin, direction.normalized()};
+}
+
+SurfacePick SceneView::pick(const Pixel& pixel) const {
+    const ViewRay ray = ray_through(pixel);
+    return pick_surface(parts_->tree.surface(), ray.origin_mm, ray.direction);
+}
+
+Vec3 SceneView::point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const {
+    const ViewRay ray = ray_through(pixel);
+    const Vec3 forward(parts_->renderer->GetActiveCamera()->GetDirectionOfProjection());
+    const double along = (depth_mm - ray.origin_mm).dot(forward) / ray.direction.dot(forward);
+    return ray.origin_mm + along * ray.direction;
+}
+
+Pixel SceneView::pixel_of(const Vec3& position_mm) const {
+    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
+    const PictureSize size = parts_->picture_size();
+    const Vec3 forward(eye.GetDirectionOfProjection());
+    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
+    const Vec3 up = right.cross(forward);
+    const Vec3 offset = position_mm - Vec3(eye.GetPosition());
+    const double per_pixel = 2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) /
+                             std::max(size.height, 1) * offset.dot(forward);
+    return {0.5 * size.width + offset.dot(right) / per_pixel,
+            0.5 * size.height - offset.dot(up) / per_pixel};
+}
+
+void SceneView::drag_orbit(const Pixel& from, const Pixel& to) {
+    const double degrees_per_pixel = 240.0 / std::max(parts_->picture_size().height, 1);
+    orbit(camera(), degrees_per_pixel * (to.x - from.x), -degrees_per_pixel * (to.y - from.y));
+}
+
+void SceneView::drag_pan(const Pixel& from, const Pixel& to) {
+    const Vec3 focus(camera().GetFocalPoint());
+    pan(camera(), point_at_depth(to, focus) - point_at_depth(from, focus));
+}
+
+void SceneView::zoom_by(double factor) {
+    zoom(camera(), factor);
+}
+
+std::string SceneView::renderer_name() const {
+    const std::string report = parts_->window.ReportCapabilities();
+    const std::string key = "OpenGL renderer string:";
+    const std::size_t found = report.find(key);
+    if (found == std::string::npos) return {};
+    const std::size_t begin = report.find_first_not_of(' ', found + key.size());
+    return report.substr(begin, report.find('\n', begin) - begin);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The three-dimensional picture of a Frame in any VTK render window: vessels with the drug in them,
+// the liver's ghost, the line of the pull, legend, scale and orientation; and the way back from a
+// pixel to the point of the patient under it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/tet_mesh.h"
+#include "core/scene/frame.h"
+#include "render/camera.h"
+#include "render/surface_geometry.h"
+
+class vtkCamera;
+class vtkRenderWindow;
+
+namespace hepatica {
+
+// Device pixels, from the picture's upper left corner, as screens count them.
+struct Pixel {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// A ray from the eye through a pixel; `direction` has unit length.
+struct ViewRay {
+    Vec3 origin_mm = Vec3::Zero();
+    Vec3 direction = Vec3::UnitZ();
+};
+
+// Belongs to the thread whose OpenGL context is the window's; the window must outlive it.
+class SceneView {
+  public:
+    explicit SceneView(vtkRenderWindow& window);
+    ~SceneView();
+    SceneView(const SceneView&) = delete;
+    SceneView& operator=(const SceneView&) = delete;
+
+    // Takes over a frame; draws nothing yet. Costs one pass over the surface; with the drug running
+    // and the body at rest, one uniform.
+    void show(const Frame& frame);
+    // Draws into the window. `pixel_ratio`: device pixels per point (1 on plain screens).
+    void render(double pixel_ratio = 1.0);
+
+    void set_vertex_systems(std::vector<int> systems);
+    void set_highlight(std::vector<std::uint8_t> vertices);
+    void set_liver(const TriangleMesh& surface);  // an empty one removes it
+    void set_liver_visible(bool visible);
+    void set_caption(const std::string& text);
+    void set_annotations_visible(bool visible);
+
+    // The box that look_from() fits: the tree's, as of the last frame.
+    void look_from(ViewDirection direction);
+    vtkCamera& camera();
+
+    SurfacePick pick(const Pixel& pixel) const;
+    ViewRay ray_through(const Pixel& pixel) const;
+    // The point under the pixel in the plane through `depth_mm` parallel to the picture: where a
+    // drag that began at that point has come to.
+    Vec3 point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const;
+    // Where a point of the patient appears in the picture.
+    Pixel pixel_of(const Vec3& position_mm) const;
+
+    // Orbit, pan and zoom by the movement of the mouse in pixels.
+    void drag_orbit(const Pixel& from, const Pixel& to);
+    void drag_pan(const Pixel& from, const Pixel& to);
+    void zoom_by(double factor);
+
+    std::string renderer_name() const;  // of the OpenGL driver; empty before the first picture
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surface_geometry.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace hepatica {
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+Eigen::Map<const Vec3f> vertex(const std::vector<float>& values, int index) {
+    return Eigen::Map<const Vec3f>(values.data() + 3 * static_cast<std::size_t>(index));
+}
+
+}  // namespace
+
+bool SurfaceGeometry::update(const Frame& frame) {
+    const bool rebuilt = frame.surface != source_ || frame.topology_version != topology_version_;
+    if (rebuilt) rebuild(frame);
+    Vec3f lower = Vec3f::Constant(std::numeric_limits<float>::max());
+    Vec3f upper = -lower;
+    for (std::size_t v = 0; v < frame_vertices_.size(); ++v) {
+        const Vec3f position = vertex(frame.positions_mm, frame_vertices_[v]);
+        std::copy_n(position.data(), 3, positions_mm_.data() + 3 * v);
+        lower = lower.cwiseMin(position);
+        upper = upper.cwiseMax(position);
+    }
+    lower_mm_ = lower.cast<double>();
+    upper_mm_ = upper.cast<double>();
+    compute_normals();
+    return rebuilt;
+}
+
+void SurfaceGeometry::rebuild(const Frame& frame) {
+    source_ = frame.surface;
+    topology_version_ = frame.topology_version;
+    triangles_.clear();
+    frame_vertices_.clear();
+    if (source_) {
+        std::vector<int> surface_vertex(frame.positions_mm.size() / 3, -1);
+        triangles_.reserve(source_->size());
+        for (const auto& corners : *source_) {
+            std::array<int, 3> renumbered{};
+            for (std::size_t c = 0; c < 3; ++c) {
+                int& place = surface_vertex.at(static_cast<std::size_t>(corners[c]));
+                if (place < 0) {
+                    place = static_cast<int>(frame_vertices_.size());
+                    frame_vertices_.push_back(corners[c]);
+                }
+                renumbered[c] = place;
+            }
+            triangles_.push_back(renumbered);
+        }
+    }
+    positions_mm_.assign(3 * frame_vertices_.size(), 0.0f);
+    normals_.assign(3 * frame_vertices_.size(), 0.0f);
+}
+
+void SurfaceGeometry::compute_normals() {
+    std::fill(normals_.begin(), normals_.end(), 0.0f);
+    for (const auto& [a, b, c] : triangles_) {
+        const Vec3f origin = vertex(positions_mm_, a);
+        // Twice the area long: large triangles weigh more, slivers hardly anything.
+        const Vec3f normal =
+            (vertex(positions_mm_, b) - origin).cross(vertex(positions_mm_, c) - origin);
+        for (const int corner : {a, b, c}) {
+            Eigen::Map<Vec3f>(normals_.data() + 3 * static_cast<std::size_t>(corner)) += normal;
+        }
+    }
+    for (std::size_t v = 0; v < frame_vertices_.size(); ++v) {
+        Eigen::Map<Vec3f> normal(normals_.data() + 3 * v);
+        const float length = normal.norm();
+        normal = length > 0.0f ? Vec3f(normal / length) : Vec3f(0, 0, 1);
+    }
+}
+
+SurfacePick pick_surface(const SurfaceGeometry& surface, const Vec3& origin_mm,
+                         const Vec3& direction) {
+    SurfacePick best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const auto& triangles = surface.triangles();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Vec3 a = vertex(surface.positions_mm(), triangles[t][0]).cast<double>();
+        const Vec3 ab = vertex(surface.positions_mm(), triangles[t][1]).cast<double>() - a;
+        const Vec3 ac = vertex(surface.positions_mm(), triangles[t][2]).cast<double>() - a;
+        // Moeller and Trumbore 1997.
+        const Vec3 p = direction.cross(ac);
+        const double determinant = ab.dot(p);
+        if (determinant == 0.0) continue;
+        const Vec3 s = origin_mm - a;
+        const double u = s.dot(p) / determinant;
+        if (!(u >= 0.0 && u <= 1.0)) continue;
+        const Vec3 q = s.cross(ab);
+        const double v = direction.dot(q) / determinant;
+        if (!(v >= 0.0 && u + v <= 1.0)) continue;
+        const double distance = ac.dot(q) / determinant;
+        if (!(distance > 0.0 && distance < best.distance)) continue;
+        best.distance = distance;
+        best.triangle = static_cast<int>(t);
+        best.weights = {1.0 - u - v, u, v};
+    }
+    if (best.triangle < 0) return best;
+    best.position_mm = origin_mm + best.distance * direction;
+    const auto& corners = triangles[static_cast<std::size_t>(best.triangle)];
+    for (std::size_t c = 0; c < 3; ++c) {
+        best.vertices[c] = surface.frame_vertices()[static_cast<std::size_t>(corners[c])];
+    }
+    const auto heaviest = std::max_element(best.weights.begin(), best.weights.end());
+    best.nearest_vertex = best.vertices[static_cast<std::size_t>(heaviest - best.weights.begin())];
+    return best;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vessel surface on the graphics card: positions and normals go up every frame, triangles and
+// colours only when they change, and the drug costs one uniform (its time), because each vertex
+// carries its own arrival time.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/frame.h"
+#include "render/surface_geometry.h"
+
+class vtkActor;
+class vtkFloatArray;
+class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace hepatica {
+
+// Belongs to one OpenGL context; not thread-safe.
+class TreeActor {
+  public:
+    TreeActor();
+
+    void update(const Frame& frame);
+
+    // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
+    // the end count as system 0.
+    void set_vertex_systems(std::vector<int> systems);
+    // Vertices of the frame to light up, 1 or 0 each; empty lights none.
+    void set_highlight(std::vector<std::uint8_t> highlight);
+    // Depths (mm from the camera) between which the tree fades into the background.
+    void set_fade(double near_mm, double far_mm);
+
+    vtkActor* actor() const { return actor_; }
+    const SurfaceGeometry& surface() const { return surface_; }
+
+  private:
+    void upload_topology();
+    void upload_positions();
+    void upload_colours();
+    void upload_arrival(const DrugView& drug);
+
+    SurfaceGeometry surface_;
+    std::vector<int> systems_;
+    std::vector<std::uint8_t> highlight_;
+    std::uint64_t drug_version_ = 0;
+    const void* drug_source_ = nullptr;
+    vtkSmartPointer<vtkPolyData> polydata_;
+    vtkSmartPointer<vtkFloatArray> positions_;
+    vtkSmartPointer<vtkFloatArray> normals_;
+    vtkSmartPointer<vtkFloatArray> arrival_;
+    vtkSmartPointer<vtkUnsignedCharArray> colours_;
+    vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
+    vtkSmartPointer<vtkActor> actor_;
+};
+
+}  // namespace hepatica

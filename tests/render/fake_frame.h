@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small tree of tubes with arrival times, for pictures that need no patient.
+#pragma once
+
+#include "core/scene/frame.h"
+
+namespace hepatica::testing {
+
+// Three generations of branching tubes, some 120 mm tall. `bend` in [-1, 1] sways its tip sideways.
+Frame fake_frame(double bend = 0.0, double drug_time_s = -1.0);
+
+}  // namespace hepatica::testing
