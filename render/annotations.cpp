@@ -133,7 +133,7 @@ void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
     legend_->SetVisibility(shown);
     marker_->SetVisibility(shown);
     const double r = size.pixel_ratio;
-    const double width = std::min(190.0 * r, 0.45 * size.width);
+    const double width = std::min(190.0 * r, 0.5 * size.width);
     const double x = size.width - margin_pt * r - width;
     const double y = (margin_pt + 16.0) * r;
     const double height = 9.0 * r;

@@ -18,7 +18,7 @@ class vtkTextActor;
 
 namespace hepatica {
 
-// Size of the picture in device pixels and of one point in pixels.
+// Size of the picture in device pixels, and of one point of the annotations in pixels.
 struct PictureSize {
     int width = 0;
     int height = 0;

@@ -36,13 +36,22 @@ void add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour, do
 
 }  // namespace
 
+bool is_software_renderer(const std::string& renderer_name) {
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"}) {
+        if (renderer_name.find(name) != std::string::npos) return true;
+    }
+    return false;
+}
+
 struct SceneView::Parts {
     explicit Parts(vtkRenderWindow& render_window)
         : window(render_window), annotations(*renderer), orientation(render_window) {}
 
     PictureSize picture_size() const {
         const int* size = window.GetSize();
-        return {size[0], size[1], pixel_ratio};
+        // In small pictures the annotations shrink, so that they do not cover the patient.
+        const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
+        return {size[0], size[1], pixel_ratio * room};
     }
     double aspect() const {
         const PictureSize size = picture_size();
@@ -137,6 +146,11 @@ void SceneView::set_caption(const std::string& text) {
 void SceneView::set_annotations_visible(bool visible) {
     parts_->annotations.set_visible(visible);
     parts_->orientation.set_visible(visible);
+}
+
+void SceneView::set_smoothing(Smoothing smoothing) {
+    parts_->window.SetMultiSamples(smoothing == Smoothing::best ? 8 : 0);
+    parts_->renderer->SetUseFXAA(smoothing == Smoothing::cheap);
 }
 
 void SceneView::look_from(ViewDirection direction) {

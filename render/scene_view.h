@@ -31,6 +31,13 @@ struct ViewRay {
     Vec3 direction = Vec3::UnitZ();
 };
 
+// How edges are smoothed: by a pass over the finished picture, which software renderers can afford,
+// or by eight samples a pixel.
+enum class Smoothing { none, cheap, best };
+
+// True for renderers without a graphics card, as Mesa's llvmpipe.
+bool is_software_renderer(const std::string& renderer_name);
+
 // Belongs to the thread whose OpenGL context is the window's; the window must outlive it.
 class SceneView {
   public:
@@ -51,6 +58,7 @@ class SceneView {
     void set_liver_visible(bool visible);
     void set_caption(const std::string& text);
     void set_annotations_visible(bool visible);
+    void set_smoothing(Smoothing smoothing);  // `best` at first
 
     // The box that look_from() fits: the tree's, as of the last frame.
     void look_from(ViewDirection direction);

@@ -77,4 +77,37 @@ Frame fake_frame(double bend, double drug_time_s) {
     return frame;
 }
 
+TriangleMesh sphere(const Vec3& centre_mm, double radius_mm) {
+    constexpr int meridians = 48;
+    constexpr int bands = 24;
+    TriangleMesh mesh;
+    const auto at = [&](int band, int meridian) {
+        if (band == 0) return 0;
+        if (band == bands) return 1;
+        return 2 + (band - 1) * meridians + meridian % meridians;
+    };
+    mesh.vertices_mm = {centre_mm + radius_mm * Vec3::UnitZ(),
+                        centre_mm - radius_mm * Vec3::UnitZ()};
+    for (int band = 1; band < bands; ++band) {
+        const double polar = std::numbers::pi * band / bands;
+        for (int m = 0; m < meridians; ++m) {
+            const double turn = 2.0 * std::numbers::pi * m / meridians;
+            mesh.vertices_mm.push_back(
+                centre_mm + radius_mm * Vec3(std::sin(polar) * std::cos(turn),
+                                             std::sin(polar) * std::sin(turn), std::cos(polar)));
+        }
+    }
+    for (int band = 0; band < bands; ++band) {
+        for (int m = 0; m < meridians; ++m) {
+            if (band + 1 < bands) {
+                mesh.triangles.push_back({at(band, m), at(band + 1, m), at(band + 1, m + 1)});
+            }
+            if (band > 0) {
+                mesh.triangles.push_back({at(band, m), at(band + 1, m + 1), at(band, m + 1)});
+            }
+        }
+    }
+    return mesh;
+}
+
 }  // namespace hepatica::testing

@@ -2,31 +2,154 @@
 #include "render/scene_view.h"
 
 #include <gtest/gtest.h>
-#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkCamera.h>
+
+#include <cmath>
 
 #include "render/osmesa_context.h"
 #include "render/picture.h"
 #include "tests/render/fake_frame.h"
+#include "tests/render/screenshot.h"
 
 namespace hepatica {
 namespace {
 
-TEST(SceneView, draws_the_tree) {
-    OsmesaContext context(1280, 960);
-    SceneView view(context.window());
-    Frame frame = testing::fake_frame(0.1, 1.6);
-    view.show(frame);
-    view.set_caption("fake tree");
-    view.render();
-    write_png("/tmp/window_fake.png", read_picture(context.window()));
-    for (int i = 0; i < 5; ++i) {
-        const auto begin = std::chrono::steady_clock::now();
-        view.show(testing::fake_frame(0.1 * i, 0.4 * i));
-        view.render();
-        std::printf("%s %.1f ms\n", view.renderer_name().c_str(),
-                    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-                        .count());
+using testing::expect_matches_baseline;
+using testing::fake_frame;
+
+// A view of 320 x 240 pixels without any display.
+class SceneViewPicture : public ::testing::Test {
+  protected:
+    Picture picture() {
+        view_.render();
+        return read_picture(context_.window());
     }
+
+    OsmesaContext context_{320, 240};
+    SceneView view_{context_.window()};
+};
+
+TEST_F(SceneViewPicture, of_nothing_is_an_empty_room) {
+    view_.show(Frame{});
+    expect_matches_baseline(picture(), "empty");
+}
+
+TEST_F(SceneViewPicture, of_a_tree_from_the_front) {
+    view_.show(fake_frame());
+    expect_matches_baseline(picture(), "tree_anterior");
+}
+
+TEST_F(SceneViewPicture, of_a_tree_from_the_left) {
+    view_.show(fake_frame());
+    view_.look_from(ViewDirection::left);
+    expect_matches_baseline(picture(), "tree_left");
+}
+
+TEST_F(SceneViewPicture, of_a_running_drug_on_a_moving_vessel) {
+    view_.show(fake_frame(0.0, 0.5));
+    const Picture early = picture();
+    view_.show(fake_frame(0.3, 2.0));
+    expect_matches_baseline(picture(), "drug_on_bent_tree");
+    EXPECT_NE(early.rgb, picture().rgb);
+}
+
+TEST_F(SceneViewPicture, of_a_pull) {
+    Frame frame = fake_frame(0.1);
+    frame.grab = GrabView{Vec3(0, -4, -15), Vec3(25, -4, -25), 1e3};
+    view_.show(frame);
+    expect_matches_baseline(picture(), "pull");
+}
+
+TEST_F(SceneViewPicture, of_two_systems_a_highlight_and_the_liver) {
+    const Frame frame = fake_frame();
+    const std::size_t count = frame.positions_mm.size() / 3;
+    std::vector<int> systems(count, 0);
+    std::vector<std::uint8_t> highlight(count, 0);
+    TriangleMesh liver = testing::sphere(Vec3(0, 0, 0), 62.0);
+    for (std::size_t v = 0; v < count; ++v) {
+        const float x = frame.positions_mm[3 * v];
+        systems[v] = x > 8 ? 1 : x < -8 ? 2 : 0;
+        highlight[v] = x < -25;
+    }
+    view_.show(frame);
+    view_.set_vertex_systems(systems);
+    view_.set_highlight(highlight);
+    view_.set_liver(liver);
+    expect_matches_baseline(picture(), "systems_and_liver");
+    view_.set_liver_visible(false);
+    view_.set_highlight({});
+    view_.set_annotations_visible(false);
+    expect_matches_baseline(picture(), "systems_bare");
+}
+
+TEST_F(SceneViewPicture, keeps_up_with_a_change_of_topology) {
+    Frame frame = fake_frame();
+    view_.show(frame);
+    const Picture whole = picture();
+    auto fewer = *frame.surface;
+    fewer.resize(fewer.size() / 2);
+    frame.surface = std::make_shared<const std::vector<std::array<int, 3>>>(fewer);
+    ++frame.topology_version;
+    view_.show(frame);
+    EXPECT_NE(picture().rgb, whole.rgb);
+    view_.show(fake_frame());
+    EXPECT_EQ(picture().rgb, whole.rgb);
+}
+
+TEST_F(SceneViewPicture, names_its_renderer_as_software) {
+    view_.render();
+    EXPECT_TRUE(is_software_renderer(view_.renderer_name())) << view_.renderer_name();
+    EXPECT_FALSE(is_software_renderer("NVIDIA H200/PCIe/SSE2"));
+}
+
+TEST_F(SceneViewPicture, pixel_and_point_are_inverse_to_each_other) {
+    view_.show(fake_frame());
+    view_.drag_orbit({10, 10}, {90, 40});
+    view_.zoom_by(1.7);
+    const Vec3 point(12.0, -7.0, 21.0);
+    const Pixel pixel = view_.pixel_of(point);
+    EXPECT_NEAR((view_.point_at_depth(pixel, point) - point).norm(), 0.0, 1e-9);
+    const ViewRay ray = view_.ray_through(pixel);
+    const Vec3 offset = point - ray.origin_mm;
+    EXPECT_NEAR((offset - offset.dot(ray.direction) * ray.direction).norm(), 0.0, 1e-9);
+}
+
+TEST_F(SceneViewPicture, picks_the_point_it_draws) {
+    view_.show(fake_frame());
+    const Picture with_tree = picture();
+    int hits = 0;
+    for (int y = 8; y < 200; y += 7) {
+        for (int x = 60; x < 260; x += 7) {
+            const SurfacePick pick = view_.pick({x + 0.5, y + 0.5});
+            const auto* rgb = &with_tree.rgb[3 * static_cast<std::size_t>(y * 320 + x)];
+            // Vessels are far more blue than the room; edges may be half one, half the other.
+            const bool drawn = rgb[2] > 90;
+            if (drawn) {
+                EXPECT_GE(pick.triangle, 0) << x << " " << y;
+            }
+            if (pick.triangle < 0) continue;
+            ++hits;
+            const Pixel back = view_.pixel_of(pick.position_mm);
+            EXPECT_NEAR(back.x, x + 0.5, 1e-6);
+            EXPECT_NEAR(back.y, y + 0.5, 1e-6);
+        }
+    }
+    EXPECT_GT(hits, 20);
+    EXPECT_LT(view_.pick({2, 2}).triangle, 0);
+}
+
+TEST_F(SceneViewPicture, pans_with_the_mouse_and_zooms_about_the_focus) {
+    view_.show(fake_frame());
+    const Vec3 focus(view_.camera().GetFocalPoint());
+    view_.drag_pan({100, 100}, {130, 85});
+    const Pixel moved = view_.pixel_of(focus);
+    EXPECT_NEAR(moved.x, 160 + 30, 1e-6);
+    EXPECT_NEAR(moved.y, 120 - 15, 1e-6);
+    const double before = view_.camera().GetDistance();
+    view_.zoom_by(2.0);
+    EXPECT_NEAR(view_.camera().GetDistance(), 0.5 * before, 1e-9);
+    for (int i = 0; i < 100; ++i) view_.zoom_by(2.0);
+    EXPECT_GT(view_.camera().GetDistance(), 1.0);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "render/image_compare.h"
+#include "render/palette.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+Picture chessboard(int width, int height, int shift = 0) {
+    Picture picture{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const bool white = ((x + shift) / 8 + y / 8) % 2 == 0;
+            for (int c = 0; c < 3; ++c) picture.rgb.push_back(white ? 200 : std::uint8_t(20 * c));
+        }
+    }
+    return picture;
+}
+
+TEST(Picture, survives_png_under_a_name_that_is_not_ascii) {
+    const fs::path file = fs::temp_directory_path() / u8"hepatica_Lebergefäß_肝.png";
+    const Picture picture = chessboard(37, 21);
+    write_png(file, picture);
+    const Picture read = read_png(file);
+    EXPECT_EQ(read.width, 37);
+    EXPECT_EQ(read.height, 21);
+    EXPECT_EQ(read.rgb, picture.rgb);
+    fs::remove(file);
+}
+
+TEST(Picture, names_the_file_that_cannot_be_written_or_read) {
+    EXPECT_THROW(write_png("/proc/hepatica/a.png", chessboard(4, 4)), InputError);
+    EXPECT_THROW(read_png("/proc/hepatica/a.png"), InputError);
+    const fs::path text = fs::temp_directory_path() / "hepatica_no_picture.png";
+    std::ofstream(text) << "not a picture";
+    EXPECT_THROW(read_png(text), InputError);
+    fs::remove(text);
+}
+
+TEST(ImageCompare, forgives_a_pixels_shift_and_nothing_larger) {
+    const Picture board = chessboard(64, 64);
+    EXPECT_EQ(compare_pictures(board, board).mean, 0.0);
+    // Only where four fields meet does a shift show something new.
+    EXPECT_LT(compare_pictures(board, chessboard(64, 64, 1)).different_share, 0.015);
+    EXPECT_GT(compare_pictures(board, chessboard(64, 64, 4)).different_share, 0.3);
+    EXPECT_FALSE(compare_pictures(board, chessboard(63, 64)).same_size);
+}
+
+TEST(Palette, the_drugs_map_rises_in_lightness) {
+    double last = 0.0;
+    for (int i = 0; i <= 50; ++i) {
+        const Colour c = palette::drug(i / 50.0);
+        const double luminance = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+        EXPECT_GT(luminance, last);
+        last = luminance;
+    }
+    EXPECT_EQ(palette::drug(-3.0), palette::drug(0.0));
+    EXPECT_EQ(palette::drug(7.0), palette::drug(1.0));
+}
+
+TEST(Palette, shader_code_has_decimal_points_whatever_the_locale) {
+    EXPECT_NE(palette::drug_glsl().find("0.6"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mouse_tool.h"
+
+#include <cmath>
+#include <utility>
+
+namespace hepatica {
+
+MouseTool::MouseTool(SceneView& view, Callbacks callbacks)
+    : view_(view), callbacks_(std::move(callbacks)) {}
+
+void MouseTool::set_mode(MouseMode mode) {
+    cancel();
+    mode_ = mode;
+}
+
+void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
+    cancel();
+    pressed_ = last_ = at;
+    if (button == MouseButton::middle || (button == MouseButton::left && modifiers.shift)) {
+        action_ = Action::pan;
+        return;
+    }
+    const SurfacePick pick = button == MouseButton::left ? view_.pick(at) : SurfacePick{};
+    if (pick.triangle < 0) {
+        action_ = Action::orbit;
+    } else if (mode_ == MouseMode::inject || modifiers.control) {
+        action_ = Action::wait_for_click;
+    } else {
+        action_ = Action::pull;
+        held_mm_ = pick.position_mm;
+        callbacks_.post(GrabPoint{held_mm_});
+    }
+}
+
+void MouseTool::move(const Pixel& at) {
+    switch (action_) {
+        case Action::none:
+            callbacks_.hover(view_.pick(at));
+            break;
+        case Action::pull:
+            callbacks_.post(MoveGrab{view_.point_at_depth(at, held_mm_)});
+            break;
+        case Action::pan:
+            view_.drag_pan(last_, at);
+            break;
+        case Action::wait_for_click:
+            if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) return;
+            action_ = Action::orbit;
+            [[fallthrough]];
+        case Action::orbit:
+            view_.drag_orbit(last_, at);
+            break;
+    }
+    last_ = at;
+}
+
+void MouseTool::release(const Pixel& at) {
+    if (action_ == Action::wait_for_click) inject_at(at);
+    cancel();
+}
+
+void MouseTool::double_click(const Pixel& at) {
+    cancel();
+    inject_at(at);
+}
+
+void MouseTool::wheel(double steps) {
+    view_.zoom_by(std::pow(1.15, steps));
+}
+
+void MouseTool::cancel() {
+    if (action_ == Action::pull) callbacks_.post(ReleaseGrab{});
+    action_ = Action::none;
+}
+
+void MouseTool::inject_at(const Pixel& at) {
+    const SurfacePick pick = view_.pick(at);
+    if (pick.triangle >= 0) callbacks_.inject(pick.position_mm);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the mouse does in the three-dimensional view, without any toolkit: it turns presses, moves
+// and releases into commands to the simulation and into movements of the camera.
+//
+//   left drag on a vessel    pull it                left drag beside the vessels   orbit
+//   right drag               orbit                  middle drag, Shift + left      pan
+//   wheel                    zoom                   double-click, Ctrl + click     inject here
+// In inject mode a plain click on a vessel injects, and a drag that began on it orbits.
+#pragma once
+
+#include <functional>
+
+#include "core/session/command.h"
+#include "render/scene_view.h"
+
+namespace hepatica {
+
+enum class MouseButton { left, middle, right };
+enum class MouseMode { pull, inject };
+
+struct MouseModifiers {
+    bool shift = false;
+    bool control = false;
+};
+
+// UI thread; view must outlive it.
+class MouseTool {
+  public:
+    struct Callbacks {
+        std::function<void(Command)> post;                   // to the simulation
+        std::function<void(const Vec3& point_mm)> inject;    // the user chose this point
+        std::function<void(const SurfacePick& pick)> hover;  // triangle -1: beside the vessels
+    };
+    MouseTool(SceneView& view, Callbacks callbacks);
+
+    void set_mode(MouseMode mode);
+    MouseMode mode() const { return mode_; }
+
+    // How far, in pixels, a press may move and still be a click. Follows the pixel ratio.
+    void set_click_radius(double pixels) { click_radius_px_ = pixels; }
+
+    void press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers);
+    void move(const Pixel& at);
+    void release(const Pixel& at);
+    void double_click(const Pixel& at);
+    // Wheel turned by `steps` notches away from the user (nearer) or towards (farther).
+    void wheel(double steps);
+    // Lets go of whatever is held, as when the window loses the mouse.
+    void cancel();
+
+    bool pulling() const { return action_ == Action::pull; }
+
+  private:
+    enum class Action { none, pull, orbit, pan, wait_for_click };
+
+    void inject_at(const Pixel& at);
+
+    SceneView& view_;
+    Callbacks callbacks_;
+    MouseMode mode_ = MouseMode::pull;
+    Action action_ = Action::none;
+    Pixel pressed_;
+    Pixel last_;
+    Vec3 held_mm_ = Vec3::Zero();  // where the vessel was when it was taken
+    double click_radius_px_ = 4.0;
+};
+
+}  // namespace hepatica

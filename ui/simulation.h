@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window needs of a running simulation: somewhere to send commands, and the newest frame.
+// The real one is SimulationThread; tests put their own in its place.
+#pragma once
+
+#include "core/scene/frame.h"
+#include "core/session/command.h"
+
+namespace hepatica {
+
+class Simulation {
+  public:
+    virtual ~Simulation() = default;
+
+    // Never waits. Any thread.
+    virtual void post(Command command) = 0;
+    // UI thread: true where a newer frame is there; frame() stays as it is until the next call.
+    virtual bool update_frame() = 0;
+    virtual const Frame& frame() const = 0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The thread that plays: it owns the session from the first step to the last.
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#include "core/session/session.h"
+#include "ui/simulation.h"
+
+namespace hepatica {
+
+// Starts at once; the destructor ends the step under way and joins.
+class SimulationThread : public Simulation {
+  public:
+    explicit SimulationThread(std::unique_ptr<Session> session);
+    ~SimulationThread() override;
+
+    void post(Command command) override;
+    bool update_frame() override { return session_->update_frame(); }
+    const Frame& frame() const override { return session_->frame(); }
+
+  private:
+    std::unique_ptr<Session> session_;
+    std::jthread thread_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/vtk_widget.h"
+
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QWheelEvent>
+#include <utility>
+
+#include "ui/pixel_mapping.h"
+
+namespace hepatica {
+namespace {
+
+MouseModifiers modifiers_of(const QMouseEvent& event) {
+    return {event.modifiers().testFlag(Qt::ShiftModifier),
+            event.modifiers().testFlag(Qt::ControlModifier)};
+}
+
+MouseButton button_of(const QMouseEvent& event) {
+    return event.button() == Qt::LeftButton     ? MouseButton::left
+           : event.button() == Qt::MiddleButton ? MouseButton::middle
+                                                : MouseButton::right;
+}
+
+}  // namespace
+
+VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
+    : QOpenGLWidget(parent),
+      window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
+      hover_(callbacks.hover) {
+    window_->SetFrameBlitModeToNoBlit();
+    scene_ = std::make_unique<SceneView>(*window_);
+    mouse_ = std::make_unique<MouseTool>(*scene_, std::move(callbacks));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+}
+
+VtkWidget::~VtkWidget() {
+    // The context dies with the base class, when this class's part is gone already.
+    if (context()) disconnect(context(), nullptr, this, nullptr);
+    release_graphics();
+    scene_.reset();
+}
+
+void VtkWidget::release_graphics() {
+    if (!context()) return;
+    makeCurrent();
+    window_->SetIsCurrent(true);
+    window_->Finalize();
+    doneCurrent();
+}
+
+void VtkWidget::initializeGL() {
+    // Qt makes a new context when the widget moves to another window.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release_graphics(); });
+    window_->SetReadyForRendering(true);
+    window_->SetIsCurrent(true);
+    window_->SetOwnContext(0);
+    window_->InitializeFromCurrentContext();
+    const auto* name = context()->functions()->glGetString(GL_RENDERER);
+    renderer_name_ = name ? reinterpret_cast<const char*>(name) : "";
+    scene_->set_smoothing(is_software_renderer(renderer_name_) ? Smoothing::cheap
+                                                               : Smoothing::best);
+}
+
+void VtkWidget::paintGL() {
+    QElapsedTimer clock;
+    clock.start();
+    const QSize size = pixel_size(this->size(), devicePixelRatioF());
+    mouse_->set_click_radius(4.0 * devicePixelRatioF());
+    window_->SetIsCurrent(true);
+    window_->GetState()->Reset();
+    window_->GetState()->Push();
+    window_->SetFrameBlitModeToNoBlit();
+    window_->SetSize(size.width(), size.height());
+    scene_->render(devicePixelRatioF());
+
+    QOpenGLExtraFunctions& gl = *context()->extraFunctions();
+    window_->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER,
+                                              window_->GetDisplayFramebuffer()->GetFBOIndex());
+    window_->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    const GLenum attachment = GL_COLOR_ATTACHMENT0;
+    gl.glDrawBuffers(1, &attachment);
+    gl.glReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl.glDisable(GL_SCISSOR_TEST);
+    gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    window_->GetState()->Pop();
+    if (on_painted_) on_painted_(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+}
+
+QImage VtkWidget::picture() {
+    return grabFramebuffer();
+}
+
+Pixel VtkWidget::pixel_of(const QPointF& point) const {
+    return pixel_at(point, devicePixelRatioF());
+}
+
+void VtkWidget::mousePressEvent(QMouseEvent* event) {
+    mouse_->press(pixel_of(event->position()), button_of(*event), modifiers_of(*event));
+    update();
+}
+
+void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
+    mouse_->move(pixel_of(event->position()));
+    if (event->buttons() != Qt::NoButton) update();
+}
+
+void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
+    mouse_->release(pixel_of(event->position()));
+    update();
+}
+
+void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) mouse_->double_click(pixel_of(event->position()));
+}
+
+void VtkWidget::wheelEvent(QWheelEvent* event) {
+    mouse_->wheel(event->angleDelta().y() / 120.0);
+    update();
+}
+
+void VtkWidget::leaveEvent(QEvent* event) {
+    QOpenGLWidget::leaveEvent(event);
+    if (hover_) hover_(SurfacePick{});
+}
+
+void VtkWidget::focusOutEvent(QFocusEvent* event) {
+    QOpenGLWidget::focusOutEvent(event);
+    mouse_->cancel();
+}
+
+}  // namespace hepatica

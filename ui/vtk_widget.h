@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bridge between Qt 6 and VTK: a QOpenGLWidget whose context a VTK render window draws into.
+// Mouse and wheel go to a MouseTool, already in the picture's pixels.
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <QOpenGLWidget>
+#include <functional>
+#include <memory>
+
+#include "render/scene_view.h"
+#include "ui/mouse_tool.h"
+
+namespace hepatica {
+
+class VtkWidget : public QOpenGLWidget {
+  public:
+    explicit VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent = nullptr);
+    ~VtkWidget() override;
+
+    SceneView& scene() { return *scene_; }
+    MouseTool& mouse() { return *mouse_; }
+
+    // Called after each painted frame, with its time in milliseconds.
+    void on_painted(std::function<void(double)> callback) { on_painted_ = std::move(callback); }
+
+    // What the OpenGL driver calls itself; empty until the first painted frame.
+    const std::string& renderer_name() const { return renderer_name_; }
+
+    // Draws anew and reads what is shown, at the screen's own resolution.
+    QImage picture();
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    Pixel pixel_of(const QPointF& point) const;
+    void release_graphics();
+
+    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+    std::unique_ptr<SceneView> scene_;
+    std::unique_ptr<MouseTool> mouse_;
+    std::function<void(double)> on_painted_;
+    std::function<void(const SurfacePick&)> hover_;
+    std::string renderer_name_;
+};
+
+}  // namespace hepatica
