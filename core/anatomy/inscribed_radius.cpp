@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/anatomy/inscribed_radius.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace hepatica {
+
+InscribedRadius::InscribedRadius(const Mask& mask)
+    : mask_(mask), reach_mm_(2.0 * mask.grid.spacing_mm.maxCoeff()) {
+    look_further();
+}
+
+double InscribedRadius::at(const Index3& voxel) {
+    const double finest_mm = mask_.grid.spacing_mm.minCoeff();
+    for (std::size_t i = 0;; ++i) {
+        if (i == offsets_.size()) {
+            look_further();
+            i = 0;
+        }
+        const Offset& o = offsets_[i];
+        const int x = voxel[0] + o.x, y = voxel[1] + o.y, z = voxel[2] + o.z;
+        if (mask_.grid.contains(x, y, z) && mask_.at(x, y, z) != 0) continue;
+        return std::max(o.distance_mm - 0.5 * finest_mm, 0.25 * finest_mm);
+    }
+}
+
+void InscribedRadius::look_further() {
+    reach_mm_ *= 1.6;
+    offsets_.clear();
+    Index3 n{};
+    for (int a = 0; a < 3; ++a) n[a] = static_cast<int>(reach_mm_ / mask_.grid.spacing_mm[a]);
+    for (int z = -n[2]; z <= n[2]; ++z)
+        for (int y = -n[1]; y <= n[1]; ++y)
+            for (int x = -n[0]; x <= n[0]; ++x) {
+                const double d = Vec3(x, y, z).cwiseProduct(mask_.grid.spacing_mm).norm();
+                if (d <= reach_mm_) offsets_.push_back({d, x, y, z});
+            }
+    std::ranges::sort(offsets_, [](const Offset& a, const Offset& b) {
+        return std::tie(a.distance_mm, a.z, a.y, a.x) < std::tie(b.distance_mm, b.z, b.y, b.x);
+    });
+}
+
+}  // namespace hepatica

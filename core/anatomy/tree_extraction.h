@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a unit-width skeleton to a vessel tree: segments between bifurcations and ends, with smooth
+// centrelines, sub-voxel radii, parents, Strahler orders and systems.
+#pragma once
+
+#include <vector>
+
+#include "core/anatomy/vessel_tree.h"
+#include "core/base/job.h"
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+// A point in a vessel that the user named, and the vascular system it stands for.
+struct SystemSeed {
+    Vec3 position_mm = Vec3::Zero();
+    int system = 0;
+};
+
+struct TreeOptions {
+    // One or more per system. Where two systems touch they are parted at the narrowest link between
+    // their seeds. What no seed's component reaches joins the nearest system. Empty: all is system
+    // 0.
+    std::vector<SystemSeed> seeds;
+    // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
+    // position. A component without one begins at its widest end.
+    std::vector<Vec3> roots_mm;
+    // An end branch that reaches less than this many radii of its parent beyond the parent's wall
+    // is a bump of the wall, not a vessel.
+    double spur_radii = 0.5;
+    // Components shorter than this are left out, unless nothing longer exists.
+    double minimum_component_mm = 5.0;
+};
+
+// Both masks lie on one grid. Radii are measured on `ct` where it is given (any grid that covers
+// the masks in space), otherwise on `vessels`. Returns an empty tree for an empty skeleton.
+// Deterministic; throws Cancelled, and InputError where the masks' grids differ.
+VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                        const TreeOptions& options, Job& job);
+
+}  // namespace hepatica
