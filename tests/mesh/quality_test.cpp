@@ -12,7 +12,7 @@ namespace hepatica {
 namespace {
 
 TetMesh regular_tetrahedron() {
-    return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2, 3}}};
+    return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 2, 1, 3}}};
 }
 
 // Six tetrahedra around the diagonal of the unit cube.
@@ -47,7 +47,7 @@ TEST(Quality, SeesBodiesThatTouchInAPointAsNotManifold) {
     TetMesh mesh = regular_tetrahedron();
     for (const Vec3& vertex : {Vec3(3, 1, 1), Vec3(1, 3, 1), Vec3(1, 1, 3)})
         mesh.vertices_mm.push_back(vertex);
-    mesh.tetrahedra.push_back({0, 4, 6, 5});
+    mesh.tetrahedra.push_back({0, 4, 5, 6});
     validate(mesh);
     EXPECT_FALSE(quality_of(mesh).closed);
 }
@@ -55,7 +55,7 @@ TEST(Quality, SeesBodiesThatTouchInAPointAsNotManifold) {
 TEST(Quality, CountsBodiesAndCavities) {
     TetMesh two = regular_tetrahedron();
     for (int i = 0; i < 4; ++i) two.vertices_mm.push_back(two.vertices_mm[i] + Vec3(9, 0, 0));
-    two.tetrahedra.push_back({4, 5, 6, 7});
+    two.tetrahedra.push_back({4, 6, 5, 7});
     EXPECT_EQ(quality_of(two).components, 2);
     EXPECT_EQ(quality_of(two).boundary_components, 2);
     EXPECT_EQ(quality_of(TetMesh{}).components, 0);
