@@ -57,10 +57,10 @@ double radau_factor(double eigenvalue, std::span<const double> steps,
 }
 
 // How much smaller than the smallest Ritz value the smallest eigenvalue is taken to be.
-constexpr double eigenvalue_margin = 0.9;
+constexpr double eigenvalue_margin = 0.8;
 
 // A value from an earlier solve may be forgotten this fast: the matrix has changed since.
-constexpr double relaxation = 1.05;
+constexpr double relaxation = 1.02;
 
 // Follows the spectrum and the error bound of one solve.
 class ErrorBound {

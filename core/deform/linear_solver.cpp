@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/deform/block_jacobi.h"
+#include "core/deform/skeleton_preconditioner.h"
 
 namespace hepatica {
 
@@ -41,10 +42,8 @@ std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const FrameSkeleton& skeleton,
                                                  std::span<const Vec3> rest_positions_mm) {
-    static_cast<void>(kind);
-    static_cast<void>(skeleton);
-    static_cast<void>(rest_positions_mm);
-    return make_block_jacobi_solver();
+    if (kind == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
+    return std::make_unique<SkeletonSolver>(skeleton, rest_positions_mm);
 }
 
 }  // namespace hepatica

@@ -9,8 +9,8 @@
 namespace hepatica {
 namespace {
 
-using test::TestBody;
-using test::TestMaterial;
+using test::SampleBody;
+using test::SampleMaterial;
 
 struct System {
     BlockMatrix matrix;
@@ -18,8 +18,8 @@ struct System {
 };
 
 System bar_system(int cells_along) {
-    const TestBody body = test::make_bar(1.5 * cells_along, 6.0, cells_along, 3);
-    const TestMaterial material;
+    const SampleBody body = test::make_bar(1.5 * cells_along, 6.0, cells_along, 3);
+    const SampleMaterial material;
     System system;
     system.positions = test::bend(body.mesh.vertices_mm, 1.5, 1.5 * cells_along);
     system.matrix = test::assemble(body, system.positions, material);

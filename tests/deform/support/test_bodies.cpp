@@ -74,7 +74,7 @@ Mat3 rotation_of(const Mat3& deformation) {
     return u * svd.matrixV().transpose();
 }
 
-double vertex_mass(const TetMesh& mesh, const TestMaterial& material, std::vector<double>& mass) {
+double vertex_mass(const TetMesh& mesh, const SampleMaterial& material, std::vector<double>& mass) {
     mass.assign(mesh.vertices_mm.size(), 0.0);
     for (const auto& t : mesh.tetrahedra) {
         for (const int v : t) {
@@ -86,7 +86,7 @@ double vertex_mass(const TetMesh& mesh, const TestMaterial& material, std::vecto
 
 }  // namespace
 
-TestBody make_bar(double length_mm, double width_mm, int cells_along, int cells_across) {
+SampleBody make_bar(double length_mm, double width_mm, int cells_along, int cells_across) {
     std::set<Cell> cells;
     for (int i = 0; i < cells_along; ++i) {
         for (int j = 0; j < cells_across; ++j) {
@@ -94,7 +94,7 @@ TestBody make_bar(double length_mm, double width_mm, int cells_along, int cells_
         }
     }
     const double across = width_mm / cells_across;
-    TestBody body;
+    SampleBody body;
     body.mesh = mesh_of_cells(cells, Vec3(length_mm / cells_along, across, across));
     for (Vec3& x : body.mesh.vertices_mm) x -= Vec3(0.0, 0.5 * width_mm, 0.5 * width_mm);
     for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() == 0.0);
@@ -104,7 +104,7 @@ TestBody make_bar(double length_mm, double width_mm, int cells_along, int cells_
     return body;
 }
 
-TestBody make_brick_tree(int generations, double root_radius_mm, double cell_mm) {
+SampleBody make_brick_tree(int generations, double root_radius_mm, double cell_mm) {
     std::vector<SkeletonPolyline> lines;
     std::vector<Vec3> directions, sides;
     std::vector<int> generation;
@@ -146,7 +146,7 @@ TestBody make_brick_tree(int generations, double root_radius_mm, double cell_mm)
             }
         }
     }
-    TestBody body;
+    SampleBody body;
     body.mesh = mesh_of_cells(cells, Vec3::Constant(cell_mm));
     for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() == 0.0);
     body.skeleton = resample(lines);
@@ -164,8 +164,8 @@ std::vector<Vec3> bend(const std::vector<Vec3>& positions_mm, double angle_rad, 
     return bent;
 }
 
-BlockMatrix assemble(const TestBody& body, const std::vector<Vec3>& positions_mm,
-                     const TestMaterial& material) {
+BlockMatrix assemble(const SampleBody& body, const std::vector<Vec3>& positions_mm,
+                     const SampleMaterial& material) {
     const TetMesh& mesh = body.mesh;
     const std::size_t count = mesh.vertices_mm.size();
     std::vector<std::set<int>> columns(count);
@@ -219,7 +219,7 @@ BlockMatrix assemble(const TestBody& body, const std::vector<Vec3>& positions_mm
     return matrix;
 }
 
-std::vector<Vec3> make_load(const TestBody& body, const TestMaterial& material) {
+std::vector<Vec3> make_load(const SampleBody& body, const SampleMaterial& material) {
     std::vector<double> mass;
     vertex_mass(body.mesh, material, mass);
     std::vector<Vec3> load;

@@ -12,22 +12,22 @@
 
 namespace hepatica::test {
 
-struct TestBody {
+struct SampleBody {
     TetMesh mesh;
     std::vector<char> fixed;  // per vertex
     FrameSkeleton skeleton;
 };
 
 // A bar along x from the origin, square section, fixed at x = 0.
-TestBody make_bar(double length_mm, double width_mm, int cells_along, int cells_across);
+SampleBody make_bar(double length_mm, double width_mm, int cells_along, int cells_across);
 
 // A tree of bricks: every branch forks into two of 0.8 times its radius; fixed at its root.
-TestBody make_brick_tree(int generations, double root_radius_mm, double cell_mm);
+SampleBody make_brick_tree(int generations, double root_radius_mm, double cell_mm);
 
 // The body bent into a circle in the x-y plane: `angle_rad` over `length_mm` of x.
 std::vector<Vec3> bend(const std::vector<Vec3>& positions_mm, double angle_rad, double length_mm);
 
-struct TestMaterial {
+struct SampleMaterial {
     double young_pa = 0.5e6;
     double poisson = 0.45;
     double density_g_mm3 = 1.06e-3;
@@ -36,11 +36,11 @@ struct TestMaterial {
 
 // M + dt^2 K, stiffness rotated by each tetrahedron's rotation from rest to `positions_mm`.
 // Fixed vertices keep their mass only.
-BlockMatrix assemble(const TestBody& body, const std::vector<Vec3>& positions_mm,
-                     const TestMaterial& material);
+BlockMatrix assemble(const SampleBody& body, const std::vector<Vec3>& positions_mm,
+                     const SampleMaterial& material);
 
 // Gravity along -y over one step plus a pull at the last vertex; zero on fixed vertices.
-std::vector<Vec3> make_load(const TestBody& body, const TestMaterial& material);
+std::vector<Vec3> make_load(const SampleBody& body, const SampleMaterial& material);
 
 // Exact solution by Eigen's sparse factorisation.
 std::vector<Vec3> solve_exactly(const BlockMatrix& matrix, const std::vector<Vec3>& rhs);
