@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bytes of a file from some place on, inflated on the way where they are gzip or zlib data.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace hepatica {
+
+enum class Encoding { raw, deflated };  // deflated: gzip (also of several members) or zlib
+
+// Not thread-safe. Throws InputError that names the file.
+class ByteStream {
+  public:
+    ByteStream(const std::filesystem::path& file, std::uint64_t offset, Encoding encoding);
+    ~ByteStream();
+    ByteStream(const ByteStream&) = delete;
+    ByteStream& operator=(const ByteStream&) = delete;
+
+    // Fills the buffer. Throws InputError where the file ends before or its data are damaged.
+    void read(void* buffer, std::size_t bytes);
+    void skip(std::uint64_t bytes);
+    // Reads up to `bytes` bytes, fewer at the end; returns how many.
+    std::size_t read_some(void* buffer, std::size_t bytes);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace hepatica

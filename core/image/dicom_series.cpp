@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/dicom_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double axis_tolerance = 1e-3;  // of a direction cosine, between slices
+constexpr double same_place_mm = 1e-3;
+constexpr double gap_tolerance = 0.1;       // of the slice spacing; positions are rounded
+constexpr double sideways_tolerance = 0.2;  // of a pixel
+constexpr double tilt_tolerance_degrees = 0.1;
+
+const std::string remedy = "Export the series again, complete, as axial slices of one size";
+
+[[noreturn]] void reject(const DicomSlice& slice, const std::string& what) {
+    throw InputError(what, slice.file.string(), remedy);
+}
+
+std::string millimetres(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g mm", value);
+    return text.data();
+}
+
+using SeriesMap = std::map<std::string, std::vector<DicomSlice>>;
+
+bool may_be_ct(const std::vector<DicomSlice>& series) {
+    return series.front().modality == "CT" || series.front().modality.empty();
+}
+
+std::string name_of(const std::vector<DicomSlice>& series) {
+    return series.front().description + " (" +
+           (series.front().modality.empty() ? "no modality" : series.front().modality) + ", " +
+           std::to_string(series.size()) + " images)";
+}
+
+void require_same_frame(const DicomSlice& slice, const DicomSlice& first) {
+    if (slice.rows != first.rows || slice.columns != first.columns)
+        reject(slice, "has " + std::to_string(slice.columns) + " x " + std::to_string(slice.rows) +
+                          " pixels, but " + first.file.filename().string() + " has " +
+                          std::to_string(first.columns) + " x " + std::to_string(first.rows));
+    if ((slice.row_axis - first.row_axis).norm() > axis_tolerance ||
+        (slice.column_axis - first.column_axis).norm() > axis_tolerance)
+        reject(slice, "is oriented otherwise than " + first.file.filename().string());
+    if (std::abs(slice.row_spacing_mm - first.row_spacing_mm) > 1e-3 * first.row_spacing_mm ||
+        std::abs(slice.column_spacing_mm - first.column_spacing_mm) >
+            1e-3 * first.column_spacing_mm)
+        reject(slice, "has pixels of " + millimetres(slice.column_spacing_mm) + ", but " +
+                          first.file.filename().string() + " of " +
+                          millimetres(first.column_spacing_mm));
+}
+
+void require_sound_slice(const DicomSlice& slice) {
+    if (slice.frames > 1)
+        reject(slice, "holds " + std::to_string(slice.frames) +
+                          " frames in one file (enhanced CT), which this program does not read");
+    if (!slice.has_geometry) reject(slice, "has no position, orientation or pixel spacing");
+    const auto is_unit = [](const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-2; };
+    if (!is_unit(slice.row_axis) || !is_unit(slice.column_axis) ||
+        std::abs(slice.row_axis.dot(slice.column_axis)) > 1e-2)
+        reject(slice, "has an orientation that is no pair of perpendicular directions");
+    if (!(slice.row_spacing_mm > 0.0) || !(slice.column_spacing_mm > 0.0))
+        reject(slice, "has a pixel spacing of " + millimetres(slice.row_spacing_mm));
+}
+
+double sideways_mm(const DicomSlice& slice, const Vec3& from, const Vec3& along) {
+    const Vec3 offset = slice.position_mm - from;
+    return (offset - along * along.dot(offset)).norm();
+}
+
+void require_straight_stack(const std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    const Vec3 stack = (slices.back().position_mm - first.position_mm).normalized();
+    const double cosine = std::min(1.0, std::abs(stack.dot(first.normal())));
+    const double degrees = std::acos(cosine) * 180.0 / std::numbers::pi;
+    const double pixel_mm = std::min(first.row_spacing_mm, first.column_spacing_mm);
+    const double drift_mm = sideways_mm(slices.back(), first.position_mm, first.normal());
+    if (degrees > tilt_tolerance_degrees && drift_mm > pixel_mm)
+        throw InputError("its slices are stacked aslant by " +
+                             std::to_string(static_cast<int>(std::lround(degrees * 10)) / 10) +
+                             " degrees (a tilted gantry)",
+                         first.file.parent_path().string(),
+                         "Ask for the series reformatted to straight axial slices");
+    for (const DicomSlice& slice : slices)
+        if (sideways_mm(slice, first.position_mm, stack) > sideways_tolerance * pixel_mm)
+            reject(slice, "is shifted sideways by " +
+                              millimetres(sideways_mm(slice, first.position_mm, stack)));
+}
+
+double median_gap_mm(const std::vector<DicomSlice>& slices) {
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < slices.size(); ++i)
+        gaps.push_back(slices[i].along_normal_mm() - slices[i - 1].along_normal_mm());
+    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+    std::nth_element(gaps.begin(), middle, gaps.end());
+    return *middle;
+}
+
+void require_even_gaps(const std::vector<DicomSlice>& slices) {
+    const double usual_mm = median_gap_mm(slices);
+    for (std::size_t i = 1; i < slices.size(); ++i) {
+        const double gap_mm = slices[i].along_normal_mm() - slices[i - 1].along_normal_mm();
+        if (std::abs(gap_mm - usual_mm) <= gap_tolerance * usual_mm) continue;
+        const std::string where = "between " + slices[i - 1].file.filename().string() + " and " +
+                                  slices[i].file.filename().string();
+        const double missing = gap_mm / usual_mm - 1.0;
+        const long whole = std::lround(missing);
+        if (whole >= 1 && std::abs(missing - static_cast<double>(whole)) <= gap_tolerance)
+            throw InputError(std::to_string(whole) +
+                                 (whole == 1 ? " slice is missing " : " slices are missing ") +
+                                 where + " (at " + millimetres(slices[i - 1].along_normal_mm()) +
+                                 " to " + millimetres(slices[i].along_normal_mm()) + ")",
+                             slices[i].file.string(), remedy);
+        throw InputError("the gap " + where + " is " + millimetres(gap_mm) + ", elsewhere it is " +
+                             millimetres(usual_mm),
+                         slices[i].file.string(), remedy);
+    }
+}
+
+}  // namespace
+
+std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices, const fs::path& member,
+                                      const fs::path& folder, ReadRemarks& remarks) {
+    SeriesMap by_key;
+    std::string member_key;
+    std::size_t scouts = 0;
+    for (DicomSlice& slice : slices) {
+        if (!member.empty() && slice.file == member) member_key = slice.series_key;
+        if (slice.localizer)
+            ++scouts;
+        else
+            by_key[slice.series_key].push_back(std::move(slice));
+    }
+    if (scouts > 0) remarks.push_back("Left out " + std::to_string(scouts) + " scout images");
+    const std::vector<DicomSlice>* best = nullptr;
+    for (const auto& [key, series] : by_key) {
+        const bool wanted = member_key.empty() ? may_be_ct(series) : key == member_key;
+        if (wanted && (best == nullptr || series.size() > best->size())) best = &series;
+    }
+    if (best == nullptr || !may_be_ct(*best)) {
+        std::string found;
+        for (const auto& [key, series] : by_key)
+            found += (found.empty() ? ": " : ", ") + name_of(series);
+        throw InputError("holds no CT series" + found, folder.string(),
+                         "Choose the folder of a contrast-enhanced CT");
+    }
+    for (const auto& [key, series] : by_key)
+        if (&series != best) remarks.push_back("Left out " + name_of(series));
+    return *best;
+}
+
+OrderedSeries order_slices(std::vector<DicomSlice> series) {
+    for (const DicomSlice& slice : series) {
+        require_sound_slice(slice);
+        require_same_frame(slice, series.front());
+    }
+    const Vec3 normal = series.front().normal();
+    std::ranges::stable_sort(series, [&](const DicomSlice& a, const DicomSlice& b) {
+        return a.position_mm.dot(normal) < b.position_mm.dot(normal);
+    });
+    OrderedSeries ordered;
+    for (DicomSlice& slice : series) {
+        const bool repeats =
+            !ordered.slices.empty() &&
+            std::abs((slice.position_mm - ordered.slices.back().position_mm).dot(normal)) <
+                same_place_mm;
+        if (repeats)
+            ordered.repeated.emplace_back(ordered.slices.size() - 1, std::move(slice));
+        else
+            ordered.slices.push_back(std::move(slice));
+    }
+    if (ordered.slices.size() < 2)
+        throw InputError("its series has only one slice", ordered.slices.front().file.string(),
+                         remedy);
+    require_straight_stack(ordered.slices);
+    require_even_gaps(ordered.slices);
+    ordered.slice_spacing_mm =
+        (ordered.slices.back().along_normal_mm() - ordered.slices.front().along_normal_mm()) /
+        static_cast<double>(ordered.slices.size() - 1);
+    return ordered;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the slices of a folder to one CT series whose geometry can be trusted, or a refusal that
+// names the file: the toolkits only warn of a missing slice and return a wrong spacing.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/image/dicom_slices.h"
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+// The CT series with the most slices (or the one that holds `member`, where that is not empty),
+// scouts left out. The others are named in `remarks`. Throws InputError where there is no CT.
+std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices,
+                                      const std::filesystem::path& member,
+                                      const std::filesystem::path& folder, ReadRemarks& remarks);
+
+// The slices from the first to the last along their normal. Slices in the same place are moved to
+// the end of `repeated`, as pairs that the caller compares (kept, repeated). Throws InputError
+// where sizes, spacings or orientations differ, the series is sheared by a tilted gantry, slices
+// are missing or gaps uneven.
+struct OrderedSeries {
+    std::vector<DicomSlice> slices;
+    std::vector<std::pair<std::size_t, DicomSlice>> repeated;  // index of the slice it repeats
+    double slice_spacing_mm = 0.0;
+};
+OrderedSeries order_slices(std::vector<DicomSlice> series);
+
+}  // namespace hepatica

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a DICOM folder holds: one record per CT slice, read from the headers alone.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/base/vector.h"
+#include "core/image/volume_reader.h"
+
+namespace hepatica {
+
+struct DicomSlice {
+    std::filesystem::path file;
+    std::string series_key;   // equal for slices of one series
+    std::string description;  // of the series, for the user
+    std::string modality;     // "CT", "MR" ...; may be blank
+    bool localizer = false;   // a scout view
+    int frames = 1;
+    int rows = 0;
+    int columns = 0;
+    bool has_geometry = false;  // position, orientation and pixel spacing are there and are numbers
+    Vec3 position_mm = Vec3::Zero();  // centre of the first pixel, LPS
+    Vec3 row_axis = Vec3::Zero();     // along a row, towards the next column
+    Vec3 column_axis = Vec3::Zero();  // down a column, towards the next row
+    double row_spacing_mm = 0.0;      // between rows
+    double column_spacing_mm = 0.0;   // between columns
+
+    Vec3 normal() const;
+    double along_normal_mm() const { return position_mm.dot(normal()); }
+};
+
+// Looks at every file below `folder`; what is not a DICOM image is passed over. Reports the first
+// half of the stage's progress.
+std::vector<DicomSlice> find_dicom_slices(const std::filesystem::path& folder, Job& job,
+                                          ReadRemarks& remarks);
+
+bool is_dicom_file(const std::filesystem::path& file);
+
+}  // namespace hepatica

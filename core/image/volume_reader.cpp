@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/volume_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ranges>
+
+#include "core/base/error.h"
+#include "core/image/dicom_reader.h"
+#include "core/image/dicom_slices.h"
+#include "core/image/header_text.h"
+#include "core/image/voxel_file.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double air_hu = -1024.0;
+
+void require_existing(const fs::path& path) {
+    std::error_code error;
+    if (!fs::exists(path, error))
+        throw InputError("does not exist", path.string(), "Check the path");
+}
+
+Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
+    const VoxelFile file = read_header(path);
+    require_affordable(file, sizeof(std::int16_t));
+    const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
+    Volume volume(placed.grid);
+    std::size_t not_numbers = 0;
+    std::size_t clamped = 0;
+    read_values(
+        file, placed,
+        [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
+            constexpr double low = std::numeric_limits<std::int16_t>::min();
+            constexpr double high = std::numeric_limits<std::int16_t>::max();
+            for (double value : values) {
+                if (std::isnan(value)) {
+                    ++not_numbers;
+                    value = air_hu;
+                }
+                if (value < low || value > high) ++clamped;
+                volume.voxels[at] =
+                    static_cast<std::int16_t>(std::lround(std::clamp(value, low, high)));
+                at += step;
+            }
+        },
+        job);
+    if (not_numbers > 0)
+        remarks.push_back(std::to_string(not_numbers) + " values are not numbers and became air");
+    if (clamped > 0)
+        remarks.push_back(std::to_string(clamped) + " values lie outside 16 bits and were clamped");
+    return volume;
+}
+
+void require_whole_label(double value, const fs::path& file) {
+    if (value >= 0.0 && value <= 65535.0 && value == std::floor(value)) return;
+    throw InputError("holds the value " + std::to_string(value) + ", which is no label",
+                     file.string(), "Choose a mask or label map, not an image");
+}
+
+}  // namespace
+
+Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks) {
+    require_existing(path);
+    job.begin_stage("Reading the images");
+    ReadRemarks unheard;
+    ReadRemarks& heard = remarks != nullptr ? *remarks : unheard;
+    if (fs::is_directory(path)) return read_dicom(path, {}, job, heard);
+    if (lower_case(path.filename().string()) == "dicomdir")
+        return read_dicom(fs::absolute(path).parent_path(), {}, job, heard);
+    if (is_dicom_file(path))
+        return read_dicom(fs::absolute(path).parent_path(), fs::absolute(path), job, heard);
+    return read_volume_file(path, job, heard);
+}
+
+LabelMap read_label_map(const fs::path& path, Job& job) {
+    require_existing(path);
+    job.begin_stage("Reading the label map");
+    const VoxelFile file = read_header(path);
+    require_affordable(file, sizeof(std::uint16_t));
+    const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
+    LabelMap labels(placed.grid);
+    read_values(
+        file, placed,
+        [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
+            for (const double value : values) {
+                require_whole_label(value, path);
+                labels.voxels[at] = static_cast<std::uint16_t>(value);
+                at += step;
+            }
+        },
+        job);
+    return labels;
+}
+
+Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
+    require_existing(path);
+    job.begin_stage("Reading the mask");
+    const VoxelFile file = read_header(path);
+    require_affordable(file, sizeof(std::uint8_t));
+    const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
+    Mask mask(placed.grid);
+    bool any = false;
+    read_values(
+        file, placed,
+        [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
+            for (const double value : values) {
+                const bool inside = labels.empty()
+                                        ? value != 0.0 && !std::isnan(value)
+                                        : std::ranges::find(labels, value) != labels.end();
+                any = any || inside;
+                mask.voxels[at] = inside ? 1 : 0;
+                at += step;
+            }
+        },
+        job);
+    if (!any)
+        throw InputError("marks no voxel", path.string(),
+                         "Choose a mask that is not empty, or another label of it");
+    return mask;
+}
+
+void require_same_grid(const Grid& mask, const Grid& volume, const std::string& place) {
+    if (same_grid(mask, volume)) return;
+    const auto sizes = [](const Grid& g) {
+        return std::to_string(g.dims[0]) + " x " + std::to_string(g.dims[1]) + " x " +
+               std::to_string(g.dims[2]);
+    };
+    const std::string problem =
+        mask.dims == volume.dims
+            ? "lies elsewhere in space than the CT"
+            : "has " + sizes(mask) + " voxels, but the CT has " + sizes(volume);
+    throw InputError(problem, place, "Choose a mask that was drawn on this CT");
+}
+
+void require_plausible_ct(const Volume& volume, const std::string& place) {
+    for (const int n : volume.grid.dims)
+        if (n < 8)
+            throw InputError("has only " + std::to_string(n) + " voxels along an axis", place,
+                             "Choose a CT that covers the liver");
+    const auto [low, high] = std::ranges::minmax(volume.voxels);
+    if (low == high)
+        throw InputError("has the value " + std::to_string(low) + " in every voxel", place,
+                         "Choose a CT with an image in it");
+    const auto soft = std::ranges::count_if(
+        volume.voxels, [](std::int16_t hu) { return hu > -200 && hu < 400 && hu != 0; });
+    if (static_cast<double>(soft) < 0.005 * static_cast<double>(volume.voxels.size()))
+        throw InputError("shows no soft tissue (its values run from " + std::to_string(low) +
+                             " to " + std::to_string(high) + " HU)",
+                         place, "Choose a CT in Hounsfield units that covers the liver");
+}
+
+}  // namespace hepatica
