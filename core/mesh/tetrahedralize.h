@@ -10,7 +10,7 @@
 namespace hepatica {
 
 struct MeshOptions {
-    // Edges of surface triangles and of tetrahedra, in local radii; 0.3 to 3.
+    // Edges of surface triangles and of tetrahedra, in local radii; 0.3 to 1.
     double facet_size_in_radii = 0.9;
     double cell_size_in_radii = 1.0;
     // Above 0: sizes are scaled, within the range above, until there are about so many tetrahedra.

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steady flow in a circuit of nonlinear resistances: Newton on the node pressures with the flows as
+// the primary unknowns (the global gradient algorithm of Todini and Pilati, 1988), a line search on
+// the convex dissipation, O(elements) elimination where the circuit is a tree, sparse LDL^T else.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/flow/pressure_drop.h"
+
+namespace hepatica {
+
+// A piece of lumen and the fluid that fills it.
+struct HydraulicPart {
+    Cone cone;
+    Fluid fluid;
+};
+
+// drop(q) = q (linear + power |q|^0.75 + quadratic |q|), q the volume flow in mm3/s from `from` to
+// `to`. Where |q| > laminar_limit the parts are asked instead of `linear` and `power`.
+struct HydraulicElement {
+    int from = -1;
+    int to = -1;
+    double linear = 0.0;
+    double power = 0.0;
+    double quadratic = 0.0;
+    double laminar_limit_mm3_s = std::numeric_limits<double>::infinity();
+    int first_part = 0;
+    int part_count = 0;
+    bool open = true;
+};
+
+// The element's drop and its slope with respect to the volume flow.
+Drop drop_of(const HydraulicElement& element, const std::vector<HydraulicPart>& parts, double q);
+
+// Sums the laws of parts [first_part, first_part + part_count) into the element's coefficients.
+// loss_coefficient is charged on the dynamic pressure at the proximal end of the first part.
+void summarise(HydraulicElement& element, const std::vector<HydraulicPart>& parts, PressureLaw law,
+               double loss_coefficient);
+
+struct HydraulicCircuit {
+    int node_count = 0;
+    std::vector<HydraulicElement> elements;
+    std::vector<HydraulicPart> parts;
+    std::vector<double> source_mm3_s;       // per node: what is injected there
+    std::vector<double> fixed_pressure_pa;  // per node; NaN: the node is free
+
+    explicit HydraulicCircuit(int nodes)
+        : node_count(nodes),
+          source_mm3_s(nodes, 0.0),
+          fixed_pressure_pa(nodes, std::numeric_limits<double>::quiet_NaN()) {}
+};
+
+struct HydraulicState {
+    std::vector<double> flow_mm3_s;   // per element, positive from `from` to `to`
+    std::vector<double> pressure_pa;  // per node; total pressure
+    int newton_steps = 0;
+};
+
+// Solves one circuit, and again after its elements' laws, sources or fixed pressures have changed:
+// the order of elimination is found once. Which elements are open, and which nodes are fixed, must
+// not change; make another solver then. Not thread-safe; several solvers may run side by side.
+class HydraulicSolver {
+  public:
+    explicit HydraulicSolver(const HydraulicCircuit& circuit);
+
+    // Starts from `guess` where given (flows of a like circuit), else from the laminar solution.
+    // A part that hangs on no fixed pressure and has no source is at rest at `rest_pressure_pa`.
+    // Throws InputError where a source has no way out, or where Newton does not converge.
+    HydraulicState solve(const HydraulicCircuit& circuit, double rest_pressure_pa,
+                         const std::vector<double>* guess = nullptr) const;
+
+    bool has_loops() const { return !loop_elements_.empty(); }
+
+  private:
+    struct Linear;
+    void linear_solve(const HydraulicCircuit& circuit, Linear& linear, double rest_pressure_pa,
+                      HydraulicState& next) const;
+    void solve_tree(const HydraulicCircuit& circuit, const Linear& linear, double rest_pressure_pa,
+                    HydraulicState& next) const;
+    void solve_graph(const HydraulicCircuit& circuit, const Linear& linear, double rest_pressure_pa,
+                     HydraulicState& next) const;
+    void balance_graph(const HydraulicCircuit& circuit, HydraulicState& next) const;
+
+    std::vector<int> order_;           // free nodes, a parent before its children
+    std::vector<int> parent_element_;  // per node; -1 at the root of a component
+    std::vector<int> terminal_first_;  // per node + 1: into terminals_
+    std::vector<int> terminals_;       // elements that end in a fixed node
+    std::vector<int> loop_elements_;   // between free nodes, not in the spanning forest
+    std::vector<int> between_fixed_;   // both ends fixed
+};
+
+}  // namespace hepatica

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flow/territory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hepatica {
+
+Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
+                       const TreePoint& point) {
+    const auto [start, arclength] = locate(network, point);
+    const std::vector<double>& flow = solution.volume_flow_mm3_s;
+    Territory territory;
+    territory.segment = start;
+    territory.begins_mm = arclength;
+    territory.flow_mm3_s = std::abs(flow[start]);
+    territory.passed_share.assign(network.segments.size(), 0.0);
+    territory.passed_share[start] = 1.0;
+
+    // Flow falls in total pressure, so that order of the nodes meets every inflow of a node before
+    // its outflows.
+    std::vector<int> falling(network.node_count);
+    std::iota(falling.begin(), falling.end(), 0);
+    std::ranges::stable_sort(falling, [&](int a, int b) {
+        return solution.total_pressure_pa[a] > solution.total_pressure_pa[b];
+    });
+    double entering = 0.0;
+    for (const double q : solution.inlet_flow_mm3_s) entering += std::max(q, 0.0);
+    for (const double q : solution.outlet_flow_mm3_s) entering += std::max(-q, 0.0);
+    std::vector<double> entering_node(network.node_count, 0.0);
+    std::vector<double> passed_node(network.node_count, 0.0);
+    const NodeSegments at = segments_at_nodes(network);
+    std::vector<double> share_at_node(network.node_count, 0.0);
+    for (const int node : falling) {
+        double out = 0.0;
+        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
+            const int id = at.segments[i];
+            const bool inwards = (network.segments[id].distal_node == node) == (flow[id] > 0.0);
+            if (inwards) {
+                entering_node[node] += std::abs(flow[id]);
+                passed_node[node] += std::abs(flow[id]) * territory.passed_share[id];
+            } else {
+                out += std::abs(flow[id]);
+            }
+        }
+        // What an inlet adds here has not passed the point.
+        const double through = std::max(entering_node[node], out);
+        const double share = through > 0.0 ? passed_node[node] / through : 0.0;
+        share_at_node[node] = share;
+        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
+            const int id = at.segments[i];
+            const bool outwards = (network.segments[id].proximal_node == node) == (flow[id] > 0.0);
+            if (outwards && id != start && flow[id] != 0.0) territory.passed_share[id] = share;
+        }
+    }
+    double leaving = 0.0;
+    double passed = 0.0;
+    for (std::size_t o = 0; o < network.outlet_nodes.size(); ++o) {
+        const double q = std::max(solution.outlet_flow_mm3_s[o], 0.0);
+        const double share = share_at_node[network.outlet_nodes[o]];
+        leaving += q;
+        passed += q * share;
+        if (q * share > 0.0) territory.outlets.push_back(static_cast<int>(o));
+    }
+    territory.share_of_outflow = leaving > 0.0 ? passed / leaving : 0.0;
+    territory.share_of_flow = entering > 0.0 ? territory.flow_mm3_s / entering : 0.0;
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+        const int id = static_cast<int>(i);
+        if (territory.passed_share[i] == 0.0) continue;
+        double volume = volume_mm3(network, id);
+        if (id == start) {
+            const double before = volume_up_to_mm3(network, id, arclength);
+            volume = flow[id] >= 0.0 ? volume - before : before;
+        }
+        territory.volume_mm3 += territory.passed_share[i] * volume;
+    }
+    return territory;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/surface.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double degrees = 180.0 / M_PI;
+
+// Disjoint sets of vertices; a set's name is its smallest vertex.
+class Components {
+  public:
+    explicit Components(std::size_t count) : owner_(count) {
+        std::iota(owner_.begin(), owner_.end(), 0);
+    }
+    int find(int vertex) {
+        while (owner_[vertex] != vertex) vertex = owner_[vertex] = owner_[owner_[vertex]];
+        return vertex;
+    }
+    void unite(int a, int b) {
+        a = find(a);
+        b = find(b);
+        owner_[std::max(a, b)] = std::min(a, b);
+    }
+    int count_of(const std::vector<char>& used) {
+        int count = 0;
+        for (std::size_t v = 0; v < owner_.size(); ++v)
+            count += used[v] != 0 && find(static_cast<int>(v)) == static_cast<int>(v);
+        return count;
+    }
+
+  private:
+    std::vector<int> owner_;
+};
+
+template <class Cells>
+int components_of(std::size_t vertices, const Cells& cells) {
+    Components components(vertices);
+    std::vector<char> used(vertices, 0);
+    for (const auto& cell : cells)
+        for (const int vertex : cell) {
+            used[vertex] = 1;
+            components.unite(cell[0], vertex);
+        }
+    return components.count_of(used);
+}
+
+// Every edge between two triangles with opposite directions, and one fan around each vertex.
+bool is_closed_manifold(const TriangleMesh& surface) {
+    std::map<std::pair<int, int>, int> opposite;  // directed edge to the third corner
+    for (const auto& triangle : surface.triangles)
+        for (int i = 0; i < 3; ++i)
+            if (!opposite.try_emplace({triangle[i], triangle[(i + 1) % 3]}, triangle[(i + 2) % 3])
+                     .second)
+                return false;
+    std::vector<int> triangles_at(surface.vertices_mm.size(), 0);
+    std::vector<int> start(surface.vertices_mm.size(), -1);
+    for (const auto& [edge, corner] : opposite) {
+        if (!opposite.contains({edge.second, edge.first})) return false;
+        ++triangles_at[edge.first];
+        start[edge.first] = edge.second;
+    }
+    for (std::size_t v = 0; v < start.size(); ++v) {
+        if (start[v] < 0) continue;
+        const int centre = static_cast<int>(v);
+        int turned = 0, rim = start[v];
+        do {
+            rim = opposite.at({centre, rim});
+            ++turned;
+        } while (rim != start[v] && turned <= triangles_at[v]);
+        if (turned != triangles_at[v]) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+DihedralRange dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    // Outward normals of the faces opposite to a, b, c, d.
+    const std::array<Vec3, 4> normals = {
+        (c - b).cross(d - b).normalized(), (d - a).cross(c - a).normalized(),
+        (b - a).cross(d - a).normalized(), (c - a).cross(b - a).normalized()};
+    double least = 1.0, most = -1.0;  // cosines
+    for (int i = 0; i < 4; ++i)
+        for (int j = i + 1; j < 4; ++j) {
+            const double cosine = std::clamp(-normals[i].dot(normals[j]), -1.0, 1.0);
+            least = std::min(least, cosine);
+            most = std::max(most, cosine);
+        }
+    return {std::acos(most) * degrees, std::acos(least) * degrees};
+}
+
+MeshQuality quality_of(const TetMesh& mesh) {
+    MeshQuality quality;
+    if (mesh.tetrahedra.empty()) return quality;
+    quality.min_dihedral_deg = 180.0;
+    for (const auto& [a, b, c, d] : mesh.tetrahedra) {
+        const DihedralRange range = dihedral_angles(mesh.vertices_mm[a], mesh.vertices_mm[b],
+                                                    mesh.vertices_mm[c], mesh.vertices_mm[d]);
+        quality.min_dihedral_deg = std::min(quality.min_dihedral_deg, range.min_deg);
+        quality.max_dihedral_deg = std::max(quality.max_dihedral_deg, range.max_deg);
+    }
+    quality.volume_mm3 = volume_mm3(mesh);
+    quality.components = components_of(mesh.vertices_mm.size(), mesh.tetrahedra);
+    const TriangleMesh surface = surface_of(mesh).mesh;
+    quality.closed = is_closed_manifold(surface);
+    quality.boundary_components = components_of(surface.vertices_mm.size(), surface.triangles);
+    const auto vertices = static_cast<int>(surface.vertices_mm.size());
+    const auto triangles = static_cast<int>(surface.triangles.size());
+    const int euler = vertices - triangles / 2;  // V - E + F with E = 3F/2
+    quality.handles = quality.boundary_components - euler / 2;
+    return quality;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/surface.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+BodySurface surface_of(const TetMesh& body) {
+    BodySurface surface;
+    surface.mesh.triangles = boundary_triangles(body);
+    std::vector<int> number(body.vertices_mm.size(), -1);
+    for (const auto& triangle : surface.mesh.triangles)
+        for (const int vertex : triangle) number[vertex] = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] < 0) continue;
+        number[v] = static_cast<int>(surface.body_vertex.size());
+        surface.body_vertex.push_back(static_cast<int>(v));
+        surface.mesh.vertices_mm.push_back(body.vertices_mm[v]);
+    }
+    for (auto& triangle : surface.mesh.triangles)
+        for (int& vertex : triangle) vertex = number[vertex];
+    return surface;
+}
+
+void validate_closed(const TriangleMesh& surface) {
+    const int vertices = static_cast<int>(surface.vertices_mm.size());
+    std::vector<std::pair<int, int>> forward, backward;
+    for (const auto& triangle : surface.triangles)
+        for (int i = 0; i < 3; ++i) {
+            const int a = triangle[i], b = triangle[(i + 1) % 3];
+            if (a < 0 || a >= vertices)
+                throw InputError("names vertex " + std::to_string(a) + ", which does not exist",
+                                 "surface", "Reconstruct the patient again");
+            forward.emplace_back(a, b);
+            backward.emplace_back(b, a);
+        }
+    std::ranges::sort(forward);
+    std::ranges::sort(backward);
+    const auto twice = std::ranges::adjacent_find(forward);
+    const auto [open, other] = std::ranges::mismatch(forward, backward);
+    if (twice == forward.end() && open == forward.end()) return;
+    const auto [a, b] = twice != forward.end() ? *twice : std::min(*open, *other);
+    throw InputError("is not closed at the edge between vertices " + std::to_string(a) + " and " +
+                         std::to_string(b),
+                     "surface", "Reconstruct the patient again");
+}
+
+double enclosed_volume_mm3(const TriangleMesh& surface) {
+    double volume = 0.0;
+    for (const auto& [a, b, c] : surface.triangles)
+        volume += surface.vertices_mm[a].cross(surface.vertices_mm[b]).dot(surface.vertices_mm[c]);
+    return volume / 6.0;
+}
+
+}  // namespace hepatica

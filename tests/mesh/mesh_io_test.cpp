@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+#include "tests/mesh/random_tree.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeshIo : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(MeshIo, ReadsBackWhatItWroteToTheLastBit) {
+    Job job;
+    const TetMesh mesh = tetrahedralize(test::random_tree(1, 3), {}, job);
+    write_vtu(folder_ / "mésh.vtu", mesh);
+    const TetMesh back = read_vtu(folder_ / "mésh.vtu");
+    EXPECT_EQ(back.vertices_mm, mesh.vertices_mm);
+    EXPECT_EQ(back.tetrahedra, mesh.tetrahedra);
+    const TriangleMesh surface = surface_of(mesh).mesh;
+    write_vtp(folder_ / "surface.vtp", surface);
+    EXPECT_EQ(read_vtp(folder_ / "surface.vtp").vertices_mm, surface.vertices_mm);
+    EXPECT_EQ(read_vtp(folder_ / "surface.vtp").triangles, surface.triangles);
+}
+
+TEST_F(MeshIo, RefusesMissingForeignAndCutFiles) {
+    EXPECT_THROW(read_vtu(folder_ / "missing.vtu"), InputError);
+    std::ofstream(folder_ / "text.vtu") << "not a mesh";
+    EXPECT_THROW(read_vtu(folder_ / "text.vtu"), InputError);
+    Job job;
+    write_vtu(folder_ / "cut.vtu", tetrahedralize(test::random_tree(1, 2), {}, job));
+    fs::resize_file(folder_ / "cut.vtu", fs::file_size(folder_ / "cut.vtu") / 2);
+    EXPECT_THROW(read_vtu(folder_ / "cut.vtu"), InputError);
+}
+
+TEST_F(MeshIo, LeavesNothingWhereItCannotWrite) {
+    std::ofstream(folder_ / "file") << "x";
+    Job job;
+    const TetMesh mesh = tetrahedralize(test::random_tree(1, 1), {}, job);
+    EXPECT_THROW(write_vtu(folder_ / "file" / "mesh.vtu", mesh), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica
