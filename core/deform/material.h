@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a body is made of: elasticity, density, and damping by ratio, with presets and their sources.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace hepatica {
+
+// How an element turns strain into energy. All take the same parameters.
+//   spring:     lumped edges with a volume spring; cheapest, and only roughly the material asked for
+//   corotated:  Hooke's law in the frame of the rotation; the default
+//   neohookean: stable Neo-Hookean; the reference at large strain
+enum class ElementModel { spring, corotated, neohookean };
+
+struct Material {
+    double young_modulus_pa = 0.5e6;    // > 0
+    double poisson_ratio = 0.45;        // in [0, 0.5)
+    double density_g_mm3 = 1.06e-3;     // > 0
+    // Fraction of critical damping at the two frequencies between which it is about constant.
+    double damping_ratio = 0.05;        // >= 0
+    double damping_low_hz = 1.0;        // > 0
+    double damping_high_hz = 30.0;      // >= damping_low_hz
+};
+
+struct Lame {
+    double lambda_pa;
+    double mu_pa;
+};
+Lame lame_of(const Material& material);
+
+// B = alpha M + beta K with the ratio asked for at both frequencies of the material.
+struct RayleighDamping {
+    double alpha_per_s = 0.0;
+    double beta_s = 0.0;
+};
+RayleighDamping rayleigh_of(const Material& material);
+
+// Throws InputError that names the parameter, its value and its range.
+void validate(const Material& material);
+
+struct MaterialPreset {
+    std::string name;
+    std::string source;
+    Material material;
+};
+std::span<const MaterialPreset> material_presets();
+
+}  // namespace hepatica
