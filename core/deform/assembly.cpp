@@ -51,8 +51,7 @@ void Assembly::build_pattern() {
         pattern_.column.push_back(j);
         ++pattern_.row_begin[i + 1];
     }
-    for (int i = 0; i < body_.node_count(); ++i)
-        pattern_.row_begin[i + 1] += pattern_.row_begin[i];
+    for (int i = 0; i < body_.node_count(); ++i) pattern_.row_begin[i + 1] += pattern_.row_begin[i];
     pattern_.block.assign(pattern_.column.size(), Mat3::Zero());
     mirror_.resize(pattern_.column.size());
     for (int i = 0; i < body_.node_count(); ++i)
@@ -98,24 +97,25 @@ double Assembly::evaluate(std::span<const Vec3> positions_mm, Tangent tangent) {
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const ElementGroup& group = body_.groups[g];
         const int n = group.nodes_per_element, pairs = group.pairs();
-        energy += parallel_sum(group.size(), element_block, [&](std::size_t begin, std::size_t end) {
-            double sum = 0.0;
-            for (std::size_t i = begin; i < end; ++i) {
-                const int e = static_cast<int>(i);
-                auto* force = element_force_.data() + slots_[g].first_force + i * n;
-                auto* blocks = element_block_.data() + slots_[g].first_block + i * pairs;
-                if (tangent == Tangent::none)
-                    sum += evaluate_element<Tangent::none>(group, body_.model, e, positions_mm,
-                                                           force, nullptr);
-                else if (tangent == Tangent::rotated)
-                    sum += evaluate_element<Tangent::rotated>(group, body_.model, e, positions_mm,
-                                                              force, blocks);
-                else
-                    sum += evaluate_element<Tangent::projected>(group, body_.model, e, positions_mm,
-                                                                force, blocks);
-            }
-            return sum;
-        });
+        energy +=
+            parallel_sum(group.size(), element_block, [&](std::size_t begin, std::size_t end) {
+                double sum = 0.0;
+                for (std::size_t i = begin; i < end; ++i) {
+                    const int e = static_cast<int>(i);
+                    auto* force = element_force_.data() + slots_[g].first_force + i * n;
+                    auto* blocks = element_block_.data() + slots_[g].first_block + i * pairs;
+                    if (tangent == Tangent::none)
+                        sum += evaluate_element<Tangent::none>(group, body_.model, e, positions_mm,
+                                                               force, nullptr);
+                    else if (tangent == Tangent::rotated)
+                        sum += evaluate_element<Tangent::rotated>(group, body_.model, e,
+                                                                  positions_mm, force, blocks);
+                    else
+                        sum += evaluate_element<Tangent::projected>(group, body_.model, e,
+                                                                    positions_mm, force, blocks);
+                }
+                return sum;
+            });
     }
     return energy;
 }
@@ -123,13 +123,14 @@ double Assembly::evaluate(std::span<const Vec3> positions_mm, Tangent tangent) {
 double Assembly::energy(std::span<const Vec3> positions_mm) const {
     double energy = 0.0;
     for (const ElementGroup& group : body_.groups)
-        energy += parallel_sum(group.size(), element_block, [&](std::size_t begin, std::size_t end) {
-            double sum = 0.0;
-            for (std::size_t i = begin; i < end; ++i)
-                sum += evaluate_element<Tangent::none>(group, body_.model, static_cast<int>(i),
-                                                       positions_mm, nullptr, nullptr);
-            return sum;
-        });
+        energy +=
+            parallel_sum(group.size(), element_block, [&](std::size_t begin, std::size_t end) {
+                double sum = 0.0;
+                for (std::size_t i = begin; i < end; ++i)
+                    sum += evaluate_element<Tangent::none>(group, body_.model, static_cast<int>(i),
+                                                           positions_mm, nullptr, nullptr);
+                return sum;
+            });
     return energy;
 }
 
@@ -184,7 +185,8 @@ double Assembly::quadratic_form(std::span<const Vec3> d) const {
                 const int* nodes = group.connectivity.data() + e * n;
                 const auto* block = element_block_.data() + slots_[g].first_block + e * pairs;
                 small::Vector3<double> u[10];  // relative to the first node
-                for (int a = 0; a < n; ++a) u[a] = small::from_eigen(d[nodes[a]] - d[nodes[0]]);
+                for (int a = 0; a < n; ++a)
+                    u[a] = small::from_eigen(Vec3(d[nodes[a]] - d[nodes[0]]));
                 for (int a = 0; a < n; ++a)
                     for (int b = a + 1; b < n; ++b, ++block)
                         sum += 2.0 * small::dot(u[a], *block * u[b]) -

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From elements to the system of eq. (12), as the paper has it: every element writes its forces and
-// stiffness blocks into slots of its own, and every node and every nonzero block gathers from a list
-// made once. Nothing is added up in an order that depends on threads.
+// stiffness blocks into slots of its own, and every node and every nonzero block gathers from a
+// list made once. Nothing is added up in an order that depends on threads.
 #pragma once
 
 #include <cstdint>

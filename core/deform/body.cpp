@@ -21,9 +21,9 @@ constexpr int max_nodes = 10;
 void check_factors(const std::vector<double>& factor, std::size_t elements, const char* name) {
     if (factor.empty()) return;
     if (factor.size() != elements)
-        reject(std::to_string(factor.size()) + " values for " + std::to_string(elements) +
-                   " elements",
-               name, "Give one value per element or none");
+        reject(
+            std::to_string(factor.size()) + " values for " + std::to_string(elements) + " elements",
+            name, "Give one value per element or none");
     for (std::size_t e = 0; e < elements; ++e)
         if (!(factor[e] > 0.0) || !std::isfinite(factor[e]))
             reject("is " + std::to_string(factor[e]),
@@ -63,9 +63,9 @@ void check(const BodyDescription& d, ElementModel model, ElementOrder order) {
         reject("there is no quadratic form of springs or hexahedra", "the body",
                "Choose linear order, or tetrahedra of the corotated or neohookean model");
     if (!d.fixed.empty() && d.fixed.size() != vertices)
-        reject(std::to_string(d.fixed.size()) + " flags for " + std::to_string(vertices) +
-                   " vertices",
-               "fixed", "Give one flag per vertex or none");
+        reject(
+            std::to_string(d.fixed.size()) + " flags for " + std::to_string(vertices) + " vertices",
+            "fixed", "Give one flag per vertex or none");
     if (!(d.tether_pa_per_mm2 >= 0.0) || !std::isfinite(d.tether_pa_per_mm2))
         reject("is " + std::to_string(d.tether_pa_per_mm2), "tether [Pa/mm2]",
                "Give a finite value of 0 or more");
@@ -86,8 +86,8 @@ void add_middle_nodes(const TetMesh& mesh, Body& body) {
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [a, b] : edges)
-        body.rest_positions_mm.push_back(
-            0.5 * (body.rest_positions_mm[a] + body.rest_positions_mm[b]));
+        body.rest_positions_mm.push_back(0.5 *
+                                         (body.rest_positions_mm[a] + body.rest_positions_mm[b]));
 }
 
 int middle_node(const Body& body, int a, int b) {
@@ -123,7 +123,7 @@ void add_tetrahedra(const BodyDescription& d, ElementOrder order, Body& body) {
     if (d.mesh.tetrahedra.empty()) return;
     ElementGroup group;
     const bool quadratic = order == ElementOrder::quadratic;
-    group.kind = quadratic ? ElementGroup::Kind::quadratic_tetrahedron
+    group.kind = quadratic                            ? ElementGroup::Kind::quadratic_tetrahedron
                  : body.model == ElementModel::spring ? ElementGroup::Kind::spring
                                                       : ElementGroup::Kind::linear_tetrahedron;
     group.nodes_per_element = quadratic ? 10 : 4;
@@ -142,8 +142,7 @@ void add_tetrahedra(const BodyDescription& d, ElementOrder order, Body& body) {
             small::edge_corners(edge, a, b);
             nodes[4 + edge] = middle_node(body, t[a], t[b]);
         }
-        group.connectivity.insert(group.connectivity.end(), nodes,
-                                  nodes + group.nodes_per_element);
+        group.connectivity.insert(group.connectivity.end(), nodes, nodes + group.nodes_per_element);
         const ElementValues v = values_of(d, e);
         const auto rest = small::tetrahedron_rest(x[0], x[1], x[2], x[3], v.lambda_pa, v.mu_pa);
         if (group.kind == ElementGroup::Kind::spring)

@@ -21,9 +21,10 @@ namespace hepatica {
 // with InputError when a stepper is made of it.
 struct BodyDescription {
     TetMesh mesh;  // the shape at rest; its vertices carry the hexahedra, too
-    std::vector<std::array<int, 8>> hexahedra;  // corners as in HexMesh; with ElementModel::corotated
+    std::vector<std::array<int, 8>>
+        hexahedra;  // corners as in HexMesh; with ElementModel::corotated
     Material material;
-    std::vector<std::uint8_t> fixed;        // per vertex, nonzero: never moves. Empty: none
+    std::vector<std::uint8_t> fixed;  // per vertex, nonzero: never moves. Empty: none
     // Multiples of the material's modulus and density, per element (tetrahedra, then hexahedra),
     // each > 0. Empty: 1.
     std::vector<double> stiffness_factor;
@@ -48,7 +49,7 @@ struct ElementGroup {
     Kind kind = Kind::linear_tetrahedron;
     int nodes_per_element = 4;
     std::vector<int> connectivity;
-    std::vector<small::TetrahedronRest<double>> tetrahedra;   // one of these three is filled
+    std::vector<small::TetrahedronRest<double>> tetrahedra;  // one of these three is filled
     std::vector<small::SpringRest<double>> springs;
     std::vector<small::HexahedronRest<double>> hexahedra;
 
@@ -63,12 +64,12 @@ struct Body {
     std::vector<Vec3> rest_positions_mm;
     std::vector<std::array<int, 2>> edge_of_middle_node;  // of node vertex_count + i
     int vertex_count = 0;
-    std::vector<double> mass_g;              // > 0
+    std::vector<double> mass_g;  // > 0
     std::vector<std::uint8_t> fixed;
     std::vector<double> tether_un_per_mm;
     std::vector<ElementGroup> groups;
     RayleighDamping damping;
-    double mean_edge_mm = 0.0;               // of the elements at rest: the yardstick of tolerances
+    double mean_edge_mm = 0.0;  // of the elements at rest: the yardstick of tolerances
 
     int node_count() const { return static_cast<int>(rest_positions_mm.size()); }
 };

@@ -37,8 +37,8 @@ HEPATICA_HOST_DEVICE Matrix3<T> clamp_negative_eigenvalues(const Matrix3<T>& a) 
             for (int r = p + 1; r < 3; ++r) {
                 if (d(p, r) == T(0)) continue;
                 const T zeta = (d(r, r) - d(p, p)) / (T(2) * d(p, r));
-                const T t = (zeta < T(0) ? T(-1) : T(1)) /
-                            (absolute(zeta) + root(T(1) + zeta * zeta));
+                const T t =
+                    (zeta < T(0) ? T(-1) : T(1)) / (absolute(zeta) + root(T(1) + zeta * zeta));
                 const T c = T(1) / root(T(1) + t * t), s = c * t;
                 Matrix3<T> j = identity_matrix<T>();
                 j(p, p) = c;
@@ -95,9 +95,7 @@ struct CorotatedLaw {
     HEPATICA_HOST_DEVICE Matrix3<T> stress(const Point& point, T p) const {
         return T(2) * mu * (point.f - point.rotation) + p * point.rotation;
     }
-    HEPATICA_HOST_DEVICE T volume_energy(T theta) const {
-        return T(0.5) * lambda * theta * theta;
-    }
+    HEPATICA_HOST_DEVICE T volume_energy(T theta) const { return T(0.5) * lambda * theta * theta; }
     HEPATICA_HOST_DEVICE T pressure(T theta) const { return lambda * theta; }
     HEPATICA_HOST_DEVICE T bulk() const { return lambda; }
 
@@ -120,42 +118,37 @@ struct CorotatedLaw {
 
 template <class T>
 struct NeoHookeanLaw {
-    T lambda;  // lambda' and mu' of the energy, not Lame's
+    T lambda;  // Lame's
     T mu;
-    T alpha;   // the J at which U is least, so that the rest shape is free of stress
-
-    HEPATICA_HOST_DEVICE static NeoHookeanLaw from_lame(T lame_lambda, T lame_mu) {
-        const T m = T(4) / T(3) * lame_mu, l = lame_lambda + T(5) / T(6) * lame_mu;
-        return {l, m, T(1) + T(0.75) * m / l};
-    }
 
     struct Point {
         Matrix3<T> f;
         Matrix3<T> cofactors;
-        T theta;  // J
+        T theta;  // J - 1
     };
 
     HEPATICA_HOST_DEVICE static Point at(const Matrix3<T>& f) {
-        return {f, cofactor(f), determinant(f)};
+        return {f, cofactor(f), determinant(f) - T(1)};
     }
     HEPATICA_HOST_DEVICE static Matrix3<T> theta_gradient(const Point& point) {
         return point.cofactors;
     }
+    // mu'/2 (I - 3) - mu'/2 log((I + 1)/4) - 3/4 mu' (J - 1) + 5/12 mu (J - 1)^2: together with
+    // lambda/2 (J - 1)^2 the published energy, split so that either part is stable by itself.
     HEPATICA_HOST_DEVICE T isochoric_energy(const Point& point) const {
-        const T ic = inner(point.f, point.f);
-        return T(0.5) * mu * ((ic - T(3)) - std::log1p(T(0.25) * (ic - T(3))));
+        const T i = inner(point.f, point.f) - T(3), d = point.theta;
+        return mu * (T(2) / T(3) * (i - std::log1p(T(0.25) * i)) - d + T(5) / T(12) * d * d);
     }
     HEPATICA_HOST_DEVICE Matrix3<T> stress(const Point& point, T p) const {
         const T ic = inner(point.f, point.f);
-        return (mu * (T(1) - T(1) / (ic + T(1)))) * point.f + p * point.cofactors;
+        const T stretch = T(4) / T(3) * mu * (T(1) - T(1) / (ic + T(1)));
+        return stretch * point.f + (p + local_pressure(point)) * point.cofactors;
     }
-    HEPATICA_HOST_DEVICE T volume_energy(T theta) const {
-        const T d = theta - T(1);  // (theta - alpha)^2 - (1 - alpha)^2 without cancellation
-        return T(0.5) * lambda * d * (d + T(2) * (T(1) - alpha));
-    }
-    HEPATICA_HOST_DEVICE T pressure(T theta) const { return lambda * (theta - alpha); }
+    HEPATICA_HOST_DEVICE T volume_energy(T theta) const { return T(0.5) * lambda * theta * theta; }
+    HEPATICA_HOST_DEVICE T pressure(T theta) const { return lambda * theta; }
     HEPATICA_HOST_DEVICE T bulk() const { return lambda; }
 
+    // Hessian of W + p theta, projected onto the positive semidefinite matrices.
     HEPATICA_HOST_DEVICE PrincipalTangent<T> projected_tangent(const Point& point, T p) const {
         using namespace detail;
         const SignedSvd<T> svd = signed_svd(point.f);
@@ -163,16 +156,24 @@ struct NeoHookeanLaw {
         tangent.u = svd.u;
         tangent.v = svd.v;
         const Vector3<T>& s = svd.sigma;
-        const T ic = dot(s, s), plus = T(1) / (ic + T(1)), stretch = mu * (T(1) - plus);
-        tangent.normal = (T(2) * mu * plus * plus) * outer(s, s) + stretch * identity_matrix<T>();
+        const Vector3<T> area{{s[1] * s[2], s[0] * s[2], s[0] * s[1]}};
+        const T m = T(4) / T(3) * mu, plus = T(1) / (dot(s, s) + T(1)), stretch = m * (T(1) - plus),
+                total = p + local_pressure(point);
+        tangent.normal = (T(2) * m * plus * plus) * outer(s, s) + stretch * identity_matrix<T>() +
+                         (T(5) / T(6) * mu) * outer(area, area);
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
-            tangent.normal(i, j) += p * s[k];
-            tangent.normal(j, i) += p * s[k];
-            set_pair(tangent, k, stretch - p * s[k], stretch + p * s[k]);
+            tangent.normal(i, j) += total * s[k];
+            tangent.normal(j, i) += total * s[k];
+            set_pair(tangent, k, stretch - total * s[k], stretch + total * s[k]);
         }
         tangent.normal = clamp_negative_eigenvalues(tangent.normal);
         return tangent;
+    }
+
+  private:
+    HEPATICA_HOST_DEVICE T local_pressure(const Point& point) const {
+        return mu * (T(5) / T(6) * point.theta - T(1));
     }
 };
 

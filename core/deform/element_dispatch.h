@@ -11,7 +11,7 @@ namespace hepatica {
 inline void load_positions(const int* nodes, int count, std::span<const Vec3> positions_mm,
                            small::Vector3<double>* x) {
     const Vec3& origin = positions_mm[nodes[0]];
-    for (int a = 0; a < count; ++a) x[a] = small::from_eigen(positions_mm[nodes[a]] - origin);
+    for (int a = 0; a < count; ++a) x[a] = small::from_eigen(Vec3(positions_mm[nodes[a]] - origin));
 }
 
 template <int Nodes, small::Tangent tangent>
@@ -22,7 +22,7 @@ double evaluate_elastic(ElementModel model, const small::TetrahedronRest<double>
         constexpr auto projected =
             tangent == small::Tangent::none ? tangent : small::Tangent::projected;
         return small::evaluate_tetrahedron<Nodes, projected>(
-            small::NeoHookeanLaw<double>::from_lame(rest.lambda, rest.mu), rest, x, force, blocks);
+            small::NeoHookeanLaw<double>{rest.lambda, rest.mu}, rest, x, force, blocks);
     }
     return small::evaluate_tetrahedron<Nodes, tangent>(
         small::CorotatedLaw<double>{rest.lambda, rest.mu}, rest, x, force, blocks);
@@ -38,12 +38,14 @@ double evaluate_element(const ElementGroup& group, ElementModel model, int e,
     small::Vector3<double> x[10];
     load_positions(nodes, group.nodes_per_element, positions_mm, x);
     switch (group.kind) {
-        case Kind::spring: return small::evaluate_springs(group.springs[e], x, force, blocks);
+        case Kind::spring:
+            return small::evaluate_springs(group.springs[e], x, force, blocks);
         case Kind::hexahedron:
             return small::evaluate_hexahedron(group.hexahedra[e], x, force, blocks);
         case Kind::quadratic_tetrahedron:
             return evaluate_elastic<10, tangent>(model, group.tetrahedra[e], x, force, blocks);
-        case Kind::linear_tetrahedron: break;
+        case Kind::linear_tetrahedron:
+            break;
     }
     return evaluate_elastic<4, tangent>(model, group.tetrahedra[e], x, force, blocks);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 8-node hexahedron (the paper's future work) in the frame of its rotation, for host and device.
-// Three incompatible modes, condensed once at rest, cure it of locking in bending and near
+// The 8-node hexahedron (the paper's future work) in the frame of its rotation, for host and
+// device. Three incompatible modes, condensed once at rest, cure it of locking in bending and near
 // nu = 1/2 (Wilson et al. 1973; Taylor, Beresford and Wilson 1976, whose correction of the modes'
 // gradients makes distorted elements pass the patch test).
 #pragma once
@@ -70,8 +70,8 @@ HEPATICA_HOST_DEVICE void condense_modes(T (*k)[33]) {
 
 }  // namespace detail
 
-// Least Jacobian determinant over the integration points and corners, in mm3 of the parent cube: not
-// positive where the element is folded and must be refused.
+// Least Jacobian determinant over the integration points and corners, in mm3 of the parent cube:
+// not positive where the element is folded and must be refused.
 template <class T>
 HEPATICA_HOST_DEVICE T least_jacobian(const Vector3<T>* x) {
     T least = T(0);
@@ -117,9 +117,9 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         const Matrix3<T> cofactors = cofactor(j);
         Vector3<T> g[11];
         for (int a = 0; a < 8; ++a) g[a] = (T(1) / det) * (cofactors * d[a]);
-        // Modes 1 - xi_i^2, with the centre's Jacobian so that constant stress does no work on them.
-        for (int i = 0; i < 3; ++i)
-            g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
+        // Modes 1 - xi_i^2, with the centre's Jacobian so that constant stress does no work on
+        // them.
+        for (int i = 0; i < 3; ++i) g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
         for (int a = 0; a < 11; ++a)
             for (int b = 0; b < 11; ++b) {
                 const Matrix3<T> block = det * hooke_block(g[a], g[b], lambda, mu);
@@ -177,8 +177,7 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
         const T det = determinant(turn), size = detail::largest_entry(turn);
         Vector3<T> w{{T(0), T(0), T(0)}};
         if (det > T(1e-6) * size * size * size) w = (T(1) / det) * (cofactor(turn) * torque);
-        for (int a = 0; a < 8; ++a)
-            force[a] = T(-1) * (r * (pull[a] - cross(w, rest.gradient[a])));
+        for (int a = 0; a < 8; ++a) force[a] = T(-1) * (r * (pull[a] - cross(w, rest.gradient[a])));
     }
     if (blocks) {
         for (int a = 0; a < 8; ++a)

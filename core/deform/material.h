@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body is made of: elasticity, density, and damping by ratio, with presets and their sources.
+// What a body is made of: elasticity, density, and damping by ratio, with presets and their
+// sources.
 #pragma once
 
 #include <span>
@@ -8,19 +9,19 @@
 namespace hepatica {
 
 // How an element turns strain into energy. All take the same parameters.
-//   spring:     lumped edges with a volume spring; cheapest, and only roughly the material asked for
-//   corotated:  Hooke's law in the frame of the rotation; the default
-//   neohookean: stable Neo-Hookean; the reference at large strain
+//   spring:     lumped edges with a volume spring; cheapest, and only roughly the material asked
+//   for corotated:  Hooke's law in the frame of the rotation; the default neohookean: stable
+//   Neo-Hookean; the reference at large strain
 enum class ElementModel { spring, corotated, neohookean };
 
 struct Material {
-    double young_modulus_pa = 0.5e6;    // > 0
-    double poisson_ratio = 0.45;        // in [0, 0.5)
-    double density_g_mm3 = 1.06e-3;     // > 0
+    double young_modulus_pa = 0.5e6;  // > 0
+    double poisson_ratio = 0.45;      // in [0, 0.5)
+    double density_g_mm3 = 1.06e-3;   // > 0
     // Fraction of critical damping at the two frequencies between which it is about constant.
-    double damping_ratio = 0.05;        // >= 0
-    double damping_low_hz = 1.0;        // > 0
-    double damping_high_hz = 30.0;      // >= damping_low_hz
+    double damping_ratio = 0.05;    // >= 0
+    double damping_low_hz = 1.0;    // > 0
+    double damping_high_hz = 30.0;  // >= damping_low_hz
 };
 
 struct Lame {

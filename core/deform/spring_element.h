@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cheapest tetrahedron: six springs along its edges and one that resists a change of volume,
 // for host and device. Spring constants follow from averaging over directions: springs of density
-// kappa/2 sum (n . strain n)^2 make a solid with lambda = mu = 2/5 kappa; the volume spring adds the
-// rest of lambda. A solid with Poisson's ratio below 1/4 would need a negative one and gets none.
+// kappa/2 sum (n . strain n)^2 make a solid with lambda = mu = 2/5 kappa; the volume spring adds
+// the rest of lambda. A solid with Poisson's ratio below 1/4 would need a negative one and gets
+// none.
 #pragma once
 
 #include "core/deform/tetrahedron_element.h"

@@ -24,7 +24,7 @@ enum class Tangent { none, rotated, projected };
 
 // Number of pairs of nodes a < b; block(a, b) of an element lies at pair_index(a, b).
 template <int Nodes>
-inline constexpr int pair_count = Nodes * (Nodes - 1) / 2;
+inline constexpr int pair_count = Nodes*(Nodes - 1) / 2;
 template <int Nodes>
 HEPATICA_HOST_DEVICE constexpr int pair_index(int a, int b) {
     return a * Nodes - a * (a + 1) / 2 + b - a - 1;
@@ -44,10 +44,7 @@ HEPATICA_HOST_DEVICE TetrahedronRest<T> tetrahedron_rest(const Vector3<T>& x0, c
     const Vector3<T> a = x1 - x0, b = x2 - x0, c = x3 - x0;
     const T six_volumes = dot(cross(a, b), c);
     const T s = T(1) / six_volumes;
-    return {{s * cross(b, c), s * cross(c, a), s * cross(a, b)},
-            six_volumes / T(6),
-            lambda,
-            mu};
+    return {{s * cross(b, c), s * cross(c, a), s * cross(a, b)}, six_volumes / T(6), lambda, mu};
 }
 
 namespace detail {

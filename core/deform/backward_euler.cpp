@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/backward_euler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hepatica {
+namespace {
+
+constexpr double armijo = 1e-4;          // share of the predicted decrease that must come true
+constexpr double shortest_share = 1e-3;  // of a Newton step before the search gives up
+constexpr double rounding = 1e-13;       // relative size of a change of energy that means nothing
+constexpr int most_halvings = 4;
+
+double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+}
+
+double kinetic(const Body& body, const std::vector<Vec3>& v) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < v.size(); ++i) sum += 0.5 * body.mass_g[i] * v[i].squaredNorm();
+    return sum;
+}
+
+double gravity_work(const Body& body, const Vec3& gravity, const std::vector<Vec3>& d) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < d.size(); ++i) sum += body.mass_g[i] * gravity.dot(d[i]);
+    return sum;
+}
+
+bool all_finite(const std::vector<Vec3>& a) {
+    return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
+}
+
+// Cuts fixed vertices out of the system: their change is 0 and nobody feels it.
+void decouple_fixed(const Body& body, BlockMatrix& matrix) {
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
+            const int j = matrix.column[k];
+            if (!body.fixed[i] && !body.fixed[j]) continue;
+            if (i == j)
+                matrix.block[k] = (matrix.block[k].trace() / 3.0) * Mat3::Identity();
+            else
+                matrix.block[k].setZero();
+        }
+}
+
+}  // namespace
+
+// The step in the making. Its unknown is the velocity w: positions are x_n + dt w.
+struct BackwardEuler::Step {
+    const ExternalForces& forces;
+    const BodyState& start;
+    double dt_s;
+    double start_kinetic, start_elastic, start_external;
+    std::vector<Vec3> w;          // accepted so far; 0 at first
+    std::vector<Vec3> x;          // x_n + dt w
+    std::vector<Vec3> direction;  // of w
+    double value = 0.0;           // of the potential at w
+    double damping_form = 0.0;    // w^T K_n w beta, while w is a multiple of the first direction
+    int iterate = 0;
+    bool whole = false;  // one iterate, taken whole: the linearised equations hold
+    // What the linearised step did, from the slots of its start.
+    double linear_elastic_work = 0.0, linear_external_work = 0.0, residual_work = 0.0;
+    double velocity_scale = 1.0;
+};
+
+BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
+                             std::unique_ptr<LinearSolver> solver)
+    : body_(body),
+      settings_(settings),
+      solver_(std::move(solver)),
+      assembly_(body),
+      tangent_(settings.iterations > 1 ? small::Tangent::projected : small::Tangent::rotated),
+      elastic_force_(body.node_count()),
+      force_(body.node_count()),
+      residual_(body.node_count()),
+      change_(body.node_count()),
+      product_(body.node_count()) {}
+
+void BackwardEuler::evaluate(const std::vector<Vec3>& positions_mm) {
+    elastic_ = assembly_.evaluate(positions_mm, tangent_);
+    assembly_.gather_forces(elastic_force_);
+}
+
+// A = (1 + dt alpha) M + (dt^2 + dt beta) K + dt^2 K_external, with K at the present iterate and
+// beta K at the start.
+void BackwardEuler::assemble(const Step& step) {
+    const double dt = step.dt_s, beta = body_.damping.beta_s;
+    const bool keep = settings_.iterations > 1 && beta > 0.0;
+    if (step.iterate == 0) {
+        assembly_.gather_stiffness(dt * dt + dt * beta, matrix_);
+        if (keep) assembly_.gather_stiffness(beta, damping_);
+    } else {
+        assembly_.gather_stiffness(dt * dt, matrix_);
+        if (keep)
+            for (std::size_t k = 0; k < matrix_.block.size(); ++k)
+                matrix_.block[k] += dt * damping_.block[k];
+    }
+    const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
+    for (int i = 0; i < matrix_.rows(); ++i)
+        matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
+    step.forces.add_stiffness(step.x, dt * dt, matrix_);
+    decouple_fixed(body_, matrix_);
+}
+
+// -dt times the gradient of the potential at the present iterate:
+// M (v_n - w) + dt f(x) - dt B w.
+void BackwardEuler::right_hand_side(const Step& step) {
+    const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
+    force_ = elastic_force_;
+    step.forces.add_forces(step.x, force_);
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+        residual_[i] =
+            body_.mass_g[i] * (step.start.velocities_mm_per_s[i] - (1.0 + dt * alpha) * step.w[i]) +
+            dt * force_[i];
+    if (step.iterate > 0 && body_.damping.beta_s > 0.0 && !damping_.block.empty()) {
+        multiply(damping_, step.w, product_);
+        for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] -= dt * product_[i];
+    }
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+        if (body_.fixed[i]) residual_[i].setZero();
+}
+
+void BackwardEuler::solve(const Step& step, StepReport& report) {
+    solver_->prepare(matrix_, step.x);
+    // The first system is solved for the change of velocity, whose relative error means something
+    // for a body in flight, too.
+    if (step.iterate == 0) {
+        multiply(matrix_, step.start.velocities_mm_per_s, product_);
+        for (std::size_t i = 0; i < residual_.size(); ++i)
+            if (!body_.fixed[i]) residual_[i] -= product_[i];
+    }
+    std::ranges::fill(change_, Vec3::Zero());
+    const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
+    report.linear_iterations += solved.iterations;
+    report.linear_residual = solved.relative_residual;
+    report.linear_energy_error = solved.energy_error;
+}
+
+double BackwardEuler::potential(const Step& step) const {
+    const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
+    double inertia = 0.0;
+    for (std::size_t i = 0; i < step.w.size(); ++i) {
+        const Vec3 change = step.w[i] - step.start.velocities_mm_per_s[i];
+        inertia +=
+            0.5 * body_.mass_g[i] * (change.squaredNorm() + dt * alpha * step.w[i].squaredNorm());
+    }
+    return inertia + 0.5 * dt * step.damping_form + elastic_ + step.forces.energy(step.x) -
+           dt * gravity_work(body_, step.forces.gravity_mm_per_s2(), step.w);
+}
+
+// Moves by a share of the direction; true if the potential fell enough.
+bool BackwardEuler::try_share(Step& step, double share, double slope) {
+    const std::vector<Vec3> before = step.w;
+    const double form_before = step.damping_form;
+    for (std::size_t i = 0; i < step.w.size(); ++i) {
+        step.w[i] += share * step.direction[i];
+        step.x[i] = step.start.positions_mm[i] + step.dt_s * step.w[i];
+    }
+    if (all_finite(step.x)) {
+        if (body_.damping.beta_s > 0.0) {
+            if (step.iterate == 0) {
+                step.damping_form *= share * share;
+            } else {
+                multiply(damping_, step.w, product_);
+                step.damping_form = dot(step.w, product_);
+            }
+        }
+        evaluate(step.x);
+        const double value = potential(step);
+        const double noise = rounding * (std::abs(value) + std::abs(step.value));
+        if (std::isfinite(value) && value <= step.value + armijo * share * slope + noise) {
+            step.value = std::min(value, step.value);
+            return true;
+        }
+        if (!settings_.line_search && std::isfinite(value)) return true;
+    }
+    step.w = before;
+    step.damping_form = form_before;
+    return false;
+}
+
+// False where no share of the direction lowers the potential; the iterate is then as before.
+bool BackwardEuler::search_line(Step& step, StepReport& report) {
+    const double slope = -dot(steepest_, step.direction);  // of the potential, along the direction
+    double share = 1.0;
+    while (share > shortest_share) {
+        if (try_share(step, share, slope)) {
+            step.whole = step.iterate == 0 && share == 1.0;
+            if (share < 1.0 && report.message.empty() && settings_.iterations == 1) {
+                report.degraded = true;
+                report.message = "the step was shortened: it would have made energy";
+            }
+            return true;
+        }
+        share *= 0.5;
+    }
+    for (std::size_t i = 0; i < step.x.size(); ++i)
+        step.x[i] = step.start.positions_mm[i] + step.dt_s * step.w[i];
+    evaluate(step.x);
+    return false;
+}
+
+// A linearised step may create energy where elements turn far. What nobody put in is taken out of
+// the velocities again.
+void BackwardEuler::limit_energy(Step& step, StepReport& report) const {
+    if (!settings_.line_search) return;
+    const double before = step.start_kinetic + step.start_elastic + step.start_external;
+    const double work = step.dt_s * gravity_work(body_, step.forces.gravity_mm_per_s2(), step.w);
+    const double stored = elastic_ + step.forces.energy(step.x), moving = kinetic(body_, step.w);
+    const double excess = stored + moving - before - work;
+    if (!(excess > 1e-9 * (before + std::abs(work) + stored + moving))) return;
+    step.velocity_scale = std::sqrt(std::max(0.0, moving - excess) / moving);
+    report.degraded = true;
+    report.message = "the body was slowed down: the step would have made energy";
+}
+
+// Keeps, while the slots are those of the start, what the whole linearised step would do.
+void BackwardEuler::book_linearised(Step& step) {
+    std::vector<Vec3> dx = step.direction;
+    for (Vec3& d : dx) d *= step.dt_s;
+    const double elastic_form = assembly_.quadratic_form(dx);
+    const double external_form = step.forces.quadratic_form(step.x, dx, matrix_);
+    const double gravity = gravity_work(body_, step.forces.gravity_mm_per_s2(), dx);
+    const double elastic = dot(dx, elastic_force_);
+    step.linear_elastic_work = elastic - elastic_form;
+    step.linear_external_work = dot(dx, force_) - elastic - gravity - external_form;
+    step.damping_form = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
+    multiply(matrix_, change_, product_);
+    step.residual_work = dot(step.direction, product_) - dot(step.direction, residual_);
+}
+
+void BackwardEuler::book(const Step& step, StepReport& report) {
+    const double dt = step.dt_s;
+    EnergyLedger& ledger = report.energy;
+    std::vector<Vec3> dx = step.w;
+    for (Vec3& d : dx) d *= dt;
+    double inertial_loss = 0.0;
+    for (std::size_t i = 0; i < dx.size(); ++i)
+        inertial_loss +=
+            0.5 * body_.mass_g[i] * (step.w[i] - step.start.velocities_mm_per_s[i]).squaredNorm();
+    double elastic_work = step.linear_elastic_work, external_work = step.linear_external_work;
+    double residual_work = step.residual_work;
+    const double gravity = gravity_work(body_, step.forces.gravity_mm_per_s2(), dx);
+    if (!step.whole) {
+        Step end = step;
+        end.iterate = 1;
+        right_hand_side(end);
+        residual_work = -dot(step.w, residual_);
+        if (damping_.block.empty()) residual_work += dt * step.damping_form;
+        elastic_work = dot(dx, elastic_force_);
+        external_work = dot(dx, force_) - elastic_work - gravity;
+    }
+    const double moving = kinetic(body_, step.w);
+    ledger.kinetic = step.velocity_scale * step.velocity_scale * moving;
+    ledger.elastic = elastic_;
+    ledger.grab = step.forces.energy(step.x);
+    ledger.gravity_work = gravity;
+    ledger.damping_loss = dt * (2.0 * body_.damping.alpha_per_s * moving + step.damping_form);
+    ledger.solver_work = residual_work;
+    ledger.integrator_loss = inertial_loss + (moving - ledger.kinetic) +
+                             (step.start_elastic - elastic_ - elastic_work) +
+                             (step.start_external - ledger.grab - external_work);
+    const double gained = ledger.kinetic + ledger.elastic + ledger.grab - step.start_kinetic -
+                          step.start_elastic - step.start_external;
+    ledger.imbalance = gained - (ledger.gravity_work - ledger.damping_loss -
+                                 ledger.integrator_loss + ledger.solver_work);
+}
+
+StepReport BackwardEuler::advance(BodyState& state, double dt_s, const ExternalForces& forces) {
+    return advance_in_parts(state, dt_s, forces, settings_.line_search ? most_halvings : 0);
+}
+
+bool BackwardEuler::iterate(Step& step, StepReport& report) {
+    right_hand_side(step);
+    assemble(step);
+    steepest_ = residual_;
+    solve(step, report);
+    ++report.newton_iterations;
+    step.direction = change_;
+    if (step.iterate == 0) {
+        for (std::size_t i = 0; i < change_.size(); ++i)
+            step.direction[i] += step.start.velocities_mm_per_s[i];
+        book_linearised(step);
+    }
+    return search_line(step, report);
+}
+
+StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
+                                           const ExternalForces& forces, int halvings_left) {
+    if (!current_) evaluate(state.positions_mm);
+    current_ = true;
+    StepReport report;
+    report.dt_s = dt_s;
+    Step step{.forces = forces,
+              .start = state,
+              .dt_s = dt_s,
+              .start_kinetic = kinetic(body_, state.velocities_mm_per_s),
+              .start_elastic = elastic_,
+              .start_external = forces.energy(state.positions_mm),
+              .w = std::vector<Vec3>(state.positions_mm.size(), Vec3::Zero()),
+              .x = state.positions_mm,
+              .direction = {}};
+    step.value = potential(step);
+    bool stuck = false;
+    for (; step.iterate < settings_.iterations; ++step.iterate) {
+        if (!iterate(step, report)) {
+            stuck = step.iterate == 0;
+            break;
+        }
+        double longest = 0.0;
+        for (const Vec3& d : step.direction) longest = std::max(longest, dt_s * d.norm());
+        if (longest <= settings_.tolerance * body_.mean_edge_mm) break;
+    }
+    if (stuck && halvings_left > 0) {
+        const StepReport first = advance_in_parts(state, 0.5 * dt_s, forces, halvings_left - 1);
+        report = in_sequence(first, advance_in_parts(state, 0.5 * dt_s, forces, halvings_left - 1));
+        report.degraded = true;
+        report.message = "the step was cut in halves: it would have made energy";
+        return report;
+    }
+    if (stuck) {
+        report.degraded = true;
+        report.message = "the body was stopped: no step lowers its energy";
+    }
+    limit_energy(step, report);
+    book(step, report);
+    for (std::size_t i = 0; i < step.x.size(); ++i)
+        state.velocities_mm_per_s[i] = step.velocity_scale * step.w[i];
+    state.positions_mm = std::move(step.x);
+    return report;
+}
+
+}  // namespace hepatica

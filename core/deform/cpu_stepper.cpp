@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/cpu_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/deform/backward_euler.h"
+#include "core/deform/energy_ledger.h"
+#include "core/deform/external_forces.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double sleep_speed_edges_per_s = 1e-5;
+constexpr double sleep_after_s = 0.5;
+
+StepperOptions checked(const StepperOptions& options) {
+    const auto check = [](bool good, const std::string& name, double value) {
+        if (!good)
+            throw InputError(name + " is " + std::to_string(value), "the step's options",
+                             "Choose another value");
+    };
+    check(options.newton_iterations >= 1, "the number of Newton iterates",
+          options.newton_iterations);
+    check(options.newton_tolerance > 0, "the tolerance of Newton's method",
+          options.newton_tolerance);
+    check(options.substeps >= 1, "the number of substeps", options.substeps);
+    check(options.linear.max_iterations >= 1, "the limit of linear iterations",
+          options.linear.max_iterations);
+    return options;
+}
+
+std::unique_ptr<LinearSolver> solver_for(const Body& body, const BodyDescription& description,
+                                         const StepperOptions& options) {
+    if (options.solver == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
+    const FrameSkeleton skeleton = description.skeleton.positions_mm.empty()
+                                       ? skeleton_of_mesh(description.mesh)
+                                       : description.skeleton;
+    return make_linear_solver(options.solver, skeleton, body.rest_positions_mm);
+}
+
+NewtonSettings newton_of(const StepperOptions& options) {
+    return {.iterations = options.newton_iterations,
+            .tolerance = options.newton_tolerance,
+            .line_search = !options.published,
+            .linear = options.linear};
+}
+
+class CpuStepper final : public Stepper {
+  public:
+    CpuStepper(const BodyDescription& description, const StepperOptions& options)
+        : options_(checked(options)),
+          body_(build_body(description, options.model, options.order)),
+          forces_(body_),
+          integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
+        state_.positions_mm = body_.rest_positions_mm;
+        state_.velocities_mm_per_s.assign(body_.node_count(), Vec3::Zero());
+    }
+
+    void set_grabs(std::span<const Grab> grabs) override {
+        const double before = forces_.energy(state_.positions_mm);
+        forces_.set_grabs(grabs);
+        tool_work_ += forces_.energy(state_.positions_mm) - before;
+        wake();
+    }
+
+    void set_gravity(const Vec3& gravity_mm_per_s2) override {
+        forces_.set_gravity(gravity_mm_per_s2);
+        wake();
+    }
+
+    StepReport step(double dt_s) override;
+
+    std::span<const Vec3> positions_mm() const override {
+        return std::span(state_.positions_mm).first(body_.vertex_count);
+    }
+    std::span<const Vec3> velocities_mm_per_s() const override {
+        return std::span(state_.velocities_mm_per_s).first(body_.vertex_count);
+    }
+
+    void set_state(std::span<const Vec3> positions_mm,
+                   std::span<const Vec3> velocities_mm_per_s) override;
+
+  private:
+    void wake() { still_s_ = 0.0; }
+    void watch_for_sleep(double dt_s);
+
+    StepperOptions options_;
+    Body body_;
+    ExternalForces forces_;
+    BackwardEuler integrator_;
+    BodyState state_;
+    double tool_work_ = 0.0;
+    double still_s_ = 0.0;  // for how long nothing has moved
+    EnergyLedger resting_;  // the energies of the last step made
+};
+
+StepReport CpuStepper::step(double dt_s) {
+    if (!(dt_s > 0.0) || !std::isfinite(dt_s))
+        throw InputError("a step of " + std::to_string(dt_s) + " s", "the clock",
+                         "Give a finite time greater than 0");
+    StepReport report;
+    if (options_.sleeping && still_s_ >= sleep_after_s) {
+        report.dt_s = dt_s;
+        report.asleep = true;
+        report.energy.kinetic = resting_.kinetic;
+        report.energy.elastic = resting_.elastic;
+        report.energy.grab = resting_.grab;
+        return report;
+    }
+    for (int s = 0; s < options_.substeps; ++s) {
+        const StepReport part = integrator_.advance(state_, dt_s / options_.substeps, forces_);
+        report = s == 0 ? part : in_sequence(report, part);
+    }
+    report.energy.tool_work = tool_work_;
+    tool_work_ = 0.0;
+    resting_ = report.energy;
+    watch_for_sleep(dt_s);
+    return report;
+}
+
+void CpuStepper::watch_for_sleep(double dt_s) {
+    double fastest = 0.0;
+    for (const Vec3& v : state_.velocities_mm_per_s) fastest = std::max(fastest, v.norm());
+    still_s_ = fastest < sleep_speed_edges_per_s * body_.mean_edge_mm ? still_s_ + dt_s : 0.0;
+}
+
+void CpuStepper::set_state(std::span<const Vec3> positions_mm,
+                           std::span<const Vec3> velocities_mm_per_s) {
+    const auto check = [&](std::span<const Vec3> values, const char* name) {
+        if (values.size() != static_cast<std::size_t>(body_.vertex_count))
+            throw InputError(std::to_string(values.size()) + " vertices instead of " +
+                                 std::to_string(body_.vertex_count),
+                             name, "Give one value per vertex");
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (!values[i].allFinite())
+                throw InputError("is not finite",
+                                 std::string(name) + " of vertex " + std::to_string(i),
+                                 "Give finite values");
+    };
+    check(positions_mm, "position");
+    check(velocities_mm_per_s, "velocity");
+    std::ranges::copy(positions_mm, state_.positions_mm.begin());
+    std::ranges::copy(velocities_mm_per_s, state_.velocities_mm_per_s.begin());
+    for (std::size_t m = 0; m < body_.edge_of_middle_node.size(); ++m) {
+        const auto& [a, b] = body_.edge_of_middle_node[m];
+        const std::size_t i = body_.vertex_count + m;
+        state_.positions_mm[i] = 0.5 * (positions_mm[a] + positions_mm[b]);
+        state_.velocities_mm_per_s[i] = 0.5 * (velocities_mm_per_s[a] + velocities_mm_per_s[b]);
+    }
+    for (int i = 0; i < body_.node_count(); ++i)
+        if (body_.fixed[i]) state_.velocities_mm_per_s[i].setZero();
+    integrator_.forget();
+    tool_work_ = 0.0;
+    wake();
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_cpu_stepper(const BodyDescription& body,
+                                          const StepperOptions& options) {
+    return std::make_unique<CpuStepper>(body, options);
+}
+
+}  // namespace hepatica

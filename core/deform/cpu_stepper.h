@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference back end: double precision on the CPU, deterministic for any number of threads.
+#pragma once
+
+#include <memory>
+
+#include "core/deform/body.h"
+#include "core/deform/linear_solver.h"
+#include "core/deform/stepper.h"
+
+namespace hepatica {
+
+// The dial's coordinates, apart from the mesh and the length of the step.
+struct StepperOptions {
+    ElementModel model = ElementModel::corotated;
+    ElementOrder order = ElementOrder::linear;
+    LinearSolverKind solver = LinearSolverKind::automatic;
+    SolveLimits linear;              // of each linear solve
+    int newton_iterations = 1;       // 1: the linearly implicit step of eq. (12)
+    double newton_tolerance = 1e-6;  // largest move of an iterate that ends them, in mean edges
+    int substeps = 1;                // each step() is cut into so many
+    // The step exactly as published: whole, even where it makes energy. Otherwise a step that would
+    // is shortened, and the report says so.
+    bool published = false;
+    // Skip the steps of a body that has not moved faster than 1e-5 mean edges a second for half a
+    // second of its time, until something changes.
+    bool sleeping = true;
+};
+
+// Copies what it needs. Throws InputError where body or options are not valid (see build_body).
+// Gravity is 0 until set. Quadratic bodies: positions_mm() holds the vertices of the mesh;
+// set_state places the middles of the edges on their straight middles.
+std::unique_ptr<Stepper> make_cpu_stepper(const BodyDescription& body,
+                                          const StepperOptions& options);
+
+}  // namespace hepatica

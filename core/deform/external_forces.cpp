@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/external_forces.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+// Used by both the held point's force and its stiffness.
+struct Pull {
+    Vec3 stretch_mm;  // from the held point to the target
+    double length_mm;
+    double limit_mm;  // stretch at which the force stops growing
+};
+
+Pull pull_of(const Grab& grab, std::span<const Vec3> positions) {
+    Vec3 stretch = Vec3::Zero();  // by differences: exact for a body far from the origin
+    for (int a = 0; a < 4; ++a)
+        if (grab.vertices[a] >= 0)
+            stretch += grab.weights[a] * (grab.target_mm - positions[grab.vertices[a]]);
+    return {stretch, stretch.norm(), grab.force_limit_un / grab.stiffness_un_per_mm};
+}
+
+Mat3 stiffness_of(const Grab& grab, const Pull& pull) {
+    if (pull.length_mm <= pull.limit_mm) return grab.stiffness_un_per_mm * Mat3::Identity();
+    const Vec3 n = pull.stretch_mm / pull.length_mm;
+    return (grab.force_limit_un / pull.length_mm) * (Mat3::Identity() - n * n.transpose());
+}
+
+void check(const Grab& grab, int vertex_count, std::size_t index) {
+    const auto reject = [&](const std::string& problem, const std::string& remedy) {
+        throw InputError(problem, "grab " + std::to_string(index), remedy);
+    };
+    double sum = 0.0;
+    for (int a = 0; a < 4; ++a) {
+        if (grab.vertices[a] >= vertex_count || (grab.vertices[a] < 0 && a == 0))
+            reject("holds vertex " + std::to_string(grab.vertices[a]) + ", which does not exist",
+                   "Pick a point of the body");
+        if (grab.vertices[a] >= 0) sum += grab.weights[a];
+    }
+    if (!(std::abs(sum - 1.0) < 1e-6))
+        reject("has weights that sum to " + std::to_string(sum), "Make them sum to 1");
+    if (!grab.target_mm.allFinite()) reject("has a target that is not finite", "Give a finite one");
+    if (!(grab.stiffness_un_per_mm > 0.0) || !std::isfinite(grab.stiffness_un_per_mm))
+        reject("has a stiffness of " + std::to_string(grab.stiffness_un_per_mm) + " uN/mm",
+               "Give a finite value greater than 0");
+    if (!(grab.force_limit_un > 0.0) || !std::isfinite(grab.force_limit_un))
+        reject("has a force limit of " + std::to_string(grab.force_limit_un) + " uN",
+               "Give a finite value greater than 0");
+}
+
+}  // namespace
+
+void ExternalForces::set_grabs(std::span<const Grab> grabs) {
+    for (std::size_t i = 0; i < grabs.size(); ++i) check(grabs[i], body_.node_count(), i);
+    grabs_.assign(grabs.begin(), grabs.end());
+}
+
+void ExternalForces::set_gravity(const Vec3& gravity_mm_per_s2) {
+    if (!gravity_mm_per_s2.allFinite())
+        throw InputError("gravity is not finite", "gravity", "Give a finite acceleration in mm/s2");
+    gravity_ = gravity_mm_per_s2;
+}
+
+double ExternalForces::energy(std::span<const Vec3> positions_mm) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+        sum += 0.5 * body_.tether_un_per_mm[i] *
+               (positions_mm[i] - body_.rest_positions_mm[i]).squaredNorm();
+    for (const Grab& grab : grabs_) {
+        const Pull pull = pull_of(grab, positions_mm);
+        sum += pull.length_mm <= pull.limit_mm
+                   ? 0.5 * grab.stiffness_un_per_mm * pull.length_mm * pull.length_mm
+                   : grab.force_limit_un * (pull.length_mm - 0.5 * pull.limit_mm);
+    }
+    return sum;
+}
+
+void ExternalForces::add_forces(std::span<const Vec3> positions_mm,
+                                std::span<Vec3> forces_un) const {
+    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+        forces_un[i] += body_.mass_g[i] * gravity_ +
+                        body_.tether_un_per_mm[i] * (body_.rest_positions_mm[i] - positions_mm[i]);
+    for (const Grab& grab : grabs_) {
+        const Pull pull = pull_of(grab, positions_mm);
+        const Vec3 force = pull.length_mm <= pull.limit_mm
+                               ? Vec3(grab.stiffness_un_per_mm * pull.stretch_mm)
+                               : Vec3(grab.force_limit_un / pull.length_mm * pull.stretch_mm);
+        for (int a = 0; a < 4; ++a)
+            if (grab.vertices[a] >= 0) forces_un[grab.vertices[a]] += grab.weights[a] * force;
+    }
+}
+
+template <class Visit>
+void ExternalForces::for_each_grab_block(const Grab& grab, std::span<const Vec3> positions_mm,
+                                         const BlockMatrix& matrix, const Visit& visit) const {
+    const Mat3 stiffness = stiffness_of(grab, pull_of(grab, positions_mm));
+    for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+            const int i = grab.vertices[a], j = grab.vertices[b];
+            if (i < 0 || j < 0) continue;
+            const double weight = grab.weights[a] * grab.weights[b];
+            const bool stored = matrix.find(i, j) >= 0;
+            visit(i, stored ? j : i, (stored ? weight : std::abs(weight)) * stiffness);
+        }
+}
+
+void ExternalForces::add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                                   BlockMatrix& matrix) const {
+    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+        if (body_.tether_un_per_mm[i] > 0.0)
+            matrix.block[matrix.diagonal[i]].diagonal().array() +=
+                factor * body_.tether_un_per_mm[i];
+    for (const Grab& grab : grabs_)
+        for_each_grab_block(grab, positions_mm, matrix, [&](int i, int j, const Mat3& block) {
+            matrix.block[matrix.find(i, j)] += factor * block;
+        });
+}
+
+double ExternalForces::quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
+                                      const BlockMatrix& matrix) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < d.size(); ++i)
+        sum += body_.tether_un_per_mm[i] * d[i].squaredNorm();
+    for (const Grab& grab : grabs_)
+        for_each_grab_block(grab, positions_mm, matrix, [&](int i, int j, const Mat3& block) {
+            sum += d[i].dot(block * d[j]);
+        });
+    return sum;
+}
+
+}  // namespace hepatica
