@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+// Sets of runs that touch (union by smaller number, so the root is the first run).
+class RunSets {
+  public:
+    std::uint32_t add() {
+        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+        return parent_.back();
+    }
+    std::uint32_t root(std::uint32_t run) {
+        while (parent_[run] != run) run = parent_[run] = parent_[parent_[run]];
+        return run;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a < b)
+            parent_[b] = a;
+        else
+            parent_[a] = b;
+    }
+    std::size_t size() const { return parent_.size(); }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+// Object voxels in a row: [begin, end).
+struct Run {
+    int begin;
+    int end;
+};
+
+// Runs of every row, numbered in the order of the voxels.
+struct RunTable {
+    std::vector<Run> runs;
+    std::vector<std::size_t> first_of_row;  // one more than there are rows
+
+    RunTable(const Mask& mask, bool object) {
+        const auto nx = static_cast<std::size_t>(mask.grid.dims[0]);
+        const std::size_t rows = nx > 0 ? mask.voxels.size() / nx : 0;
+        first_of_row.reserve(rows + 1);
+        for (std::size_t row = 0; row < rows; ++row) {
+            first_of_row.push_back(runs.size());
+            const std::uint8_t* voxel = mask.voxels.data() + row * nx;
+            for (int x = 0; x < mask.grid.dims[0]; ++x) {
+                if ((voxel[x] != 0) != object) continue;
+                const int begin = x;
+                while (x < mask.grid.dims[0] && (voxel[x] != 0) == object) ++x;
+                runs.push_back({begin, x});
+            }
+        }
+        first_of_row.push_back(runs.size());
+    }
+};
+
+// Joins the touching runs of two rows; reach 1 lets diagonal neighbours touch.
+void join_rows(const RunTable& table, std::size_t row, std::size_t other, int reach,
+               RunSets& sets) {
+    std::size_t i = table.first_of_row[row];
+    std::size_t j = table.first_of_row[other];
+    while (i < table.first_of_row[row + 1] && j < table.first_of_row[other + 1]) {
+        const Run& a = table.runs[i];
+        const Run& b = table.runs[j];
+        if (a.begin < b.end + reach && b.begin < a.end + reach)
+            sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+        if (a.end < b.end)
+            ++i;
+        else
+            ++j;
+    }
+}
+
+RunSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connectivity) {
+    RunSets sets;
+    for (std::size_t i = 0; i < table.runs.size(); ++i) sets.add();
+    const bool diagonal = connectivity == Connectivity::all26;
+    const int reach = diagonal ? 1 : 0;
+    const int ny = grid.dims[1];
+    for (int z = 0; z < grid.dims[2]; ++z)
+        for (int y = 0; y < ny; ++y) {
+            const std::size_t row = static_cast<std::size_t>(z) * ny + y;
+            if (y > 0) join_rows(table, row, row - 1, reach, sets);
+            if (z == 0) continue;
+            join_rows(table, row, row - ny, reach, sets);
+            if (diagonal && y > 0) join_rows(table, row, row - ny - 1, reach, sets);
+            if (diagonal && y + 1 < ny) join_rows(table, row, row - ny + 1, reach, sets);
+        }
+    return sets;
+}
+
+// For each set: its voxels; indexed by the set's first run, 0 for other runs.
+std::vector<std::size_t> set_sizes(const RunTable& table, RunSets& sets) {
+    std::vector<std::size_t> sizes(table.runs.size(), 0);
+    for (std::size_t i = 0; i < table.runs.size(); ++i)
+        sizes[sets.root(static_cast<std::uint32_t>(i))] += table.runs[i].end - table.runs[i].begin;
+    return sizes;
+}
+
+template <class Visit>
+void for_each_run(const RunTable& table, const Grid& grid, const Visit& visit) {
+    for (std::size_t row = 0; row + 1 < table.first_of_row.size(); ++row)
+        for (std::size_t i = table.first_of_row[row]; i < table.first_of_row[row + 1]; ++i)
+            visit(static_cast<std::uint32_t>(i), row * grid.dims[0] + table.runs[i].begin,
+                  row * grid.dims[0] + table.runs[i].end);
+}
+
+}  // namespace
+
+Components connected_components(const Mask& mask, Connectivity connectivity) {
+    const RunTable table(mask, true);
+    RunSets sets = joined_runs(table, mask.grid, connectivity);
+    const std::vector<std::size_t> sizes = set_sizes(table, sets);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < sizes.size(); ++i)
+        if (sizes[i] > 0) order.push_back(i);
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return sizes[a] > sizes[b]; });
+
+    Components components;
+    components.labels = Image<std::uint32_t>(mask.grid);
+    std::vector<std::uint32_t> label_of(sizes.size(), 0);
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+        label_of[order[rank]] = static_cast<std::uint32_t>(rank + 1);
+        components.sizes.push_back(sizes[order[rank]]);
+    }
+    for_each_run(table, mask.grid, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
+        std::fill(components.labels.voxels.begin() + static_cast<std::ptrdiff_t>(begin),
+                  components.labels.voxels.begin() + static_cast<std::ptrdiff_t>(end),
+                  label_of[sets.root(run)]);
+    });
+    return components;
+}
+
+Mask largest_components(const Mask& mask, Connectivity connectivity, int count,
+                        std::size_t minimum_voxels) {
+    const Components components = connected_components(mask, connectivity);
+    Mask kept(mask.grid);
+    for (std::size_t i = 0; i < kept.voxels.size(); ++i) {
+        const std::uint32_t label = components.labels.voxels[i];
+        if (label != 0 && label <= static_cast<std::uint32_t>(count) &&
+            components.sizes[label - 1] >= minimum_voxels)
+            kept.voxels[i] = 1;
+    }
+    return kept;
+}
+
+Mask fill_holes(const Mask& mask) {
+    const Grid& grid = mask.grid;
+    const RunTable table(mask, false);
+    RunSets sets = joined_runs(table, grid, Connectivity::faces6);
+    std::vector<char> open(table.runs.size(), 0);  // by first run: reaches the border
+    const int ny = grid.dims[1];
+    for_each_run(table, grid, [&](std::uint32_t run, std::size_t begin, std::size_t) {
+        const auto row = static_cast<int>(begin / grid.dims[0] % ny);
+        const auto slice = static_cast<int>(begin / grid.dims[0] / ny);
+        const Run& r = table.runs[run];
+        if (r.begin == 0 || r.end == grid.dims[0] || row == 0 || row == ny - 1 || slice == 0 ||
+            slice == grid.dims[2] - 1)
+            open[sets.root(run)] = 1;
+    });
+    Mask filled(grid, 1);
+    for_each_run(table, grid, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
+        if (open[sets.root(run)])
+            std::fill(filled.voxels.begin() + static_cast<std::ptrdiff_t>(begin),
+                      filled.voxels.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{0});
+    });
+    return filled;
+}
+
+}  // namespace hepatica

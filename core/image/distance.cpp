@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of Computing
+// 8:415 (2012): exact squared distances, one axis after the other, as lower envelopes of parabolas.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+// Scratch memory of one line.
+struct Envelope {
+    std::vector<double> value;   // squared distance before
+    std::vector<int> apex;       // of the parabolas in the envelope
+    std::vector<double> border;  // where each parabola begins to be the lowest
+
+    explicit Envelope(int n) : value(n), apex(n), border(n) {}
+
+    // Replaces line[i * stride] by min over j of line[j * stride] + (spacing (i - j))^2.
+    void transform(float* line, int n, std::ptrdiff_t stride, double spacing) {
+        int count = 0;
+        const double square = spacing * spacing;
+        for (int i = 0; i < n; ++i) {
+            value[i] = line[i * stride];
+            if (value[i] == infinite) continue;
+            double begin = -infinite;
+            while (count > 0) {
+                const int j = apex[count - 1];
+                begin = 0.5 * ((value[i] - value[j]) / (square * (i - j)) + i + j);
+                if (begin > border[count - 1]) break;
+                --count;
+                begin = -infinite;
+            }
+            apex[count] = i;
+            border[count] = begin;
+            ++count;
+        }
+        if (count == 0) return;
+        int k = 0;
+        for (int i = 0; i < n; ++i) {
+            while (k + 1 < count && border[k + 1] < i) ++k;
+            const double steps = i - apex[k];
+            line[i * stride] = static_cast<float>(value[apex[k]] + square * steps * steps);
+        }
+    }
+};
+
+void transform_axis(FloatVolume& squares, int axis, Job& job) {
+    const Grid& grid = squares.grid;
+    const int n = grid.dims[axis];
+    const int across = axis == 0 ? 1 : 0;
+    const int rest = axis == 2 ? 1 : 2;
+    const std::array<std::size_t, 3> strides{1, static_cast<std::size_t>(grid.dims[0]),
+                                             grid.offset(0, 0, 1)};
+    std::atomic<int> done{0};
+    parallel_blocks(grid.dims[rest], 1, [&](std::size_t r, std::size_t) {
+        job.advance((axis + static_cast<double>(done++) / grid.dims[rest]) / 3.0);
+        Envelope envelope(n);
+        for (int c = 0; c < grid.dims[across]; ++c)
+            envelope.transform(squares.voxels.data() + r * strides[rest] + c * strides[across], n,
+                               static_cast<std::ptrdiff_t>(strides[axis]), grid.spacing_mm[axis]);
+    });
+}
+
+// Squared distance to the nearest voxel whose object state is `wanted`.
+FloatVolume squared_distance(const Mask& mask, bool wanted, Job& job) {
+    FloatVolume squares(mask.grid);
+    parallel_blocks(mask.voxels.size(), 1 << 18, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            squares.voxels[i] = (mask.voxels[i] != 0) == wanted ? 0.0f : infinite;
+    });
+    for (int axis = 0; axis < 3; ++axis) transform_axis(squares, axis, job);
+    return squares;
+}
+
+template <class Change>
+void change_each(FloatVolume& image, const Change& change) {
+    parallel_blocks(image.voxels.size(), 1 << 18, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) change(image.voxels[i], i);
+    });
+}
+
+// Voxels whose squared distance is at most (or more than) the radius squared.
+Mask threshold(const FloatVolume& squares, double radius_mm, bool within) {
+    // Sums of squares of spacings are rounded: a voxel at exactly the radius belongs to the ball.
+    const double limit = radius_mm * radius_mm * (1.0 + 1e-6);
+    Mask mask(squares.grid);
+    parallel_blocks(mask.voxels.size(), 1 << 18, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            mask.voxels[i] = (squares.voxels[i] <= limit) == within ? 1 : 0;
+    });
+    return mask;
+}
+
+}  // namespace
+
+FloatVolume distance_to(const Mask& object, Job& job) {
+    FloatVolume distance = squared_distance(object, true, job);
+    change_each(distance, [](float& d, std::size_t) { d = std::sqrt(d); });
+    return distance;
+}
+
+FloatVolume signed_distance(const Mask& object, Job& job) {
+    FloatVolume distance = distance_to(object, job);
+    FloatVolume inside = squared_distance(object, false, job);
+    change_each(distance, [&](float& d, std::size_t i) {
+        if (object.voxels[i] != 0) d = -std::sqrt(inside.voxels[i]);
+    });
+    return distance;
+}
+
+Mask dilate(const Mask& mask, double radius_mm, Job& job) {
+    return threshold(squared_distance(mask, true, job), radius_mm, true);
+}
+
+Mask erode(const Mask& mask, double radius_mm, Job& job) {
+    return threshold(squared_distance(mask, false, job), radius_mm, false);
+}
+
+Mask close(const Mask& mask, double radius_mm, Job& job) {
+    return erode(dilate(mask, radius_mm, job), radius_mm, job);
+}
+
+Mask open(const Mask& mask, double radius_mm, Job& job) {
+    return dilate(erode(mask, radius_mm, job), radius_mm, job);
+}
+
+}  // namespace hepatica
