@@ -67,6 +67,7 @@ struct SceneView::Parts {
     OrientationMarker orientation;
     DrugView drug;
     double pixel_ratio = 1.0;
+    bool pulled = false;
     bool looked = false;  // a camera was chosen for the present tree
 };
 
@@ -95,13 +96,17 @@ SceneView::~SceneView() {
     parts_->window.RemoveRenderer(parts_->renderer);
 }
 
-void SceneView::show(const Frame& frame) {
-    parts_->tree.update(frame);
+bool SceneView::show(const Frame& frame) {
+    const bool pulled = frame.grab.has_value() || parts_->pulled;
+    const bool changed = parts_->tree.update(frame);
     parts_->grab.update(frame.grab);
+    parts_->pulled = frame.grab.has_value();
     parts_->drug = frame.drug;
+    if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
     }
+    return changed || pulled;
 }
 
 void SceneView::render(double pixel_ratio) {

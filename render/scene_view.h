@@ -47,8 +47,9 @@ class SceneView {
     SceneView& operator=(const SceneView&) = delete;
 
     // Takes over a frame; draws nothing yet. Costs one pass over the surface; with the drug running
-    // and the body at rest, one uniform.
-    void show(const Frame& frame);
+    // and the body at rest, one uniform goes to the card. Returns true if the picture is another
+    // now, so that a scene at rest need not be drawn again.
+    bool show(const Frame& frame);
     // Draws into the window. `pixel_ratio`: device pixels per point (1 on plain screens).
     void render(double pixel_ratio = 1.0);
 

@@ -18,21 +18,25 @@ Eigen::Map<const Vec3f> vertex(const std::vector<float>& values, int index) {
 
 }  // namespace
 
-bool SurfaceGeometry::update(const Frame& frame) {
+SurfaceGeometry::Change SurfaceGeometry::update(const Frame& frame) {
     const bool rebuilt = frame.surface != source_ || frame.topology_version != topology_version_;
     if (rebuilt) rebuild(frame);
+    bool moved = rebuilt;
     Vec3f lower = Vec3f::Constant(std::numeric_limits<float>::max());
     Vec3f upper = -lower;
     for (std::size_t v = 0; v < frame_vertices_.size(); ++v) {
         const Vec3f position = vertex(frame.positions_mm, frame_vertices_[v]);
-        std::copy_n(position.data(), 3, positions_mm_.data() + 3 * v);
+        Eigen::Map<Vec3f> mine(positions_mm_.data() + 3 * v);
+        moved = moved || mine != position;
+        mine = position;
         lower = lower.cwiseMin(position);
         upper = upper.cwiseMax(position);
     }
     lower_mm_ = lower.cast<double>();
     upper_mm_ = upper.cast<double>();
+    if (!moved) return Change::none;
     compute_normals();
-    return rebuilt;
+    return rebuilt ? Change::topology : Change::positions;
 }
 
 void SurfaceGeometry::rebuild(const Frame& frame) {

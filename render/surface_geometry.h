@@ -15,9 +15,11 @@ namespace hepatica {
 // Not thread-safe. Positions are x, y, z per surface vertex, in mm.
 class SurfaceGeometry {
   public:
+    enum class Change { none, positions, topology };
+
     // Takes the frame's positions; rebuilds the list of surface vertices when the frame's topology
-    // differs from the last one's. Returns true if it did. A frame without surface gives none.
-    bool update(const Frame& frame);
+    // differs from the last one's. Says what is new. A frame without surface gives none.
+    Change update(const Frame& frame);
 
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     const std::vector<float>& positions_mm() const { return positions_mm_; }

@@ -53,18 +53,22 @@ TreeActor::TreeActor()
     drug_overlay::attach(*actor_, *mapper_);
 }
 
-void TreeActor::update(const Frame& frame) {
-    const bool rebuilt = surface_.update(frame);
+bool TreeActor::update(const Frame& frame) {
+    const SurfaceGeometry::Change change = surface_.update(frame);
+    const bool rebuilt = change == SurfaceGeometry::Change::topology;
     if (rebuilt) {
         upload_topology();
         upload_colours();
     }
-    upload_positions();
+    if (change != SurfaceGeometry::Change::none) upload_positions();
     const bool new_drug =
         frame.drug.version != drug_version_ || frame.drug.arrival_s.get() != drug_source_;
     if (rebuilt || new_drug) upload_arrival(frame.drug);
+    const bool drug_moved = frame.drug.time_s != drug_time_s_;
+    drug_time_s_ = frame.drug.time_s;
     drug_overlay::set_time(*actor_, frame.drug);
     actor_->SetVisibility(!surface_.triangles().empty());
+    return change != SurfaceGeometry::Change::none || new_drug || drug_moved;
 }
 
 void TreeActor::set_vertex_systems(std::vector<int> systems) {

@@ -25,7 +25,8 @@ class TreeActor {
   public:
     TreeActor();
 
-    void update(const Frame& frame);
+    // Returns true if the picture is another now.
+    bool update(const Frame& frame);
 
     // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
     // the end count as system 0.
@@ -49,6 +50,7 @@ class TreeActor {
     std::vector<std::uint8_t> highlight_;
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
+    double drug_time_s_ = 0.0;
     vtkSmartPointer<vtkPolyData> polydata_;
     vtkSmartPointer<vtkFloatArray> positions_;
     vtkSmartPointer<vtkFloatArray> normals_;

@@ -36,6 +36,12 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     window_->SetFrameBlitModeToNoBlit();
     scene_ = std::make_unique<SceneView>(*window_);
     mouse_ = std::make_unique<MouseTool>(*scene_, std::move(callbacks));
+    rest_timer_.setSingleShot(true);
+    rest_timer_.setInterval(200);
+    connect(&rest_timer_, &QTimer::timeout, this, [this] {
+        scene_->set_smoothing(Smoothing::best);
+        update();
+    });
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -65,8 +71,6 @@ void VtkWidget::initializeGL() {
     window_->InitializeFromCurrentContext();
     const auto* name = context()->functions()->glGetString(GL_RENDERER);
     renderer_name_ = name ? reinterpret_cast<const char*>(name) : "";
-    scene_->set_smoothing(is_software_renderer(renderer_name_) ? Smoothing::cheap
-                                                               : Smoothing::best);
 }
 
 void VtkWidget::paintGL() {
@@ -95,7 +99,20 @@ void VtkWidget::paintGL() {
     if (on_painted_) on_painted_(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
 }
 
+void VtkWidget::show_frame(const Frame& frame) {
+    if (scene_->show(frame)) draw_again();
+}
+
+void VtkWidget::draw_again() {
+    if (is_software_renderer(renderer_name_)) {
+        scene_->set_smoothing(Smoothing::none);
+        rest_timer_.start();
+    }
+    update();
+}
+
 QImage VtkWidget::picture() {
+    scene_->set_smoothing(Smoothing::best);
     return grabFramebuffer();
 }
 
@@ -105,17 +122,17 @@ Pixel VtkWidget::pixel_of(const QPointF& point) const {
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
     mouse_->press(pixel_of(event->position()), button_of(*event), modifiers_of(*event));
-    update();
+    draw_again();
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
     mouse_->move(pixel_of(event->position()));
-    if (event->buttons() != Qt::NoButton) update();
+    if (event->buttons() != Qt::NoButton) draw_again();
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
     mouse_->release(pixel_of(event->position()));
-    update();
+    draw_again();
 }
 
 void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -124,7 +141,7 @@ void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
     mouse_->wheel(event->angleDelta().y() / 120.0);
-    update();
+    draw_again();
 }
 
 void VtkWidget::leaveEvent(QEvent* event) {

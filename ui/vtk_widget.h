@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
@@ -28,6 +29,12 @@ class VtkWidget : public QOpenGLWidget {
 
     // What the OpenGL driver calls itself; empty until the first painted frame.
     const std::string& renderer_name() const { return renderer_name_; }
+
+    // Shows a newer frame; draws only if it looks different.
+    void show_frame(const Frame& frame);
+    // After every other change of the scene or the camera. Without a graphics card the picture is
+    // drawn plainly while it moves and smoothed as soon as it rests.
+    void draw_again();
 
     // Draws anew and reads what is shown, at the screen's own resolution.
     QImage picture();
@@ -53,6 +60,7 @@ class VtkWidget : public QOpenGLWidget {
     std::function<void(double)> on_painted_;
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
+    QTimer rest_timer_;
 };
 
 }  // namespace hepatica

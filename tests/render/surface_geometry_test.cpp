@@ -31,7 +31,7 @@ Frame sphere_frame(const Vec3& centre, double radius_mm) {
 
 TEST(SurfaceGeometry, leaves_out_inner_vertices_and_bounds_the_rest) {
     SurfaceGeometry surface;
-    EXPECT_TRUE(surface.update(sphere_frame(Vec3(1, 2, 3), 5.0)));
+    EXPECT_EQ(surface.update(sphere_frame(Vec3(1, 2, 3), 5.0)), SurfaceGeometry::Change::topology);
     EXPECT_NEAR((surface.lower_mm() - Vec3(-4, -3, -2)).norm(), 0.0, 0.05);
     EXPECT_NEAR((surface.upper_mm() - Vec3(6, 7, 8)).norm(), 0.0, 0.05);
     for (const int vertex : surface.frame_vertices()) EXPECT_GE(vertex, 2);
@@ -88,10 +88,11 @@ TEST(SurfaceGeometry, follows_positions_without_rebuilding) {
     Frame frame = sphere_frame(Vec3::Zero(), 1.0);
     surface.update(frame);
     for (float& value : frame.positions_mm) value += 3.0f;
-    EXPECT_FALSE(surface.update(frame));
+    EXPECT_EQ(surface.update(frame), SurfaceGeometry::Change::positions);
+    EXPECT_EQ(surface.update(frame), SurfaceGeometry::Change::none);
     EXPECT_NEAR(surface.lower_mm().x(), 2.0, 0.05);
     ++frame.topology_version;
-    EXPECT_TRUE(surface.update(frame));
+    EXPECT_EQ(surface.update(frame), SurfaceGeometry::Change::topology);
 }
 
 }  // namespace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QWidget>
+#include <array>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+using enum ActionId;
+
+constexpr std::array table{
+    ActionSpec{open_case, "&File", "&Open case…", "Ctrl+O",
+               "Open a patient that was reconstructed"},
+    ActionSpec{open_ct_folder, "&File", "Open CT &folder…", "Ctrl+D",
+               "Reconstruct the vessels of a DICOM series"},
+    ActionSpec{open_ct_file, "&File", "Open CT f&ile…", "Ctrl+I",
+               "Reconstruct the vessels of a volume: NIfTI, MetaImage or NRRD"},
+    ActionSpec{reconstruct, "&File", "&Reconstruct with options…", "Ctrl+R",
+               "Choose liver mask, seeds and window before reconstructing"},
+    ActionSpec{built_in, "&File", "&Built-in patient", "Ctrl+B",
+               "Open the synthetic patient that comes with the program"},
+    ActionSpec{save_case, "&File", "&Save case as…", "Ctrl+S",
+               "Keep the reconstructed patient as a folder of open formats", false, true},
+    ActionSpec{save_picture, "&File", "Save &picture…", "Ctrl+P",
+               "Save the three-dimensional view as PNG"},
+    ActionSpec{quit, "&File", "&Quit", "Ctrl+Q", "Leave the program"},
+    ActionSpec{pull_mode, "&Play", "&Pull", "1", "Left drag on a vessel pulls it", true},
+    ActionSpec{inject_mode, "&Play", "&Inject", "2", "Left click on a vessel injects there", true},
+    ActionSpec{play_pause, "&Play", "Run the &drug", "Space", "Start and stop the drug's front",
+               false, true},
+    ActionSpec{remove_drug, "&Play", "Re&move the drug", "Del", "Take the drug out again", false,
+               true},
+    ActionSpec{pause_simulation, "&Play", "&Hold the clock", "H",
+               "Stop the simulation; the view stays alive", true, true},
+    ActionSpec{reset, "&Play", "&Reset", "Backspace", "Back to the rest shape: no pull, no drug",
+               false, true},
+    ActionSpec{view_anterior, "&View", "&Anterior", "A", "Look from the front"},
+    ActionSpec{view_posterior, "&View", "&Posterior", "P", "Look from the back"},
+    ActionSpec{view_left, "&View", "&Left", "L", "Look from the patient's left"},
+    ActionSpec{view_right, "&View", "&Right", "R", "Look from the patient's right"},
+    ActionSpec{view_superior, "&View", "&Superior", "S", "Look from the head"},
+    ActionSpec{view_inferior, "&View", "&Inferior", "I", "Look from the feet"},
+    ActionSpec{toggle_annotations, "&View", "Le&gend and scale", "G",
+               "Show legend, scale bar and orientation", true},
+    ActionSpec{toggle_panels, "&View", "Pa&nels", "F9", "Show the panels beside the view", true},
+    ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
+    ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
+};
+
+constexpr std::array<std::pair<const char*, const char*>, 7> gestures{{
+    {"Left drag on a vessel", "pull it (in Pull mode)"},
+    {"Left drag beside the vessels, right drag", "orbit"},
+    {"Middle drag, Shift + left drag", "pan"},
+    {"Wheel", "zoom"},
+    {"Click in Inject mode, Ctrl + click, double-click on a vessel", "inject there"},
+    {"Hover", "show what lies downstream, and its share of the flow"},
+    {"Drop a file or folder", "open it"},
+}};
+
+QString plain(const char* text) {
+    return QString::fromUtf8(text).remove('&').remove("…");
+}
+
+}  // namespace
+
+std::span<const ActionSpec> action_table() {
+    return table;
+}
+
+Actions::Actions(QWidget& window, QMenuBar& menus) {
+    std::map<QString, QMenu*> menu_named;
+    for (const ActionSpec& spec : table) {
+        QMenu*& menu = menu_named[spec.menu];
+        if (!menu) menu = menus.addMenu(spec.menu);
+        auto* action = new QAction(QString::fromUtf8(spec.text), &window);
+        action->setShortcut(QKeySequence::fromString(spec.keys, QKeySequence::PortableText));
+        action->setStatusTip(spec.tip);
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(keys.isEmpty() ? QString(spec.tip)
+                                          : QString("%1 (%2)").arg(spec.tip, keys));
+        action->setCheckable(spec.checkable);
+        menu->addAction(action);
+        window.addAction(action);
+        actions_[spec.id] = action;
+    }
+}
+
+void Actions::on(ActionId id, std::function<void()> run) {
+    QObject::connect(actions_.at(id), &QAction::triggered, actions_.at(id), std::move(run));
+}
+
+void Actions::set_patient_shown(bool shown) {
+    for (const ActionSpec& spec : table) {
+        if (spec.needs_patient) actions_.at(spec.id)->setEnabled(shown);
+    }
+}
+
+QString Actions::cheat_sheet() {
+    QString html = "<table cellspacing='6'>";
+    const auto row = [&](const QString& left, const QString& right) {
+        html += "<tr><td><b>" + left.toHtmlEscaped() + "</b></td><td>" + right.toHtmlEscaped() +
+                "</td></tr>";
+    };
+    for (const auto& [gesture, effect] : gestures) row(gesture, effect);
+    for (const ActionSpec& spec : table) {
+        if (*spec.keys) {
+            row(QKeySequence::fromString(spec.keys).toString(QKeySequence::NativeText),
+                plain(spec.text) + ": " + spec.tip);
+        }
+    }
+    return html + "</table>";
+}
+
+}  // namespace hepatica

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every action of the window in one table: menus, keys, tips and the cheat sheet are all read from
+// it, so that none of them can forget one.
+#pragma once
+
+#include <QAction>
+#include <QKeySequence>
+#include <QString>
+#include <functional>
+#include <map>
+#include <span>
+
+class QMenuBar;
+class QWidget;
+
+namespace hepatica {
+
+enum class ActionId {
+    open_case,
+    open_ct_folder,
+    open_ct_file,
+    reconstruct,
+    built_in,
+    save_case,
+    save_picture,
+    quit,
+    pull_mode,
+    inject_mode,
+    play_pause,
+    remove_drug,
+    pause_simulation,
+    reset,
+    view_anterior,
+    view_posterior,
+    view_left,
+    view_right,
+    view_superior,
+    view_inferior,
+    toggle_annotations,
+    toggle_panels,
+    cheat_sheet,
+    about,
+};
+
+struct ActionSpec {
+    ActionId id;
+    const char* menu;  // where it stands; "&" marks the menu's key
+    const char* text;
+    const char* keys;  // portable text of a QKeySequence; may be empty
+    const char* tip;
+    bool checkable = false;
+    bool needs_patient = false;  // disabled while no patient is shown
+};
+
+std::span<const ActionSpec> action_table();
+
+// The actions themselves, made once per window.
+class Actions {
+  public:
+    // Fills the menus in the order of the table.
+    Actions(QWidget& window, QMenuBar& menus);
+
+    QAction& operator[](ActionId id) const { return *actions_.at(id); }
+    void on(ActionId id, std::function<void()> run);
+    void set_patient_shown(bool shown);
+
+    // All keys and mouse gestures as HTML.
+    static QString cheat_sheet();
+
+  private:
+    std::map<ActionId, QAction*> actions_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/background_job.h"
+
+#include <new>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+Failure failure_of(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const Error& known) {
+        return {known.problem(), known.place(), known.remedy()};
+    } catch (const std::bad_alloc&) {
+        return {"not enough memory", "", "close other programs, or use a smaller image"};
+    } catch (const std::exception& unknown) {
+        return {std::string("internal error: ") + unknown.what(), "",
+                "please report it with what you did before"};
+    } catch (...) {
+        return {"internal error", "", "please report it with what you did before"};
+    }
+}
+
+BackgroundJob::BackgroundJob(Work work, Callbacks callbacks) : callbacks_(std::move(callbacks)) {
+    std::packaged_task<std::function<void()>()> task(
+        [job = job_, run = std::move(work)] { return run(*job); });
+    result_ = task.get_future();
+    thread_ = std::jthread(std::move(task));
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { poll(); });
+    timer_.start(50);
+}
+
+BackgroundJob::~BackgroundJob() {
+    job_->cancel();
+    if (thread_.joinable()) thread_.join();
+}
+
+void BackgroundJob::poll() {
+    if (result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        callbacks_.progress(job_->progress());
+        return;
+    }
+    timer_.stop();
+    const Callbacks callbacks = callbacks_;  // `ended` may destroy this object
+    try {
+        result_.get()();
+    } catch (const Cancelled&) {
+        callbacks.cancelled();
+    } catch (...) {
+        callbacks.failed(failure_of(std::current_exception()));
+    }
+    callbacks.ended();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inject_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/decimal_spin_box.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int slider_steps = 1000;
+
+struct Preset {
+    const char* name;
+    double void_fraction;
+    double viscosity_mpa_s;
+    const char* source;
+};
+
+constexpr std::array<Preset, 3> presets{{
+    {"Water-soluble carrier", 0.0, 3.5, "Same flow properties as blood: 3.5 mPa s, 1060 kg/m³."},
+    {"Lipiodol", 0.0, 25.0,
+     "Iodised oil at 37 °C: 25 mPa s. The usual choice in chemoembolization."},
+    {"Gas, as in the paper", 0.40, 3.5,
+     "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus."},
+}};
+
+constexpr std::array<std::pair<const char*, const char*>, 3> models{{
+    {"regime", "Regime: wall friction once, laminar to turbulent"},
+    {"consistent", "Consistent: equation (10) with the flux along the cone"},
+    {"published", "Published: equations (5) to (10) as printed"},
+}};
+
+}  // namespace
+
+InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
+    : QWidget(parent), post_(std::move(post)) {
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(make_settings());
+    column->addWidget(make_clock());
+    hover_ = new QLabel(this);
+    hover_->setObjectName("quiet");
+    hover_->setWordWrap(true);
+    hover_->setMinimumHeight(3 * fontMetrics().height());
+    hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    column->addWidget(hover_);
+    column->addStretch(1);
+    choose_preset(0);
+    show_hover({});
+    show_drug({});
+}
+
+QWidget* InjectPanel::make_settings() {
+    auto* box = new QGroupBox("Next injection", this);
+    auto* form = new QFormLayout(box);
+    preset_ = new QComboBox(box);
+    for (const Preset& preset : presets) preset_->addItem(QString::fromUtf8(preset.name));
+    connect(preset_, &QComboBox::currentIndexChanged, this,
+            [this](int index) { choose_preset(index); });
+    form->addRow("Drug", preset_);
+    source_ = new QLabel(box);
+    source_->setObjectName("quiet");
+    source_->setWordWrap(true);
+    form->addRow(source_);
+    mass_flow_ = new DecimalSpinBox(0.001, 100.0, 2.0, 3, "g/s", box);
+    mass_flow_->setSingleStep(0.5);
+    mass_flow_->setToolTip("Mass flow at the catheter's tip");
+    form->addRow("Mass flow", mass_flow_);
+    void_fraction_ = new DecimalSpinBox(0.0, 0.999, 0.0, 3, "", box);
+    void_fraction_->setSingleStep(0.05);
+    void_fraction_->setToolTip("Share of the volume that is gas");
+    form->addRow("Void fraction", void_fraction_);
+    viscosity_ = new DecimalSpinBox(0.1, 1000.0, 3.5, 1, "mPa s", box);
+    viscosity_->setToolTip("Viscosity of the injected liquid");
+    form->addRow("Viscosity", viscosity_);
+    model_ = new QComboBox(box);
+    for (const auto& [name, description] : models) {
+        model_->addItem(name);
+        model_->setItemData(model_->count() - 1, description, Qt::ToolTipRole);
+    }
+    model_->setToolTip("Form of the pressure law");
+    form->addRow("Pressure law", model_);
+    return box;
+}
+
+QWidget* InjectPanel::make_clock() {
+    auto* box = new QGroupBox("Drug front", this);
+    auto* column = new QVBoxLayout(box);
+    auto* row = new QHBoxLayout;
+    play_ = new QPushButton("Play", box);
+    connect(play_, &QPushButton::clicked, this, [this] { toggle_playing(); });
+    row->addWidget(play_);
+    time_label_ = new QLabel(box);
+    row->addWidget(time_label_, 1, Qt::AlignRight);
+    column->addLayout(row);
+    time_ = new QSlider(Qt::Horizontal, box);
+    time_->setRange(0, slider_steps);
+    time_->setAccessibleName("Time of the drug front");
+    connect(time_, &QSlider::sliderMoved, this, [this](int place) {
+        post_(PlayDrug{false});
+        post_(SetDrugTime{end_s_ * place / slider_steps});
+    });
+    column->addWidget(time_);
+    auto* form = new QFormLayout;
+    speed_ = new DecimalSpinBox(0.01, 100.0, 1.0, 2, "×", box);
+    speed_->setToolTip("Seconds of the drug's clock per second of the simulation");
+    connect(speed_, &QDoubleSpinBox::valueChanged, this,
+            [this](double factor) { post_(SetDrugSpeed{factor}); });
+    form->addRow("Speed", speed_);
+    column->addLayout(form);
+    return box;
+}
+
+void InjectPanel::choose_preset(int index) {
+    const Preset& preset = presets.at(static_cast<std::size_t>(index));
+    void_fraction_->setValue(preset.void_fraction);
+    viscosity_->setValue(preset.viscosity_mpa_s);
+    source_->setText(QString::fromUtf8(preset.source));
+}
+
+InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
+    InjectDrug injection;
+    injection.point_mm = point_mm;
+    injection.mass_flow_g_s = mass_flow_->value();
+    injection.void_fraction = void_fraction_->value();
+    injection.pressure_model = model_->currentText().toStdString();
+    injection.drug_viscosity_pa_s = 1e-3 * viscosity_->value();
+    return injection;
+}
+
+void InjectPanel::show_drug(const DrugView& drug) {
+    injected_ = drug.arrival_s != nullptr;
+    playing_ = drug.playing;
+    end_s_ = drug.end_s;
+    for (QWidget* widget : {static_cast<QWidget*>(play_), static_cast<QWidget*>(time_)}) {
+        widget->setEnabled(injected_);
+    }
+    play_->setText(playing_ ? "Pause" : "Play");
+    if (!injected_) {
+        time_label_->setText("nothing injected");
+        return;
+    }
+    if (!time_->isSliderDown() && end_s_ > 0.0) {
+        const double share = std::clamp(drug.time_s / end_s_, 0.0, 1.0);
+        time_->setValue(static_cast<int>(slider_steps * share));
+    }
+    time_label_->setText(
+        QString("%1 of %2 s").arg(std::min(drug.time_s, end_s_), 0, 'f', 2).arg(end_s_, 0, 'f', 2));
+}
+
+void InjectPanel::show_hover(const QString& text) {
+    hover_->setText(text.isEmpty() ? QString("Point at a vessel to see what lies downstream.")
+                                   : text);
+}
+
+void InjectPanel::toggle_playing() {
+    if (!injected_) return;
+    // A drug that has arrived everywhere starts again.
+    if (!playing_ && time_->value() >= slider_steps) post_(SetDrugTime{0.0});
+    post_(PlayDrug{!playing_});
+}
+
+}  // namespace hepatica

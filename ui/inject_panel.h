@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the next injection is made, and the drug's clock: play, pause, back and forth, speed.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "core/scene/frame.h"
+#include "core/session/command.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace hepatica {
+
+class DecimalSpinBox;
+
+class InjectPanel : public QWidget {
+  public:
+    explicit InjectPanel(std::function<void(Command)> post, QWidget* parent = nullptr);
+
+    // The injection as set in the panel, at this point.
+    InjectDrug injection_at(const Vec3& point_mm) const;
+
+    // Follows the simulation; cheap enough for every frame.
+    void show_drug(const DrugView& drug);
+    // What lies under the mouse; empty for nothing.
+    void show_hover(const QString& text);
+    void toggle_playing();
+
+  private:
+    void choose_preset(int index);
+    QWidget* make_settings();
+    QWidget* make_clock();
+
+    std::function<void(Command)> post_;
+    QComboBox* preset_ = nullptr;
+    QLabel* source_ = nullptr;
+    DecimalSpinBox* mass_flow_ = nullptr;
+    DecimalSpinBox* void_fraction_ = nullptr;
+    DecimalSpinBox* viscosity_ = nullptr;
+    QComboBox* model_ = nullptr;
+    QLabel* hover_ = nullptr;
+    QPushButton* play_ = nullptr;
+    QSlider* time_ = nullptr;
+    QLabel* time_label_ = nullptr;
+    DecimalSpinBox* speed_ = nullptr;
+    double end_s_ = 0.0;
+    bool injected_ = false;
+    bool playing_ = false;
+};
+
+}  // namespace hepatica

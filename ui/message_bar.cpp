@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QTextDocumentFragment>
+#include <QToolButton>
+
+namespace hepatica {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
+    setObjectName("messageBar");
+    label_->setWordWrap(true);
+    label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* close = new QToolButton(this);
+    close->setText("✕");
+    close->setAutoRaise(true);
+    close->setAccessibleName("Dismiss");
+    connect(close, &QToolButton::clicked, this, [this] { dismiss(); });
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(14, 8, 8, 8);
+    row->addWidget(label_, 1);
+    row->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageBar::show_failure(const Failure& failure) {
+    const auto escaped = [](const std::string& text) {
+        return QString::fromStdString(text).toHtmlEscaped();
+    };
+    QString html = "<b>" + escaped(failure.problem) + "</b>";
+    if (!failure.place.empty()) html += "<br>in " + escaped(failure.place);
+    if (!failure.remedy.empty()) html += "<br>" + escaped(failure.remedy);
+    show_as("failure", html);
+}
+
+void MessageBar::show_notice(const QString& text) {
+    show_as("notice", text.toHtmlEscaped());
+}
+
+QString MessageBar::text() const {
+    return isHidden() ? QString() : QTextDocumentFragment::fromHtml(label_->text()).toPlainText();
+}
+
+void MessageBar::show_as(const char* kind, const QString& html) {
+    setProperty("kind", kind);
+    style()->unpolish(this);
+    style()->polish(this);
+    label_->setText(html);
+    show();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asks for OpenGL before anything needs it, so that a missing driver is named and not a crash.
+#pragma once
+
+#include <QString>
+
+namespace hepatica {
+
+// Before the QApplication: xcb (which this VTK needs) unless the user chose a platform, and a 3.2
+// core profile for every context.
+void prepare_opengl();
+
+// After it: empty where OpenGL 3.2 works, else what is missing and what to install.
+QString opengl_problem();
+
+}  // namespace hepatica

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between Qt's paths and the standard library's, whatever letters they are written in.
+#pragma once
+
+#include <QFile>
+#include <QString>
+#include <filesystem>
+
+namespace hepatica {
+
+inline std::filesystem::path to_path(const QString& text) {
+    return QFile::encodeName(text).toStdString();
+}
+
+inline QString to_text(const std::filesystem::path& path) {
+    return QFile::decodeName(path.native().c_str());
+}
+
+// For file dialogs.
+inline QString volume_filter() {
+    return "Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)";
+}
+
+}  // namespace hepatica

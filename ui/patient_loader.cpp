@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/patient_loader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/anatomy/phantom.h"
+#include "core/anatomy/tree_io.h"
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+#include "core/session/session.h"
+#include "ui/simulation_thread.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+PatientCase patient_of(VesselTree tree, Job& job) {
+    PatientCase patient;
+    job.begin_stage("mesh");
+    patient.mesh = tetrahedralize(tree, MeshOptions{}, job);
+    patient.surface = surface_of(patient.mesh).mesh;
+    patient.tree = std::move(tree);
+    return patient;
+}
+
+PatientCase built_in_patient(Job& job) {
+    // The tree alone is wanted here: a coarse scan keeps the start short.
+    PhantomOptions options;
+    options.dims = {64, 64, 48};
+    options.spacing_mm = {3.2, 3.2, 3.4};
+    options.generations = 5;
+    return patient_of(make_phantom(options, job).tree, job);
+}
+
+bool is_tree_file(const fs::path& path) {
+    const std::string extension = path.extension().string();
+    return extension == ".vtp" || extension == ".swc";
+}
+
+}  // namespace
+
+LoadedPatient load_patient(const OpenRequest& request, Job& job) {
+    const fs::path& path = request.reconstruct.ct;
+    LoadedPatient loaded;
+    PatientCase patient;
+    if (request.built_in) {
+        loaded.title = "Built-in patient";
+        patient = built_in_patient(job);
+    } else if (!fs::exists(path)) {
+        throw InputError("there is no such file or folder", path.string(),
+                         "check the name, and that its disk is connected");
+    } else {
+        loaded.title = path.filename().string();
+        if (is_case(path)) {
+            job.begin_stage("read case");
+            patient = read_case_without_voxels(path);
+            loaded.on_disk = true;
+        } else if (is_tree_file(path)) {
+            job.begin_stage("read tree");
+            patient = patient_of(read_tree(path), job);
+        } else {
+            Reconstruction made = reconstruct(request.reconstruct, job);
+            patient = std::move(made.patient);
+            loaded.warnings = std::move(made.warnings);
+        }
+    }
+    job.begin_stage("prepare");
+    loaded.anatomy = SurfaceAnatomy(patient.tree, patient.mesh.vertices_mm, job);
+    loaded.patient = std::make_shared<const PatientCase>(std::move(patient));
+    loaded.simulation = std::make_unique<SimulationThread>(
+        std::make_unique<Session>(loaded.patient, default_scene(), job));
+    return loaded;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From what the user opened (a case, a CT, a tree, the built-in patient) to a patient that can be
+// played with. One cancellable job; no toolkit.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/patient/patient_case.h"
+#include "core/patient/reconstruct.h"
+#include "ui/simulation.h"
+#include "ui/surface_anatomy.h"
+
+namespace hepatica {
+
+struct OpenRequest {
+    bool built_in = false;           // the synthetic patient; the rest is not read
+    ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
+};
+
+struct LoadedPatient {
+    std::string title;
+    std::shared_ptr<const PatientCase> patient;
+    SurfaceAnatomy anatomy;
+    std::unique_ptr<Simulation> simulation;  // running
+    std::vector<std::string> warnings;
+    bool on_disk = false;  // opened from a case folder: nothing to save
+};
+
+// Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled.
+LoadedPatient load_patient(const OpenRequest& request, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/patient_wizard.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+std::vector<double> numbers_in(const QString& text, const std::string& field) {
+    std::vector<double> numbers;
+    const QRegularExpression separators("[\\s;]+");
+    for (QString part : text.split(separators, Qt::SkipEmptyParts)) {
+        bool understood = false;
+        const double number = part.replace(',', '.').toDouble(&understood);
+        if (!understood || !std::isfinite(number)) {
+            throw InputError("\"" + part.toStdString() + "\" is no number", field,
+                             "separate numbers by blanks or semicolons");
+        }
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
+    : QDialog(parent), folder_(folder), problem_(new QLabel(this)) {
+    setWindowTitle("Reconstruct a patient");
+    setMinimumWidth(560);
+    auto* column = new QVBoxLayout(this);
+    auto* form = new QFormLayout;
+    ct_ = add_path(*form, "CT (folder or file)", true);
+    liver_mask_ = add_path(*form, "Liver mask", false);
+    liver_mask_->setPlaceholderText("optional: speeds up and steadies the segmentation");
+    vessel_mask_ = add_path(*form, "Vessel mask", false);
+    vessel_mask_->setPlaceholderText("optional: replaces the segmentation");
+    window_ = new QLineEdit(this);
+    window_->setPlaceholderText("optional: lowest and highest HU of the vessels, as 140 260");
+    form->addRow("Window (HU)", window_);
+    seeds_ = new QLineEdit(this);
+    seeds_->setPlaceholderText("optional: x y z in mm; next seed after a semicolon");
+    form->addRow("Seeds (LPS mm)", seeds_);
+    column->addLayout(form);
+    problem_->setWordWrap(true);
+    problem_->setStyleSheet("color: #f0a090");
+    column->addWidget(problem_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    QPushButton* go = buttons->addButton("Reconstruct", QDialogButtonBox::AcceptRole);
+    go->setDefault(true);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        try {
+            options();
+            accept();
+        } catch (const Error& error) {
+            problem_->setText(QString::fromStdString(error.place() + ": " + error.problem() + ". " +
+                                                     error.remedy()));
+        }
+    });
+    column->addWidget(buttons);
+}
+
+QLineEdit* PatientWizard::add_path(QFormLayout& form, const QString& label, bool folders_too) {
+    auto* row = new QHBoxLayout;
+    auto* edit = new QLineEdit(this);
+    row->addWidget(edit, 1);
+    const auto add_button = [&](const QString& text, bool folder) {
+        auto* button = new QPushButton(text, this);
+        button->setAutoDefault(false);
+        connect(button, &QPushButton::clicked, this, [this, edit, label, folder] {
+            const QString chosen =
+                folder ? QFileDialog::getExistingDirectory(this, label, folder_)
+                       : QFileDialog::getOpenFileName(this, label, folder_, volume_filter());
+            if (!chosen.isEmpty()) edit->setText(chosen);
+        });
+        row->addWidget(button);
+    };
+    if (folders_too) add_button("Folder…", true);
+    add_button("File…", false);
+    form.addRow(label, row);
+    return edit;
+}
+
+void PatientWizard::set_ct(const QString& path) {
+    ct_->setText(path);
+}
+
+ReconstructOptions PatientWizard::options() const {
+    ReconstructOptions options;
+    if (ct_->text().trimmed().isEmpty()) {
+        throw InputError("nothing is chosen", "CT", "choose a DICOM folder or a volume file");
+    }
+    options.ct = to_path(ct_->text().trimmed());
+    if (!liver_mask_->text().isEmpty()) options.liver_mask = to_path(liver_mask_->text());
+    if (!vessel_mask_->text().isEmpty()) options.vessel_mask = to_path(vessel_mask_->text());
+    const std::vector<double> window = numbers_in(window_->text(), "Window");
+    if (window.size() == 2 && window[0] < window[1]) {
+        options.window_hu = {window[0], window[1]};
+    } else if (!window.empty()) {
+        throw InputError("a window is two numbers, the lower one first", "Window",
+                         "write for example 140 260, or leave it empty");
+    }
+    const std::vector<double> seeds = numbers_in(seeds_->text(), "Seeds");
+    if (seeds.size() % 3 != 0) {
+        throw InputError("a seed is three numbers", "Seeds",
+                         "write x y z in mm for each seed, or leave it empty");
+    }
+    for (std::size_t i = 0; i < seeds.size(); i += 3) {
+        options.seeds_mm.emplace_back(seeds[i], seeds[i + 1], seeds[i + 2]);
+    }
+    return options;
+}
+
+}  // namespace hepatica

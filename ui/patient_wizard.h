@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asks for what a reconstruction may be helped with: liver mask, vessel mask, window and seeds. All
+// of it is optional but the CT.
+#pragma once
+
+#include <QDialog>
+#include <optional>
+
+#include "core/patient/reconstruct.h"
+
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace hepatica {
+
+class PatientWizard : public QDialog {
+  public:
+    explicit PatientWizard(const QString& folder, QWidget* parent = nullptr);
+
+    void set_ct(const QString& path);
+    // What the fields say. Throws InputError that names the field that makes no sense.
+    ReconstructOptions options() const;
+
+  private:
+    QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
+
+    QString folder_;
+    QLineEdit* ct_;
+    QLineEdit* liver_mask_;
+    QLineEdit* vessel_mask_;
+    QLineEdit* window_;
+    QLineEdit* seeds_;
+    QLabel* problem_;
+};
+
+// Numbers out of "12,5 -3; 40": separated by blanks or semicolons, decimal comma or point. Throws
+// InputError that names the part that is no number.
+std::vector<double> numbers_in(const QString& text, const std::string& field);
+
+}  // namespace hepatica

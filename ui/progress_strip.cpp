@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/progress_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <utility>
+
+namespace hepatica {
+
+ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
+    : QFrame(parent),
+      title_(new QLabel(this)),
+      stage_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton("Cancel", this)) {
+    setObjectName("progressStrip");
+    stage_->setObjectName("quiet");
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setFixedWidth(260);
+    connect(cancel_, &QPushButton::clicked, this, std::move(cancel));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(14, 8, 10, 8);
+    row->setSpacing(14);
+    row->addWidget(title_);
+    row->addWidget(stage_, 1);
+    row->addWidget(bar_);
+    row->addWidget(cancel_);
+    hide();
+}
+
+void ProgressStrip::start(const QString& title) {
+    title_->setText(title);
+    stage_->clear();
+    bar_->setRange(0, 0);
+    cancel_->setEnabled(true);
+    show();
+}
+
+void ProgressStrip::update_progress(const JobProgress& progress) {
+    if (!cancel_->isEnabled()) return;
+    QString stage = QString::fromStdString(progress.stage);
+    if (progress.stage_count > 0 && progress.stage_number > 0) {
+        stage += QString("  (%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
+    }
+    stage_->setText(stage);
+    bar_->setRange(0, 1000);
+    bar_->setValue(static_cast<int>(1000.0 * progress.fraction));
+}
+
+void ProgressStrip::say_cancelling() {
+    stage_->setText("Cancelling…");
+    cancel_->setEnabled(false);
+}
+
+}  // namespace hepatica

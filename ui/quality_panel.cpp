@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/quality_panel.h"
+
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double tissue_pa_per_mm = 100.0;  // soft parenchyma around a vessel
+
+}  // namespace
+
+QString percent_text(double share) {
+    const double percent = 100.0 * share;
+    const int decimals = percent >= 10.0 ? 0 : percent >= 1.0 ? 1 : 2;
+    return QString::number(percent, 'f', decimals) + " %";
+}
+
+QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
+    : QWidget(parent),
+      post_(std::move(post)),
+      dial_(new QSlider(Qt::Horizontal, this)),
+      error_(new QLabel(this)),
+      solver_(new QLabel(this)),
+      gravity_(new QCheckBox("Gravity (patient on the back)", this)),
+      tether_(new QCheckBox("Tissue holds the vessels", this)) {
+    auto* column = new QVBoxLayout(this);
+    auto* dial_box = new QGroupBox("Speed or accuracy", this);
+    auto* dial_column = new QVBoxLayout(dial_box);
+    auto* ends = new QHBoxLayout;
+    ends->addWidget(new QLabel("fastest", dial_box));
+    ends->addWidget(new QLabel("most accurate", dial_box), 0, Qt::AlignRight);
+    dial_->setRange(0, 100);
+    dial_->setValue(50);
+    dial_->setAccessibleName("Speed or accuracy");
+    connect(dial_, &QSlider::valueChanged, this,
+            [this](int value) { post_(SetQuality{value / 100.0}); });
+    dial_column->addWidget(dial_);
+    dial_column->addLayout(ends);
+    error_->setWordWrap(true);
+    solver_->setObjectName("quiet");
+    dial_column->addWidget(error_);
+    dial_column->addWidget(solver_);
+    column->addWidget(dial_box);
+
+    auto* body_box = new QGroupBox("What acts on the vessels", this);
+    auto* body_column = new QVBoxLayout(body_box);
+    connect(gravity_, &QCheckBox::toggled, this,
+            [this](bool on) { post_(SetGravity{Vec3(0, on ? units::standard_gravity : 0.0, 0)}); });
+    connect(tether_, &QCheckBox::toggled, this,
+            [this](bool on) { post_(SetTether{on ? tissue_pa_per_mm : 0.0}); });
+    body_column->addWidget(gravity_);
+    body_column->addWidget(tether_);
+    column->addWidget(body_box);
+    column->addStretch(1);
+    show_statistics({});
+}
+
+void QualityPanel::show_statistics(const FrameStatistics& statistics) {
+    if (statistics.expected_error > 0.0) {
+        const QString against = QString::fromStdString(statistics.error_reference);
+        error_->setText("Expected error " + percent_text(statistics.expected_error) +
+                        (against.isEmpty() ? QString() : " against " + against));
+    } else {
+        error_->setText("Expected error: not measured for this scene");
+    }
+    solver_->setText(QString("%1 iterations a step%2")
+                         .arg(statistics.linear_iterations)
+                         .arg(statistics.degraded ? ", degraded" : ""));
+}
+
+}  // namespace hepatica

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dial between speed and accuracy with the error that it costs, and what acts on the body.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "core/scene/frame.h"
+#include "core/session/command.h"
+
+class QCheckBox;
+class QLabel;
+class QSlider;
+
+namespace hepatica {
+
+class QualityPanel : public QWidget {
+  public:
+    explicit QualityPanel(std::function<void(Command)> post, QWidget* parent = nullptr);
+
+    void show_statistics(const FrameStatistics& statistics);
+
+  private:
+    std::function<void(Command)> post_;
+    QSlider* dial_;
+    QLabel* error_;
+    QLabel* solver_;
+    QCheckBox* gravity_;
+    QCheckBox* tether_;
+};
+
+// "1.2 %" from 0.012; as many digits as mean something.
+QString percent_text(double share);
+
+}  // namespace hepatica

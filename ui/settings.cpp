@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings.h"
+
+#include <QDir>
+#include <QSettings>
+
+namespace hepatica {
+namespace {
+
+constexpr int most_recent_files = 10;
+const char* const recent_key = "recent_files";
+// The layout's version: state of other dock widgets is not restored.
+const char* const layout_key = "window/layout_1";
+const char* const geometry_key = "window/geometry";
+const char* const folder_key = "last_folder";
+
+}  // namespace
+
+Settings::Settings(Mode mode) {
+    if (mode == Mode::remember) store_ = std::make_unique<QSettings>("Hepatica", "Hepatica");
+}
+
+Settings::Settings(const QString& file)
+    : store_(std::make_unique<QSettings>(file, QSettings::IniFormat)) {}
+
+Settings::~Settings() = default;
+
+QStringList Settings::recent_files() const {
+    return store_ ? store_->value(recent_key).toStringList() : recent_in_safe_mode_;
+}
+
+void Settings::add_recent_file(const QString& path) {
+    QStringList files = recent_files();
+    files.removeAll(path);
+    files.prepend(path);
+    files = files.mid(0, most_recent_files);
+    if (store_) {
+        store_->setValue(recent_key, files);
+    } else {
+        recent_in_safe_mode_ = files;
+    }
+}
+
+void Settings::clear_recent_files() {
+    recent_in_safe_mode_.clear();
+    if (store_) store_->remove(recent_key);
+}
+
+QByteArray Settings::window_geometry() const {
+    return store_ ? store_->value(geometry_key).toByteArray() : QByteArray();
+}
+
+QByteArray Settings::window_layout() const {
+    return store_ ? store_->value(layout_key).toByteArray() : QByteArray();
+}
+
+void Settings::set_window(const QByteArray& geometry, const QByteArray& layout) {
+    if (!store_) return;
+    store_->setValue(geometry_key, geometry);
+    store_->setValue(layout_key, layout);
+}
+
+QString Settings::last_folder() const {
+    return store_ ? store_->value(folder_key, QDir::homePath()).toString() : QDir::homePath();
+}
+
+void Settings::set_last_folder(const QString& folder) {
+    if (store_) store_->setValue(folder_key, folder);
+}
+
+}  // namespace hepatica

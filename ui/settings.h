@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window remembers from one start to the next. In safe mode it remembers nothing: neither
+// reads nor writes, so that no setting can keep the program from starting.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+#include <memory>
+
+class QSettings;
+
+namespace hepatica {
+
+class Settings {
+  public:
+    enum class Mode { remember, safe };
+
+    explicit Settings(Mode mode);
+    // In a file of its own, for tests.
+    explicit Settings(const QString& file);
+    ~Settings();
+
+    // Newest first, ten at most. Paths as the user gave them.
+    QStringList recent_files() const;
+    void add_recent_file(const QString& path);
+    void clear_recent_files();
+
+    QByteArray window_geometry() const;
+    QByteArray window_layout() const;
+    void set_window(const QByteArray& geometry, const QByteArray& layout);
+
+    QString last_folder() const;
+    void set_last_folder(const QString& folder);
+
+  private:
+    std::unique_ptr<QSettings> store_;  // null in safe mode
+    QStringList recent_in_safe_mode_;
+};
+
+}  // namespace hepatica

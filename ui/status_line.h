@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures at the window's foot: step time, real-time factor, expected error, picture time and
+// renderer. They change four times a second, so that they can be read.
+#pragma once
+
+#include <QStatusBar>
+
+#include "core/scene/frame.h"
+
+class QLabel;
+
+namespace hepatica {
+
+class StatusLine {
+  public:
+    explicit StatusLine(QStatusBar& bar);
+
+    void show_statistics(const FrameStatistics& statistics);
+    void show_picture_time(double ms);
+    void show_renderer(const std::string& name);
+    void clear_statistics();
+
+  private:
+    QLabel* step_;
+    QLabel* real_time_;
+    QLabel* error_;
+    QLabel* picture_;
+    QLabel* renderer_;
+    double smoothed_picture_ms_ = 0.0;
+};
+
+}  // namespace hepatica

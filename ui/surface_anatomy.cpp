@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/surface_anatomy.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/base/parallel.h"
+
+namespace hepatica {
+
+SurfaceAnatomy::SurfaceAnatomy(const VesselTree& tree, std::span<const Vec3> rest_positions_mm,
+                               Job& job) {
+    points_.resize(rest_positions_mm.size());
+    constexpr std::size_t batch = 2048;
+    for (std::size_t begin = 0; begin < points_.size(); begin += batch) {
+        job.advance(static_cast<double>(begin) / static_cast<double>(points_.size()));
+        const std::size_t count = std::min(batch, points_.size() - begin);
+        parallel_blocks(count, 64, [&](std::size_t from, std::size_t to) {
+            for (std::size_t v = begin + from; v < begin + to; ++v) {
+                points_[v] = nearest_point(tree, rest_positions_mm[v]);
+            }
+        });
+    }
+    const std::size_t segments = tree.segments.size();
+    parent_.resize(segments);
+    system_.resize(segments);
+    ends_.assign(segments, 0);
+    std::vector<bool> has_child(segments, false);
+    for (std::size_t s = 0; s < segments; ++s) {
+        parent_[s] = tree.segments[s].parent;
+        system_[s] = tree.segments[s].system;
+        if (parent_[s] >= 0) has_child[static_cast<std::size_t>(parent_[s])] = true;
+    }
+    // A parent stands before its children.
+    for (std::size_t s = segments; s-- > 0;) {
+        if (!has_child[s]) ends_[s] = 1;
+        if (parent_[s] >= 0) ends_[static_cast<std::size_t>(parent_[s])] += ends_[s];
+    }
+}
+
+TreePoint SurfaceAnatomy::tree_point(int vertex) const {
+    const auto index = static_cast<std::size_t>(vertex);
+    return vertex >= 0 && index < points_.size() ? points_[index] : TreePoint{};
+}
+
+std::vector<int> SurfaceAnatomy::vertex_systems() const {
+    std::vector<int> systems;
+    systems.reserve(points_.size());
+    for (const TreePoint& point : points_) systems.push_back(system_of(point.segment));
+    return systems;
+}
+
+std::vector<std::uint8_t> SurfaceAnatomy::downstream_of(const TreePoint& from) const {
+    if (from.segment < 0) return {};
+    std::vector<std::uint8_t> below(parent_.size(), 0);
+    for (std::size_t s = static_cast<std::size_t>(from.segment) + 1; s < parent_.size(); ++s) {
+        const int parent = parent_[s];
+        below[s] =
+            parent >= 0 && (parent == from.segment || below[static_cast<std::size_t>(parent)]);
+    }
+    std::vector<std::uint8_t> marked(points_.size(), 0);
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+        const TreePoint& point = points_[v];
+        marked[v] = point.segment == from.segment
+                        ? point.arclength_mm >= from.arclength_mm
+                        : point.segment >= 0 && below[static_cast<std::size_t>(point.segment)];
+    }
+    return marked;
+}
+
+int SurfaceAnatomy::ends_downstream_of(int segment) const {
+    return segment < 0 ? 0 : ends_[static_cast<std::size_t>(segment)];
+}
+
+int SurfaceAnatomy::ends_in_system_of(int segment) const {
+    int sum = 0;
+    for (std::size_t s = 0; s < parent_.size(); ++s) {
+        if (parent_[s] < 0 && system_[s] == system_of(segment)) sum += ends_[s];
+    }
+    return sum;
+}
+
+std::string SurfaceAnatomy::describe(const TreePoint& point) const {
+    if (point.segment < 0) return {};
+    return "Branch " + std::to_string(point.segment) + ": " +
+           std::to_string(ends_downstream_of(point.segment)) + " of " +
+           std::to_string(ends_in_system_of(point.segment)) + " ends lie downstream";
+}
+
+int SurfaceAnatomy::system_of(int segment) const {
+    return segment < 0 ? 0 : system_[static_cast<std::size_t>(segment)];
+}
+
+}  // namespace hepatica

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which vessel each vertex of the body belongs to, and what lies downstream of a point: what a
+// virtual injection lights up. No toolkit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/anatomy/vessel_tree.h"
+#include "core/base/job.h"
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// Read-only after construction; any thread.
+class SurfaceAnatomy {
+  public:
+    SurfaceAnatomy() = default;  // of nothing
+    // `rest_positions_mm`: the body's vertices, undeformed. Throws InputError if the tree is empty,
+    // Cancelled.
+    SurfaceAnatomy(const VesselTree& tree, std::span<const Vec3> rest_positions_mm, Job& job);
+
+    // Per vertex; what no index finds is a point of segment -1.
+    TreePoint tree_point(int vertex) const;
+    std::vector<int> vertex_systems() const;
+
+    // 1 for the vertices downstream of `from` (its own segment from there on, and all that branches
+    // off later), else 0.
+    std::vector<std::uint8_t> downstream_of(const TreePoint& from) const;
+    // Terminal branches in that territory, and in the whole system.
+    int ends_downstream_of(int segment) const;
+    int ends_in_system_of(int segment) const;
+
+    int system_of(int segment) const;
+
+    // For the user: what lies downstream of a point. Empty for segment -1.
+    std::string describe(const TreePoint& point) const;
+
+  private:
+    std::vector<TreePoint> points_;  // per vertex
+    std::vector<int> parent_;        // per segment
+    std::vector<int> system_;        // per segment
+    std::vector<int> ends_;          // per segment: ends of the tree downstream of it
+};
+
+}  // namespace hepatica

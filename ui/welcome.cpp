@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/welcome.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace hepatica {
+
+Welcome::Welcome(const Actions& actions, QWidget* parent) : QFrame(parent) {
+    setObjectName("welcome");
+    auto* title = new QLabel("Hepatica", this);
+    title->setObjectName("welcomeTitle");
+    auto* hint = new QLabel(
+        "Practise on a patient's own liver vessels.\n"
+        "Drop a CT folder, a volume file or a case here, or begin with",
+        this);
+    hint->setObjectName("quiet");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(32, 26, 32, 28);
+    column->setSpacing(12);
+    column->addWidget(title);
+    column->addWidget(hint);
+    column->addSpacing(6);
+    const auto add = [&](const QString& text, ActionId id) {
+        auto* button = new QPushButton(text, this);
+        button->setToolTip(actions[id].toolTip());
+        connect(button, &QPushButton::clicked, &actions[id], &QAction::trigger);
+        column->addWidget(button);
+        return button;
+    };
+    add("The built-in patient", ActionId::built_in)->setDefault(true);
+    add("A CT folder (DICOM)…", ActionId::open_ct_folder);
+    add("A CT file (NIfTI, MetaImage, NRRD)…", ActionId::open_ct_file);
+    add("A case that was reconstructed before…", ActionId::open_case);
+    parent->installEventFilter(this);
+    centre();
+}
+
+bool Welcome::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Show) centre();
+    return QFrame::eventFilter(watched, event);
+}
+
+void Welcome::centre() {
+    adjustSize();
+    move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
+}
+
+}  // namespace hepatica
