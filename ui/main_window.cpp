@@ -59,8 +59,8 @@ QDockWidget* make_dock(QMainWindow& window, const QString& title, QWidget* conte
 
 }  // namespace
 
-MainWindow::MainWindow(Settings& settings, Loader loader)
-    : settings_(settings), loader_(std::move(loader)) {
+MainWindow::MainWindow(Settings& settings, Patients patients)
+    : settings_(settings), patients_(std::move(patients)) {
     setWindowTitle("Hepatica");
     setAcceptDrops(true);
     resize(1280, 820);
@@ -142,7 +142,7 @@ void MainWindow::connect_files() {
         PatientWizard wizard(settings_.last_folder(), this);
         if (wizard.exec() == QDialog::Accepted) open(OpenRequest{false, wizard.options()});
     });
-    actions_->on(ActionId::save_case, [this] { save_case(); });
+    actions_->on(ActionId::save_case, [this] { ask_where_to_save(); });
     actions_->on(ActionId::save_picture, [this] {
         const QString file = QFileDialog::getSaveFileName(
             this, "Save picture", settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
@@ -214,11 +214,22 @@ void MainWindow::open(const QString& path) {
 }
 
 void MainWindow::open(const OpenRequest& request) {
-    job_.reset();
-    messages_->dismiss();
     const QString path = to_text(request.reconstruct.ct);
     const QString title = request.built_in ? QString("Opening the built-in patient")
                                            : "Opening " + QFileInfo(path).fileName();
+    start_job(title, [this, request, path, load = patients_.load](Job& job) {
+        // std::function wants to be copied, a loaded patient does not.
+        auto loaded = std::make_shared<LoadedPatient>(load(request, job));
+        return [this, loaded, path] {
+            if (!path.isEmpty()) settings_.add_recent_file(path);
+            show_patient(std::move(*loaded));
+        };
+    });
+}
+
+void MainWindow::start_job(const QString& title, BackgroundJob::Work work) {
+    job_.reset();
+    messages_->dismiss();
     progress_->start(title);
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { progress_->update_progress(now); };
@@ -228,16 +239,7 @@ void MainWindow::open(const OpenRequest& request) {
         progress_->finish();
         job_.reset();
     };
-    job_ = std::make_unique<BackgroundJob>(
-        [this, request, path, loader = loader_](Job& job) -> std::function<void()> {
-            // std::function wants to be copied, a loaded patient does not.
-            auto loaded = std::make_shared<LoadedPatient>(loader(request, job));
-            return [this, loaded, path] {
-                if (!path.isEmpty()) settings_.add_recent_file(path);
-                show_patient(std::move(*loaded));
-            };
-        },
-        std::move(callbacks));
+    job_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
 }
 
 void MainWindow::cancel_job() {
@@ -326,29 +328,23 @@ void MainWindow::ask_for_ct(bool folder) {
     if (!path.isEmpty()) open(path);
 }
 
-void MainWindow::save_case() {
+void MainWindow::ask_where_to_save() {
     const QString folder = QFileDialog::getSaveFileName(
         this, "Save case as", settings_.last_folder() + "/patient.hep", "Cases (*.hep)");
-    if (folder.isEmpty()) return;
-    progress_->start("Saving " + QFileInfo(folder).fileName());
-    BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
-    callbacks.failed = [this](const Failure& failure) { messages_->show_failure(failure); };
-    callbacks.cancelled = [] {};
-    callbacks.ended = [this] {
-        progress_->finish();
-        job_.reset();
-    };
-    job_ = std::make_unique<BackgroundJob>(
-        [this, folder, patient = patient_->patient](Job& job) -> std::function<void()> {
-            job.begin_stage("write");
-            write_case(to_path(folder), *patient);
-            return [this, folder] {
-                settings_.add_recent_file(folder);
-                statusBar()->showMessage("Saved " + folder, 6000);
-            };
-        },
-        std::move(callbacks));
+    if (!folder.isEmpty()) save_case(folder);
+}
+
+void MainWindow::save_case(const QString& folder) {
+    if (!patient_) return;
+    start_job("Saving " + QFileInfo(folder).fileName(),
+              [this, folder, patient = patient_->patient, save = patients_.save](Job& job) {
+                  job.begin_stage("write");
+                  save(to_path(folder), *patient);
+                  return [this, folder] {
+                      settings_.add_recent_file(folder);
+                      statusBar()->showMessage("Saved " + folder, 6000);
+                  };
+              });
 }
 
 void MainWindow::save_picture(const QString& file) {

@@ -29,10 +29,14 @@ class Welcome;
 
 class MainWindow : public QMainWindow {
   public:
-    // Turns a request into a patient, on the worker thread; load_patient() in the program.
-    using Loader = std::function<LoadedPatient(const OpenRequest&, Job&)>;
+    // How patients come and go, both on the worker thread: load_patient() and write_case() in the
+    // program, whatever a test needs in a test.
+    struct Patients {
+        std::function<LoadedPatient(const OpenRequest&, Job&)> load;
+        std::function<void(const std::filesystem::path& folder, const PatientCase&)> save;
+    };
 
-    MainWindow(Settings& settings, Loader loader);
+    MainWindow(Settings& settings, Patients patients);
     ~MainWindow() override;
 
     // Starts to open a patient; one that is being opened is cancelled first. Returns at once.
@@ -48,6 +52,8 @@ class MainWindow : public QMainWindow {
 
     // Writes what the view shows. Throws InputError where the file cannot be written.
     void save_picture(const QString& file);
+    // Starts to write the patient that is shown; failures appear above the view.
+    void save_case(const QString& folder);
 
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
@@ -73,12 +79,13 @@ class MainWindow : public QMainWindow {
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
     void ask_for_ct(bool folder);
-    void save_case();
+    void ask_where_to_save();
+    void start_job(const QString& title, BackgroundJob::Work work);
     // Runs what may fail and shows the failure.
     void attempt(const std::function<void()>& task);
 
     Settings& settings_;
-    Loader loader_;
+    Patients patients_;
     std::unique_ptr<Actions> actions_;
     VtkWidget* view_ = nullptr;
     Welcome* welcome_ = nullptr;

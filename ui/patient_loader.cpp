@@ -37,7 +37,7 @@ PatientCase built_in_patient(Job& job) {
 
 bool is_tree_file(const fs::path& path) {
     const std::string extension = path.extension().string();
-    return extension == ".vtp" || extension == ".swc";
+    return extension == ".vtp";
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
             loaded.on_disk = true;
         } else if (is_tree_file(path)) {
             job.begin_stage("read tree");
-            patient = patient_of(read_tree(path), job);
+            patient = patient_of(read_tree_vtp(path), job);
         } else {
             Reconstruction made = reconstruct(request.reconstruct, job);
             patient = std::move(made.patient);

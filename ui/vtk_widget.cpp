@@ -73,6 +73,12 @@ void VtkWidget::initializeGL() {
     renderer_name_ = name ? reinterpret_cast<const char*>(name) : "";
 }
 
+void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
+    // At once, so that a click before the next picture is mapped with the new size.
+    const QSize size = pixel_size(this->size(), devicePixelRatioF());
+    window_->SetSize(size.width(), size.height());
+}
+
 void VtkWidget::paintGL() {
     QElapsedTimer clock;
     clock.start();

@@ -41,6 +41,7 @@ class VtkWidget : public QOpenGLWidget {
 
   protected:
     void initializeGL() override;
+    void resizeGL(int width, int height) override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

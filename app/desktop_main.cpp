@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hepatica: the window. Opens what it is given, or waits for a drop.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMessageBox>
+#include <clocale>
+#include <cstdio>
+
+#include "app/process_clock.h"
+#include "core/patient/patient_case.h"
+#include "ui/main_window.h"
+#include "ui/opengl_probe.h"
+#include "ui/theme.h"
+#include "ui/vtk_widget.h"
+
+namespace {
+
+struct Options {
+    QString path;  // may be empty
+    bool built_in = false;
+    bool safe_mode = false;
+    bool startup_report = false;
+    bool quit_after_start = false;
+    bool json = false;
+};
+
+Options parse(const QApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Practise on a patient's own liver vessels.");
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument("PATH", "A case, a CT (folder or file) or a tree", "[PATH]");
+    const QCommandLineOption built_in("built-in", "Open the built-in patient.");
+    const QCommandLineOption safe("safe-mode", "Ignore the settings, and keep none.");
+    const QCommandLineOption report("startup-report", "Print how long the window took to appear.");
+    const QCommandLineOption quit("quit-after-start", "Leave after the first picture.");
+    const QCommandLineOption json("json", "Print the report as JSON.");
+    parser.addOptions({built_in, safe, report, quit, json});
+    parser.process(application);
+    return {parser.positionalArguments().value(0),
+            parser.isSet(built_in),
+            parser.isSet(safe),
+            parser.isSet(report),
+            parser.isSet(quit),
+            parser.isSet(json)};
+}
+
+void print_report(double window_ready_s, const std::string& renderer, bool json) {
+    if (!json) {
+        std::printf("window ready after %.2f s, renderer %s\n", window_ready_s, renderer.c_str());
+    } else {
+        const QJsonObject report{{"window_ready_s", window_ready_s},
+                                 {"renderer", QString::fromStdString(renderer)}};
+        std::printf("%s\n", QJsonDocument(report).toJson(QJsonDocument::Compact).constData());
+    }
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace hepatica;
+    prepare_opengl();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("Hepatica");
+    QApplication::setApplicationVersion(HEPATICA_VERSION);
+    // Qt takes the user's locale; with a decimal comma in it, numbers in files and shaders break.
+    std::setlocale(LC_NUMERIC, "C");
+    const Options options = parse(application);
+    apply_theme(application);
+    if (const QString problem = opengl_problem(); !problem.isEmpty()) {
+        std::fprintf(stderr, "hepatica: %s\n", qPrintable(problem));
+        QMessageBox::critical(nullptr, "Hepatica", problem);
+        return 1;
+    }
+    Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
+    MainWindow window(settings, {load_patient, write_case});
+    window.on_first_picture([&] {
+        if (options.startup_report) {
+            print_report(seconds_since_process_start(), window.view().renderer_name(),
+                         options.json);
+        }
+        if (options.quit_after_start) return application.quit();
+        if (!options.path.isEmpty()) {
+            window.open(options.path);
+        } else if (options.built_in) {
+            window.open(OpenRequest{true, {}});
+        }
+    });
+    window.show();
+    return QApplication::exec();
+}

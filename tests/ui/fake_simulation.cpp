@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/fake_simulation.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "tests/render/fake_frame.h"
+
+namespace hepatica::testing {
+
+FakeSimulation::FakeSimulation(Frame rest) : rest_(std::move(rest)), frame_(rest_) {
+    frame_.statistics.step_ms = 1.5;
+}
+
+void FakeSimulation::post(Command command) {
+    commands_.push_back(command);
+    waiting_.push_back(std::move(command));
+}
+
+bool FakeSimulation::update_frame() {
+    const bool newer = !published_ || !waiting_.empty() || frame_.drug.playing;
+    published_ = true;
+    for (const Command& command : std::exchange(waiting_, {})) apply(command);
+    if (frame_.drug.playing) frame_.drug.time_s += 1.0 / 60.0;
+    ++frame_.step;
+    return newer;
+}
+
+void FakeSimulation::apply(const Command& command) {
+    if (const auto* grab = std::get_if<GrabPoint>(&command)) {
+        frame_.grab = GrabView{grab->point_mm, grab->point_mm, 0.0};
+        rest_ = frame_;
+    } else if (const auto* move = std::get_if<MoveGrab>(&command)) {
+        if (frame_.grab) pull_to(move->target_mm);
+    } else if (std::holds_alternative<ReleaseGrab>(command)) {
+        frame_.grab.reset();
+    } else if (std::holds_alternative<InjectDrug>(command)) {
+        frame_.drug = fake_frame(0.0, 0.0).drug;
+        frame_.drug.playing = true;
+    } else if (const auto* play = std::get_if<PlayDrug>(&command)) {
+        frame_.drug.playing = play->playing;
+    } else if (const auto* time = std::get_if<SetDrugTime>(&command)) {
+        frame_.drug.time_s = time->time_s;
+    } else if (std::holds_alternative<RemoveDrug>(command)) {
+        frame_.drug = {};
+    }
+}
+
+void FakeSimulation::pull_to(const Vec3& target_mm) {
+    const Vec3 start = rest_.grab->point_mm;
+    frame_.grab = GrabView{target_mm, target_mm, 0.0};
+    for (std::size_t v = 0; v < rest_.positions_mm.size(); v += 3) {
+        const Vec3 rest(rest_.positions_mm[v], rest_.positions_mm[v + 1],
+                        rest_.positions_mm[v + 2]);
+        const double share = std::exp(-(rest - start).squaredNorm() / (2.0 * 15.0 * 15.0));
+        const Vec3 moved = rest + share * (target_mm - start);
+        for (int axis = 0; axis < 3; ++axis) {
+            frame_.positions_mm[v + static_cast<std::size_t>(axis)] =
+                static_cast<float>(moved[axis]);
+        }
+    }
+}
+
+LoadedPatient fake_patient(FakeSimulation** simulation) {
+    const Frame frame = fake_frame();
+    VesselSegment trunk;
+    trunk.proximal_node = 0;
+    trunk.distal_node = 1;
+    trunk.points_mm = {Vec3(0, 0, -60), Vec3(0, 0, -15)};
+    trunk.radii_mm = {6.0, 5.0};
+    VesselSegment left = trunk;
+    left.parent = 0;
+    left.proximal_node = 1;
+    left.distal_node = 2;
+    left.points_mm = {Vec3(0, 0, -15), Vec3(-40, 0, 40)};
+    VesselSegment right = left;
+    right.distal_node = 3;
+    right.points_mm = {Vec3(0, 0, -15), Vec3(40, 0, 40)};
+    PatientCase patient;
+    patient.tree.nodes = {{Vec3(0, 0, -60), 6.0},
+                          {Vec3(0, 0, -15), 5.0},
+                          {Vec3(-40, 0, 40), 5.0},
+                          {Vec3(40, 0, 40), 5.0}};
+    patient.tree.segments = {trunk, left, right};
+    for (std::size_t v = 0; v < frame.positions_mm.size(); v += 3) {
+        patient.mesh.vertices_mm.emplace_back(frame.positions_mm[v], frame.positions_mm[v + 1],
+                                              frame.positions_mm[v + 2]);
+    }
+    LoadedPatient loaded;
+    Job job;
+    loaded.title = "Fake patient";
+    loaded.anatomy = SurfaceAnatomy(patient.tree, patient.mesh.vertices_mm, job);
+    loaded.patient = std::make_shared<const PatientCase>(std::move(patient));
+    auto fake = std::make_unique<FakeSimulation>(frame);
+    if (simulation) *simulation = fake.get();
+    loaded.simulation = std::move(fake);
+    return loaded;
+}
+
+}  // namespace hepatica::testing

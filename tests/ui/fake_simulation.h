@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A simulation without physics for tests of the window: what is held goes where it is pulled, its
+// surroundings follow less, and every command is kept.
+#pragma once
+
+#include <vector>
+
+#include "ui/patient_loader.h"
+#include "ui/simulation.h"
+
+namespace hepatica::testing {
+
+// UI thread only.
+class FakeSimulation : public Simulation {
+  public:
+    explicit FakeSimulation(Frame rest);
+
+    void post(Command command) override;
+    bool update_frame() override;
+    const Frame& frame() const override { return frame_; }
+
+    const std::vector<Command>& commands() const { return commands_; }
+
+  private:
+    void apply(const Command& command);
+    void pull_to(const Vec3& target_mm);
+
+    Frame rest_;
+    Frame frame_;
+    std::vector<Command> commands_;
+    std::vector<Command> waiting_;
+    bool published_ = false;
+};
+
+// The fake tree (tests/render/fake_frame.h) as a patient whose simulation is fake; `simulation`
+// receives a pointer to it, valid as long as the patient is.
+LoadedPatient fake_patient(FakeSimulation** simulation = nullptr);
+
+}  // namespace hepatica::testing

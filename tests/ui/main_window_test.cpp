@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window driven as a person does: mouse, keys, drops. Runs under Xvfb.
+#include "ui/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "tests/ui/fake_simulation.h"
+#include "ui/message_bar.h"
+#include "ui/pixel_mapping.h"
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+namespace {
+
+using testing::fake_patient;
+using testing::FakeSimulation;
+
+class Window : public ::testing::Test {
+  protected:
+    Window()
+        : settings_(folder_.filePath("settings.ini")),
+          window_(
+              settings_,
+              {[this](const OpenRequest& request, Job& job) { return load(request, job); },
+               [this](const std::filesystem::path& path, const PatientCase&) { saved_ = path; }}) {
+        window_.resize(1000, 700);
+        window_.show();
+        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
+        QApplication::setActiveWindow(&window_);  // there is no window manager that would
+    }
+
+    LoadedPatient load(const OpenRequest& request, Job& job) {
+        if (request.built_in) return fake_patient(&simulation_);
+        if (request.reconstruct.ct.filename() == "endless") {
+            job.begin_stage("segment");
+            for (;;) {
+                job.advance(0.3);
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        }
+        throw InputError("this is no image", request.reconstruct.ct.string(), "give a CT");
+    }
+
+    void open_built_in() {
+        window_.actions()[ActionId::built_in].trigger();
+        ASSERT_TRUE(QTest::qWaitFor([this] {
+            return window_.has_patient() && !window_.busy() && simulation_->frame().step > 1;
+        }));
+        paint();
+    }
+
+    void paint() {
+        QTest::qWait(80);
+        window_.view().grabFramebuffer();
+    }
+
+    // Where a point of the patient is on the widget, in Qt's points.
+    QPoint on_widget(const Vec3& point_mm) {
+        return point_at(window_.view().scene().pixel_of(point_mm),
+                        window_.view().devicePixelRatioF())
+            .toPoint();
+    }
+
+    template <class T>
+    std::vector<T> commands_of_type() const {
+        std::vector<T> found;
+        for (const Command& command : simulation_->commands()) {
+            if (const T* one = std::get_if<T>(&command)) found.push_back(*one);
+        }
+        return found;
+    }
+
+    QTemporaryDir folder_;
+    Settings settings_;
+    FakeSimulation* simulation_ = nullptr;
+    std::filesystem::path saved_;
+    MainWindow window_;
+};
+
+constexpr int half_way_up_the_trunk_mm = -40;
+
+TEST_F(Window, the_grabbed_vertex_follows_the_mouse) {
+    open_built_in();
+    VtkWidget& view = window_.view();
+    const Vec3 trunk(0, 0, half_way_up_the_trunk_mm);
+    const QPoint start = on_widget(trunk);
+    const SurfacePick held = view.scene().pick(pixel_at(start, view.devicePixelRatioF()));
+    ASSERT_GE(held.triangle, 0);
+
+    QTest::mousePress(&view, Qt::LeftButton, {}, start);
+    ASSERT_EQ(commands_of_type<GrabPoint>().size(), 1u);
+    EXPECT_NEAR((commands_of_type<GrabPoint>()[0].point_mm - held.position_mm).norm(), 0, 0.3);
+    for (int i = 1; i <= 6; ++i) {
+        const QPoint now = start + QPoint(15 * i, -4 * i);
+        QTest::mouseMove(&view, now);
+        paint();
+        const Frame& frame = simulation_->frame();
+        const float* vertex =
+            &frame.positions_mm[3 * static_cast<std::size_t>(held.nearest_vertex)];
+        const QPoint seen = on_widget(Vec3(vertex[0], vertex[1], vertex[2]));
+        // The vertex is next to the held point, not at it.
+        EXPECT_LT((seen - now).manhattanLength(), 16) << "move " << i;
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, start + QPoint(90, -24));
+    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
+    EXPECT_FALSE(view.mouse().pulling());
+}
+
+TEST_F(Window, a_click_in_inject_mode_injects_where_it_points) {
+    open_built_in();
+    window_.actions()[ActionId::inject_mode].trigger();
+    const QPoint at = on_widget(Vec3(0, 0, half_way_up_the_trunk_mm));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, at);
+    ASSERT_EQ(commands_of_type<InjectDrug>().size(), 1u);
+    const InjectDrug injection = commands_of_type<InjectDrug>()[0];
+    EXPECT_NEAR(injection.point_mm.z(), half_way_up_the_trunk_mm, 2.0);
+    EXPECT_GT(injection.mass_flow_g_s, 0.0);
+    EXPECT_TRUE(commands_of_type<GrabPoint>().empty());
+    paint();
+    const double before = simulation_->frame().drug.time_s;
+    paint();
+    EXPECT_GT(simulation_->frame().drug.time_s, before);
+}
+
+TEST_F(Window, control_click_and_double_click_inject_in_pull_mode_too) {
+    open_built_in();
+    const QPoint at = on_widget(Vec3(0, 0, half_way_up_the_trunk_mm));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, Qt::ControlModifier, at);
+    EXPECT_EQ(commands_of_type<InjectDrug>().size(), 1u);
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, at);
+    EXPECT_EQ(commands_of_type<InjectDrug>().size(), 2u);
+}
+
+TEST_F(Window, a_drag_beside_the_vessels_orbits_and_sends_nothing) {
+    open_built_in();
+    VtkWidget& view = window_.view();
+    const Vec3 tip(30, 0, 40);
+    const QPoint before = on_widget(tip);
+    QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(20, 20));
+    QTest::mouseMove(&view, QPoint(120, 40));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(120, 40));
+    EXPECT_GT((on_widget(tip) - before).manhattanLength(), 10);
+    EXPECT_TRUE(simulation_->commands().empty());
+}
+
+TEST_F(Window, hovering_lights_up_what_lies_downstream) {
+    open_built_in();
+    QTest::mouseMove(&window_.view(), QPoint(5, 5));
+    const QImage dark = window_.view().picture();
+    QTest::mouseMove(&window_.view(), on_widget(Vec3(0, 0, half_way_up_the_trunk_mm)));
+    paint();
+    EXPECT_NE(window_.view().picture(), dark);
+}
+
+TEST_F(Window, cancel_ends_a_job_and_leaves_the_window_as_it_was) {
+    open_built_in();
+    window_.open(folder_.filePath("endless"));
+    ASSERT_TRUE(window_.busy());
+    QTest::qWait(150);
+    QPushButton* cancel = nullptr;
+    for (QPushButton* button : window_.findChildren<QPushButton*>()) {
+        if (button->text() == "Cancel" && button->isVisible()) cancel = button;
+    }
+    ASSERT_NE(cancel, nullptr);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window_.busy(); }, 1000));
+    EXPECT_TRUE(window_.has_patient());
+    EXPECT_FALSE(cancel->isVisible());
+    EXPECT_EQ(window_.messages().text(), QString());
+}
+
+TEST_F(Window, closing_in_the_middle_of_a_job_ends_it) {
+    window_.open(folder_.filePath("endless"));
+    QTest::qWait(60);
+    QElapsedTimer clock;
+    clock.start();
+    window_.close();
+    EXPECT_FALSE(window_.busy());
+    EXPECT_LT(clock.elapsed(), 1000);
+}
+
+TEST_F(Window, a_dropped_file_that_cannot_be_read_says_what_where_and_what_to_do) {
+    QMimeData data;
+    const QString bad = folder_.filePath(QString::fromUtf8("kein_CT_Größe_肝.nii"));
+    data.setUrls({QUrl::fromLocalFile(bad)});
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    // QApplication delivers drops only in the course of a drag.
+    static_cast<QObject&>(window_).event(&drop);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window_.messages().text().isEmpty(); }));
+    const QString text = window_.messages().text();
+    EXPECT_TRUE(text.contains("this is no image")) << text.toStdString();
+    EXPECT_TRUE(text.contains(bad)) << text.toStdString();
+    EXPECT_TRUE(text.contains("give a CT"));
+    EXPECT_FALSE(window_.has_patient());
+    EXPECT_TRUE(settings_.recent_files().isEmpty());
+}
+
+TEST_F(Window, saves_the_picture_it_shows_under_any_name_and_names_the_folder_it_cannot_write) {
+    open_built_in();
+    const QString file = folder_.filePath(QString::fromUtf8("Bild_ä_肝.png"));
+    window_.save_picture(file);
+    const QImage saved(file);
+    EXPECT_EQ(saved.size(), pixel_size(window_.view().size(), window_.view().devicePixelRatioF()));
+    EXPECT_THROW(window_.save_picture("/proc/hepatica/a.png"), InputError);
+}
+
+TEST_F(Window, saves_the_case_beside_its_work) {
+    open_built_in();
+    window_.save_case(folder_.filePath("p.hep"));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window_.busy(); }));
+    EXPECT_EQ(saved_.filename(), "p.hep");
+    EXPECT_EQ(settings_.recent_files().size(), 1);
+}
+
+TEST_F(Window, keys_play_the_drug_and_turn_the_view) {
+    open_built_in();
+    QTest::keyClick(&window_, Qt::Key_2);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::inject);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {},
+                      on_widget(Vec3(0, 0, half_way_up_the_trunk_mm)));
+    QTest::qWait(400);
+    QTest::keyClick(&window_, Qt::Key_Space);
+    ASSERT_EQ(commands_of_type<PlayDrug>().size(), 1u);
+    EXPECT_FALSE(commands_of_type<PlayDrug>()[0].playing);
+    const QPoint front = on_widget(Vec3(30, 0, 40));
+    QTest::keyClick(&window_, Qt::Key_P);
+    EXPECT_GT((on_widget(Vec3(30, 0, 40)) - front).manhattanLength(), 20);
+}
+
+TEST_F(Window, the_middle_of_the_window_cannot_float) {
+    EXPECT_TRUE(window_.centralWidget()->isAncestorOf(&window_.view()));
+    EXPECT_FALSE(window_.view().isWindow());
+}
+
+}  // namespace
+}  // namespace hepatica

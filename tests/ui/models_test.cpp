@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's smaller parts: mapping of pixels, numbers, settings, the table of actions, anatomy.
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QLocale>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/base/error.h"
+#include "tests/ui/fake_simulation.h"
+#include "ui/actions.h"
+#include "ui/decimal_spin_box.h"
+#include "ui/paths.h"
+#include "ui/patient_wizard.h"
+#include "ui/pixel_mapping.h"
+#include "ui/settings.h"
+#include "ui/surface_anatomy.h"
+
+namespace hepatica {
+namespace {
+
+TEST(PixelMapping, is_right_on_plain_and_on_dense_screens) {
+    for (const double ratio : {1.0, 1.25, 2.0}) {
+        const Pixel pixel = pixel_at(QPointF(10.5, 20), ratio);
+        EXPECT_DOUBLE_EQ(pixel.x, 10.5 * ratio);
+        EXPECT_DOUBLE_EQ(pixel.y, 20 * ratio);
+        EXPECT_EQ(point_at(pixel, ratio), QPointF(10.5, 20));
+        // The lower right corner of the widget is the lower right corner of the picture.
+        const QSize points(801, 603);
+        const QSize pixels = pixel_size(points, ratio);
+        const Pixel corner = pixel_at(QPointF(points.width(), points.height()), ratio);
+        EXPECT_NEAR(corner.x, pixels.width(), 0.5);
+        EXPECT_NEAR(corner.y, pixels.height(), 0.5);
+    }
+}
+
+TEST(DecimalSpinBox, takes_comma_and_point_in_every_locale) {
+    for (const auto language : {QLocale::C, QLocale::German, QLocale::English, QLocale::Arabic}) {
+        QLocale::setDefault(QLocale(language));
+        for (const char* text : {"2.75", "2,75"}) {
+            DecimalSpinBox box(0.0, 100.0, 1.0, 3, "g/s");
+            box.show();
+            box.setFocus();
+            box.selectAll();
+            QTest::keyClicks(&box, text);
+            box.interpretText();
+            EXPECT_DOUBLE_EQ(box.value(), 2.75) << text;
+        }
+    }
+    QLocale::setDefault(QLocale::c());
+}
+
+TEST(Numbers, are_read_with_comma_or_point_and_nonsense_is_named) {
+    EXPECT_EQ(numbers_in("12,5 -3; 40.25", "x"), (std::vector<double>{12.5, -3.0, 40.25}));
+    EXPECT_TRUE(numbers_in("  ", "x").empty());
+    for (const char* bad : {"1 two", "nan", "inf", "1,2,3"}) {
+        EXPECT_THROW(numbers_in(bad, "x"), InputError) << bad;
+    }
+}
+
+TEST(Paths, keep_letters_of_every_script) {
+    const QString text = QString::fromUtf8("/tmp/Größe/肝臓/ct.nii.gz");
+    EXPECT_EQ(to_text(to_path(text)), text);
+}
+
+TEST(Settings, remember_ten_recent_files_newest_first) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    {
+        Settings settings(file);
+        for (int i = 0; i < 12; ++i) settings.add_recent_file(QString("/p%1").arg(i));
+        settings.add_recent_file("/p5");
+    }
+    Settings again(file);
+    ASSERT_EQ(again.recent_files().size(), 10);
+    EXPECT_EQ(again.recent_files()[0], "/p5");
+    EXPECT_EQ(again.recent_files()[1], "/p11");
+}
+
+TEST(Settings, in_safe_mode_read_and_write_nothing) {
+    Settings settings(Settings::Mode::safe);
+    settings.set_window("geometry", "layout");
+    EXPECT_TRUE(settings.window_geometry().isEmpty());
+    EXPECT_TRUE(settings.recent_files().isEmpty());
+}
+
+TEST(ActionTable, has_no_key_twice_and_explains_everything) {
+    QSet<QString> keys;
+    for (const ActionSpec& spec : action_table()) {
+        EXPECT_FALSE(QString(spec.tip).isEmpty()) << spec.text;
+        if (!*spec.keys) continue;
+        EXPECT_FALSE(keys.contains(spec.keys)) << spec.keys;
+        EXPECT_FALSE(QKeySequence::fromString(spec.keys).isEmpty()) << spec.keys;
+        keys.insert(spec.keys);
+        EXPECT_TRUE(Actions::cheat_sheet().contains(QString(spec.tip).toHtmlEscaped()));
+    }
+}
+
+TEST(SurfaceAnatomy, knows_what_lies_downstream) {
+    const LoadedPatient patient = testing::fake_patient();
+    const SurfaceAnatomy& anatomy = patient.anatomy;
+    EXPECT_EQ(anatomy.ends_downstream_of(0), 2);
+    EXPECT_EQ(anatomy.ends_downstream_of(1), 1);
+    EXPECT_EQ(anatomy.ends_in_system_of(1), 2);
+    const auto all = anatomy.downstream_of({0, 0.0, 0.0});
+    EXPECT_EQ(std::count(all.begin(), all.end(), 1), static_cast<long>(all.size()));
+    const auto left = anatomy.downstream_of({1, 0.0, 0.0});
+    const auto& vertices = patient.patient->mesh.vertices_mm;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const double x = vertices[v].x();
+        if (x > 15 || vertices[v].z() < -25) {
+            EXPECT_EQ(left[v], 0);
+        } else if (x < -15) {
+            EXPECT_EQ(left[v], 1);
+        }
+    }
+    EXPECT_TRUE(anatomy.downstream_of(TreePoint{}).empty());
+    EXPECT_TRUE(anatomy.describe(TreePoint{}).empty());
+    EXPECT_NE(anatomy.describe({1, 0.0, 0.0}).find("1 of 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hepatica
