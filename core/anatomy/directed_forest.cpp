@@ -46,7 +46,7 @@ void split_rings(VesselGraph& graph) {
 }
 
 // Gives each system its own copy of a node that links of several systems share.
-void separate_systems(VesselGraph& graph) {
+void separate_systems(VesselGraph& graph, std::vector<RootWish>& wishes) {
     std::map<std::pair<int, int>, int> copies;  // (node, system) -> node
     std::vector<int> owner(graph.nodes.size(), -1);
     const auto own = [&](int node, int system) {
@@ -64,6 +64,10 @@ void separate_systems(VesselGraph& graph) {
         link.from = own(link.from, link.system);
         link.to = own(link.to, link.system);
     }
+    for (RootWish& wish : wishes) {
+        const auto copy = copies.find({wish.node, wish.system});
+        wish.node = copy == copies.end() ? -1 : copy->second;
+    }
 }
 
 class Director {
@@ -75,8 +79,8 @@ class Director {
           reached_by_(graph.nodes.size(), not_reached),
           used_(graph.links.size(), 0) {}
 
-    VesselTree build(std::span<const int> root_nodes) {
-        for (const int root : chosen_roots(root_nodes)) grow(root);
+    VesselTree build(std::span<const RootWish> wishes) {
+        for (const int root : chosen_roots(wishes)) grow(root);
         sort_depth_first();
         set_strahler_orders();
         return std::move(tree_);
@@ -94,7 +98,7 @@ class Director {
         return at_node_[node].size() == 1 ? widest + 1e6 : widest;
     }
 
-    std::vector<int> chosen_roots(std::span<const int> wished) const {
+    std::vector<int> chosen_roots(std::span<const RootWish> wishes) const {
         struct Component {
             int root = -1;
             bool wished = false;
@@ -107,10 +111,10 @@ class Director {
             components[component_[link.from]].length_mm += length_mm(link);
             components[component_[link.from]].system = link.system;
         }
-        for (const int node : wished) {
-            if (node < 0 || node >= static_cast<int>(component_.size())) continue;
-            Component& c = components[component_[node]];
-            if (!c.wished) c.root = node;
+        for (const RootWish& wish : wishes) {
+            if (wish.node < 0) continue;
+            Component& c = components[component_[wish.node]];
+            if (!c.wished) c.root = wish.node;
             c.wished = true;
         }
         for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
@@ -223,10 +227,11 @@ class Director {
 
 }  // namespace
 
-VesselTree directed(VesselGraph graph, std::span<const int> root_nodes) {
+VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes) {
+    std::vector<RootWish> own_wishes(wishes.begin(), wishes.end());
     split_rings(graph);
-    separate_systems(graph);
-    return Director(graph).build(root_nodes);
+    separate_systems(graph, own_wishes);
+    return Director(graph).build(own_wishes);
 }
 
 }  // namespace hepatica

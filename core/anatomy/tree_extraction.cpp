@@ -7,6 +7,7 @@
 #include "core/anatomy/lumen_radius.h"
 #include "core/anatomy/skeleton_graph.h"
 #include "core/anatomy/spur_pruning.h"
+#include "core/anatomy/system_assignment.h"
 #include "core/anatomy/vessel_graph.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -44,15 +45,15 @@ void measure_link(VesselLink& link, const Mask& vessels, double voxel_mm) {
     link.radii_mm = smooth_values(link.points_mm, radii, weights, 3.0 * voxel_mm);
 }
 
-int nearest_node(const VesselGraph& graph, const Vec3& position_mm) {
+RootWish nearest_end(const VesselGraph& graph, const Vec3& position_mm) {
     const auto at_node = links_of_nodes(graph);
-    int nearest = -1;
+    RootWish nearest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
         const double d = (graph.nodes[n].position_mm - position_mm).norm();
         if (at_node[n].size() != 1 || d >= least) continue;
         least = d;
-        nearest = static_cast<int>(n);
+        nearest = {static_cast<int>(n), graph.links[at_node[n][0]].system};
     }
     return nearest;
 }
@@ -77,9 +78,10 @@ VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume*
             measure_link(graph.links[i], vessels, voxel_mm);
         }
     });
-    std::vector<int> roots;
-    for (const Vec3& position : options.roots_mm) roots.push_back(nearest_node(graph, position));
-    VesselTree tree = directed(std::move(graph), roots);
+    if (!options.seeds.empty()) assign_systems(graph, options.seeds);
+    std::vector<RootWish> wishes;
+    for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
+    VesselTree tree = directed(std::move(graph), wishes);
     job.advance(1.0);
     return tree;
 }

@@ -5,17 +5,12 @@
 
 #include <vector>
 
+#include "core/anatomy/system_assignment.h"
 #include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
-
-// A point in a vessel that the user named, and the vascular system it stands for.
-struct SystemSeed {
-    Vec3 position_mm = Vec3::Zero();
-    int system = 0;
-};
 
 struct TreeOptions {
     // One or more per system. Where two systems touch they are parted at the narrowest link between

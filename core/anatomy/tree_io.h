@@ -25,4 +25,22 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree);
 // component begins at its widest end.
 VesselTree read_tree_vtp(const std::filesystem::path& file);
 
+// One sample per line (number, type, x, y, z, radius, parent); type 5 and up is system 0 and up.
+// What SWC cannot say: the radius with which a branch leaves its parent (read back as the parent's
+// last) and the link that closes a loop (a chain that ends at the place of another sample; read
+// back as a loop).
+void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree);
+
+// Also reads files of other programs: lines of seven numbers, comments after #, samples in any
+// order. A sample without parent is a root, samples at one place (to a micrometre) are one.
+VesselTree read_tree_swc(const std::filesystem::path& file);
+
+// Everything there is, with the names of vessel_tree.h; comes back to the bit.
+void write_tree_json(const std::filesystem::path& file, const VesselTree& tree);
+VesselTree read_tree_json(const std::filesystem::path& file);
+
+// By the file's extension: .vtp, .swc or .json. Throws InputError for any other.
+void write_tree(const std::filesystem::path& file, const VesselTree& tree);
+VesselTree read_tree(const std::filesystem::path& file);
+
 }  // namespace hepatica

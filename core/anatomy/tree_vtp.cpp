@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/anatomy/tree_io.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -22,7 +24,7 @@
 #include <numbers>
 
 #include "core/anatomy/line_graph.h"
-#include "core/anatomy/tree_io.h"
+#include "core/anatomy/tree_files.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 
@@ -212,7 +214,7 @@ VesselTree own_tree(vtkPolyData* lines, const std::filesystem::path& file) {
         }
         tree.segments.push_back(std::move(segment));
     });
-    validate(tree);
+    validate_from_file(tree, file);  // the node numbers are used below
     for (const VesselSegment& segment : tree.segments) {
         tree.nodes[segment.proximal_node].position_mm = segment.points_mm.front();
         tree.nodes[segment.distal_node].position_mm = segment.points_mm.back();
@@ -248,9 +250,7 @@ VesselTree foreign_tree(vtkPolyData* lines) {
             edges.push_back({static_cast<int>(ids[i - 1]), static_cast<int>(ids[i]),
                              radius(cell, ids[i - 1]), radius(cell, ids[i]), 0});
     });
-    VesselTree tree = directed(graph_of_edges(points, edges).graph);
-    validate(tree);
-    return tree;
+    return directed(graph_of_edges(points, edges).graph);
 }
 
 }  // namespace
@@ -272,12 +272,9 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
 
 VesselTree read_tree_vtp(const std::filesystem::path& file) {
     const vtkSmartPointer<vtkPolyData> lines = read_lines(file);
-    try {
-        return is_own(lines) ? own_tree(lines, file) : foreign_tree(lines);
-    } catch (const InputError& error) {
-        if (error.place() == file.string()) throw;
-        refuse(file, error.place() + " " + error.problem());
-    }
+    VesselTree tree = is_own(lines) ? own_tree(lines, file) : foreign_tree(lines);
+    validate_from_file(tree, file);
+    return tree;
 }
 
 }  // namespace hepatica

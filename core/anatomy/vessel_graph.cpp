@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/anatomy/centreline.h"
+
 namespace hepatica {
 
 namespace {
@@ -24,6 +26,17 @@ void reverse(VesselLink& link) {
     std::swap(link.from, link.to);
     std::ranges::reverse(link.points_mm);
     std::ranges::reverse(link.radii_mm);
+}
+
+void remove_repeated_points(VesselLink& link) {
+    for (std::size_t i = 1; i < link.points_mm.size();) {
+        if (link.points_mm.size() == 2 || link.points_mm[i] != link.points_mm[i - 1]) {
+            ++i;
+            continue;
+        }
+        link.points_mm.erase(link.points_mm.begin() + static_cast<std::ptrdiff_t>(i));
+        link.radii_mm.erase(link.radii_mm.begin() + static_cast<std::ptrdiff_t>(i));
+    }
 }
 
 void drop_unused_nodes(VesselGraph& graph) {
@@ -115,6 +128,43 @@ VesselGraph to_graph(const VesselTree& tree) {
     for (const VesselSegment& s : tree.segments)
         graph.links.push_back({s.proximal_node, s.distal_node, s.system, s.points_mm, s.radii_mm});
     return graph;
+}
+
+std::vector<RootWish> root_wishes(const VesselTree& tree) {
+    std::vector<RootWish> wishes;
+    for (const int id : roots(tree))
+        wishes.push_back({tree.segments[id].proximal_node, tree.segments[id].system});
+    return wishes;
+}
+
+int split_link(VesselGraph& graph, int id, double along_mm, double snap_mm) {
+    VesselLink& link = graph.links[id];
+    const std::vector<double> at_mm = arclengths_mm(link.points_mm);
+    if (along_mm <= snap_mm && along_mm <= at_mm.back() - along_mm) return link.from;
+    if (at_mm.back() - along_mm <= snap_mm) return link.to;
+    std::size_t i = 1;
+    while (i + 2 < at_mm.size() && at_mm[i] <= along_mm) ++i;
+    const double share =
+        std::clamp((along_mm - at_mm[i - 1]) / (at_mm[i] - at_mm[i - 1]), 0.0, 1.0);
+    const Vec3 place = link.points_mm[i - 1] + share * (link.points_mm[i] - link.points_mm[i - 1]);
+    const double radius = link.radii_mm[i - 1] + share * (link.radii_mm[i] - link.radii_mm[i - 1]);
+    const int node = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({place, radius});
+
+    VesselLink second{node, link.to, link.system, {place}, {radius}};
+    const auto split = static_cast<std::ptrdiff_t>(i);
+    second.points_mm.insert(second.points_mm.end(), link.points_mm.begin() + split,
+                            link.points_mm.end());
+    second.radii_mm.insert(second.radii_mm.end(), link.radii_mm.begin() + split,
+                           link.radii_mm.end());
+    link.to = node;
+    link.points_mm.resize(i);
+    link.radii_mm.resize(i);
+    link.points_mm.push_back(place);
+    link.radii_mm.push_back(radius);
+    for (VesselLink* half : {&link, &second}) remove_repeated_points(*half);
+    graph.links.push_back(std::move(second));
+    return node;
 }
 
 }  // namespace hepatica

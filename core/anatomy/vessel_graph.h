@@ -36,14 +36,28 @@ void join_passing_nodes(VesselGraph& graph);
 // The component of each node, numbered by first node. Links join whatever their systems.
 std::vector<int> component_of_nodes(const VesselGraph& graph);
 
+// Where a system is wished to begin.
+struct RootWish {
+    int node = -1;
+    int system = 0;
+};
+
 // Directs every system of the graph away from its roots and sorts it into a tree: parents before
 // children, wide branches before narrow ones, systems in ascending order. Of each loop the
 // narrowest link is the one that closes it. Links from a node to itself are split in the middle.
-//   root_nodes: wished roots. A component without one begins at its widest end; the first of
-//   several in one component counts. Nodes shared by two systems are given to each of them.
-VesselTree directed(VesselGraph graph, std::span<const int> root_nodes = {});
+//   wishes: a component that none names begins at its widest end; the first of several in one
+//   component counts, and those that name no node of their system are passed over.
+// Nodes shared by two systems are given to each of them.
+VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes = {});
 
 // The graph of a tree. Node ids are the tree's own, link i is segment i.
 VesselGraph to_graph(const VesselTree& tree);
+
+// The roots of a tree as wishes, so that it keeps them when it is built anew.
+std::vector<RootWish> root_wishes(const VesselTree& tree);
+
+// Puts a node into a link at a distance along it and returns the node. Where the place lies within
+// `snap_mm` of one of the link's nodes, that node is returned and nothing changes.
+int split_link(VesselGraph& graph, int link, double along_mm, double snap_mm);
 
 }  // namespace hepatica

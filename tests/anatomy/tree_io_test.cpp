@@ -121,4 +121,72 @@ TEST(TreeVtp, FileCutAnywhereIsRefusedOrWhole) {
     }
 }
 
+TEST(TreeJson, ComesBackToTheBit) {
+    write_tree(scratch("fork.json"), forked_tree());
+    expect_equal(read_tree(scratch("fork.json")), forked_tree());
+}
+
+TEST(TreeJson, BadFilesAreRefused) {
+    for (const char* text :
+         {"", "[]", "{\"version\":9}", "{\"version\":1,\"nodes\":[],\"segments\":[{}]}",
+          "{\"version\":1,\"nodes\":[{\"position_mm\":[1,2],\"radius_mm\":1}]}"}) {
+        write_text(scratch("bad.json"), text);
+        EXPECT_THROW(read_tree(scratch("bad.json")), InputError) << text;
+    }
+}
+
+TEST(TreeSwc, ComesBackButForTheRadiusAtForks) {
+    const VesselTree tree = forked_tree();
+    write_tree(scratch("fork.swc"), tree);
+    const VesselTree back = read_tree(scratch("fork.swc"));
+    ASSERT_EQ(back.segments.size(), tree.segments.size());
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        EXPECT_EQ(back.segments[s].points_mm, tree.segments[s].points_mm);
+        EXPECT_EQ(back.segments[s].parent, tree.segments[s].parent);
+        EXPECT_EQ(back.segments[s].system, tree.segments[s].system);
+        EXPECT_EQ(back.segments[s].strahler_order, tree.segments[s].strahler_order);
+        EXPECT_TRUE(std::equal(back.segments[s].radii_mm.begin() + 1,
+                               back.segments[s].radii_mm.end(),
+                               tree.segments[s].radii_mm.begin() + 1));
+    }
+}
+
+TEST(TreeSwc, LoopsAndSystemsComeBack) {
+    VesselGraph graph = forked_graph();
+    graph.links.push_back(straight_link(graph, 2, 4, 1.0, 1.0));
+    for (const auto& p : {Vec3(60, 0, 0), Vec3(60, 30, 0)}) graph.nodes.push_back({p, 2.0});
+    graph.links.push_back(straight_link(graph, 6, 7, 2.0, 1.5, 1));
+    join_passing_nodes(graph);
+    const VesselTree tree = directed(graph);
+    write_tree(scratch("loop.swc"), tree);
+    const VesselTree back = read_tree(scratch("loop.swc"));
+    ASSERT_EQ(back.segments.size(), tree.segments.size());
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        EXPECT_EQ(back.segments[s].closes_loop, tree.segments[s].closes_loop);
+        EXPECT_EQ(back.segments[s].system, tree.segments[s].system);
+    }
+}
+
+TEST(TreeSwc, ReadsFilesOfOtherPrograms) {
+    write_text(scratch("other.swc"),
+               "# any comment\n 3 2 0 2.5 0 1 2\n1 1 0 0 0 2 -1 # root\n2 3 0 1.0 0 1.5 1\r\n"
+               "4 3 1 2 0 0.5 2\n");
+    const VesselTree tree = read_tree(scratch("other.swc"));
+    EXPECT_EQ(tree.segments.size(), 3u);
+    EXPECT_EQ(tree.segments[0].points_mm.front(), Vec3(0, 0, 0));
+    EXPECT_EQ(tree.segments[0].radii_mm.front(), 2.0);
+}
+
+TEST(TreeSwc, BadFilesAreRefused) {
+    for (const char* text : {"", "1 1 0 0 0 1 -1\n", "1 1 0 0 zero 1 -1\n2 1 0 0 1 1 1\n",
+                             "1 1 0 0 0 1 -1\n2 1 0 0 1 1 7\n", "1 1 0 0 0 1 -1\n1 1 0 0 1 1 1\n",
+                             "1 1 0 0 0 0 -1\n2 1 0 0 1 -1 1\n", "1 1 0 0 0 1\n"}) {
+        write_text(scratch("bad.swc"), text);
+        EXPECT_THROW(read_tree(scratch("bad.swc")), InputError) << text;
+    }
+    EXPECT_THROW(read_tree(scratch("tree.xyz")), InputError);
+    EXPECT_THROW(write_tree(scratch("tree.xyz"), forked_tree()), InputError);
+    EXPECT_THROW(read_tree(scratch("none.swc")), InputError);
+}
+
 }  // namespace hepatica
