@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/flow/arrival_times.h"
+#include "core/flow/drug_front.h"
 #include "core/flow/flow_solution.h"
 #include "core/flow/territory.h"
 #include "tests/flow/random_cases.h"
@@ -54,6 +55,38 @@ void move_catheter(benchmark::State& state) {
     }
 }
 BENCHMARK(move_catheter)->Unit(benchmark::kMillisecond);
+
+// One step of the front, up to the next event; 0: drug like blood, 1: lipiodol (two solves a step).
+void front_event(benchmark::State& state) {
+    Random random(4);
+    const FlowNetwork network = random_tree(random, static_cast<int>(state.range(0)));
+    FlowConditions conditions = injected(0, 2.0);
+    if (state.range(1) == 1) conditions.inlets[0].fluid = pure(lipiodol());
+    DrugFront front(network, conditions, 0);
+    for (int i = 0; i < 20; ++i) front.step(1e3);
+    for (auto _ : state) benchmark::DoNotOptimize(front.step(1e3).duration_s);
+    state.SetLabel(state.range(1) == 1 ? "lipiodol" : "like blood");
+}
+BENCHMARK(front_event)
+    ->ArgsProduct({{500, 100'000, 1'000'000}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(10);
+
+// A whole injection of lipiodol into a patient's tree, until every vessel is full.
+void whole_injection(benchmark::State& state) {
+    Random random(5);
+    const FlowNetwork network = random_tree(random, 500);
+    FlowConditions conditions = injected(0, 2.0);
+    conditions.inlets[0].fluid = pure(lipiodol());
+    std::uint64_t steps = 0;
+    for (auto _ : state) {
+        DrugFront front(network, conditions, 0);
+        while (!front.at_rest()) front.step(1e3);
+        steps = front.steps();
+    }
+    state.SetLabel(std::to_string(steps) + " steps");
+}
+BENCHMARK(whole_injection)->Unit(benchmark::kMillisecond);
 
 // What hovering over a patient's tree costs.
 void hover(benchmark::State& state) {

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-double interpolate(const std::vector<ArrivalTimes::Knot>& knots, double volume_mm3) {
-    if (knots.empty() || volume_mm3 < knots.front().volume_mm3 ||
-        volume_mm3 > knots.back().volume_mm3)
+// `slack` forgives the rounding of volumes at the ends of a segment.
+double interpolate(const std::vector<ArrivalTimes::Knot>& knots, double volume_mm3, double slack) {
+    if (knots.empty() || volume_mm3 < knots.front().volume_mm3 - slack ||
+        volume_mm3 > knots.back().volume_mm3 + slack)
         return never;
     const auto above =
         std::ranges::upper_bound(knots, volume_mm3, {}, &ArrivalTimes::Knot::volume_mm3);
@@ -40,8 +41,9 @@ void ArrivalTimes::set_from_distal(int segment, std::vector<Knot> knots) {
 }
 
 double ArrivalTimes::at_volume(int segment, double volume) const {
-    return std::min(interpolate(from_proximal_[segment], volume),
-                    interpolate(from_distal_[segment], volume));
+    const double slack = 1e-12 * volume_mm3(network_, segment);
+    return std::min(interpolate(from_proximal_[segment], volume, slack),
+                    interpolate(from_distal_[segment], volume, slack));
 }
 
 double ArrivalTimes::arrival_s(int segment, double arclength_mm) const {
@@ -71,7 +73,7 @@ double ArrivalTimes::last_s(int segment) const {
     double high = volume;
     for (int i = 0; i < 100; ++i) {
         const double middle = 0.5 * (low + high);
-        (interpolate(up, middle) < interpolate(down, middle) ? low : high) = middle;
+        (interpolate(up, middle, 0.0) < interpolate(down, middle, 0.0) ? low : high) = middle;
     }
     return at_volume(segment, low);
 }
