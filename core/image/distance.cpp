@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of Computing
 // 8:415 (2012): exact squared distances, one axis after the other, as lower envelopes of parabolas.
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/image/line_bundles.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -23,14 +21,15 @@ struct Envelope {
     std::vector<int> apex;       // of the parabolas in the envelope
     std::vector<double> border;  // where each parabola begins to be the lowest
 
-    explicit Envelope(int n) : value(n), apex(n), border(n) {}
+    explicit Envelope(std::size_t n) : value(n), apex(n), border(n) {}
 
-    // Replaces line[i * stride] by min over j of line[j * stride] + (spacing (i - j))^2.
-    void transform(float* line, int n, std::ptrdiff_t stride, double spacing) {
+    // Replaces sample i of one lane by the least over j of sample j + (spacing (i - j))^2.
+    void transform(std::vector<Lanes>& line, int lane, double spacing) {
+        const int n = static_cast<int>(line.size());
         int count = 0;
         const double square = spacing * spacing;
         for (int i = 0; i < n; ++i) {
-            value[i] = line[i * stride];
+            value[i] = static_cast<double>(line[i][lane]);
             if (value[i] == infinite) continue;
             double begin = -infinite;
             while (count > 0) {
@@ -49,27 +48,10 @@ struct Envelope {
         for (int i = 0; i < n; ++i) {
             while (k + 1 < count && border[k + 1] < i) ++k;
             const double steps = i - apex[k];
-            line[i * stride] = static_cast<float>(value[apex[k]] + square * steps * steps);
+            line[i][lane] = static_cast<float>(value[apex[k]] + square * steps * steps);
         }
     }
 };
-
-void transform_axis(FloatVolume& squares, int axis, Job& job) {
-    const Grid& grid = squares.grid;
-    const int n = grid.dims[axis];
-    const int across = axis == 0 ? 1 : 0;
-    const int rest = axis == 2 ? 1 : 2;
-    const std::array<std::size_t, 3> strides{1, static_cast<std::size_t>(grid.dims[0]),
-                                             grid.offset(0, 0, 1)};
-    std::atomic<int> done{0};
-    parallel_blocks(grid.dims[rest], 1, [&](std::size_t r, std::size_t) {
-        job.advance((axis + static_cast<double>(done++) / grid.dims[rest]) / 3.0);
-        Envelope envelope(n);
-        for (int c = 0; c < grid.dims[across]; ++c)
-            envelope.transform(squares.voxels.data() + r * strides[rest] + c * strides[across], n,
-                               static_cast<std::ptrdiff_t>(strides[axis]), grid.spacing_mm[axis]);
-    });
-}
 
 // Squared distance to the nearest voxel whose object state is `wanted`.
 FloatVolume squared_distance(const Mask& mask, bool wanted, Job& job) {
@@ -78,7 +60,13 @@ FloatVolume squared_distance(const Mask& mask, bool wanted, Job& job) {
         for (std::size_t i = begin; i < end; ++i)
             squares.voxels[i] = (mask.voxels[i] != 0) == wanted ? 0.0f : infinite;
     });
-    for (int axis = 0; axis < 3; ++axis) transform_axis(squares, axis, job);
+    for (int axis = 0; axis < 3; ++axis)
+        filter_lines(squares, axis, job, [&, n = mask.grid.dims[axis]] {
+            return [&, envelope = Envelope(n)](std::vector<Lanes>& line) mutable {
+                for (int lane = 0; lane < line_lanes; ++lane)
+                    envelope.transform(line, lane, mask.grid.spacing_mm[axis]);
+            };
+        });
     return squares;
 }
 

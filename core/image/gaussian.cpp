@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/line_bundles.h"
 
 namespace hepatica {
 
 namespace {
 
-// Lines are filtered side by side, so that the recursion along them vectorises across them.
-constexpr int lanes = 32;
-using Lanes = std::array<float, lanes>;
+constexpr int lanes = line_lanes;  // the recursion runs along the lines and vectorises across
 
 // Deriche, INRIA report 1893 (1993), order 4: for x >= 0 the Gaussian is near
 // sum over k of (a_k cos(w_k x/s) + b_k sin(w_k x/s)) exp(-c_k x/s).
@@ -30,11 +27,11 @@ constexpr double smallest_recursive_sigma = 2.0;  // in voxels
 
 // y[i] = sum n[k] x[i-k] - sum d[k] y[i-k], run from both ends and added.
 struct Recursion {
-    std::array<float, 4> forward{};   // of x[i], x[i-1], x[i-2], x[i-3]
-    std::array<float, 4> backward{};  // of x[i+1] ... x[i+4]
-    std::array<float, 4> feedback{};  // of y[i-1] ... y[i-4] (y[i+1] ... y[i+4])
-    float forward_gain = 0.0f;        // answer to a constant 1
-    float backward_gain = 0.0f;
+    std::array<double, 4> forward{};   // of x[i], x[i-1], x[i-2], x[i-3]
+    std::array<double, 4> backward{};  // of x[i+1] ... x[i+4]
+    std::array<double, 4> feedback{};  // of y[i-1] ... y[i-4] (y[i+1] ... y[i+4])
+    double forward_gain = 0.0;         // answer to a constant 1
+    double backward_gain = 0.0;
 };
 
 Recursion deriche(double sigma) {
@@ -60,12 +57,12 @@ Recursion deriche(double sigma) {
     const double unit = 1.0 / (2.0 * one_sided - n[0]);  // the two halves share x = 0
     Recursion r;
     for (int k = 0; k < 4; ++k) {
-        r.forward[k] = static_cast<float>(unit * n[k]);
-        r.feedback[k] = static_cast<float>(d[k + 1]);
-        r.backward[k] = static_cast<float>(unit * (n[k + 1] - d[k + 1] * n[0]));
+        r.forward[k] = unit * n[k];
+        r.feedback[k] = d[k + 1];
+        r.backward[k] = unit * (n[k + 1] - d[k + 1] * n[0]);
     }
-    r.forward_gain = static_cast<float>(unit * one_sided);
-    r.backward_gain = static_cast<float>(unit * (one_sided - n[0]));
+    r.forward_gain = unit * one_sided;
+    r.backward_gain = unit * (one_sided - n[0]);
     return r;
 }
 
@@ -86,7 +83,8 @@ std::vector<float> sampled_kernel(double sigma) {
 class LineSmoother {
   public:
     explicit LineSmoother(double sigma)
-        : recursive_(sigma >= smallest_recursive_sigma),
+        : sigma_(sigma),
+          recursive_(sigma >= smallest_recursive_sigma),
           recursion_(recursive_ ? deriche(sigma) : Recursion{}),
           kernel_(recursive_ ? std::vector<float>{} : sampled_kernel(sigma)) {}
 
@@ -109,121 +107,76 @@ class LineSmoother {
             for (int k = 1; k < static_cast<int>(kernel_.size()); ++k) {
                 const Lanes& a = line[std::max(i - k, 0)];
                 const Lanes& b = line[std::min(i + k, n - 1)];
-                for (int l = 0; l < lanes; ++l) sum[l] += kernel_[k] * (a[l] + b[l]);
+                const float weight = kernel_[k];
+                for (int l = 0; l < lanes; ++l) sum[l] += weight * (a[l] + b[l]);
             }
             out[i] = sum;
         }
     }
 
+    // In double precision where the poles come near 1 and float would lose the constant part.
     void run_recursion(const std::vector<Lanes>& line, std::vector<Lanes>& out) const {
+        if (sigma_ < 6.0)
+            run_recursion<float>(line, out);
+        else
+            run_recursion<double>(line, out);
+    }
+
+    template <class Real>
+    void run_recursion(const std::vector<Lanes>& line, std::vector<Lanes>& out) const {
+        using Row = std::array<Real, lanes>;
         const int n = static_cast<int>(line.size());
-        const Recursion& r = recursion_;
-        std::array<Lanes, 4> x;  // ring buffers of the last four inputs and outputs
-        std::array<Lanes, 4> y;
-        for (int k = 0; k < 4; ++k)
-            for (int l = 0; l < lanes; ++l) {
-                x[k][l] = line[0][l];
-                y[k][l] = r.forward_gain * line[0][l];
-            }
+        const std::array<Real, 4> forward = narrowed<Real>(recursion_.forward);
+        const std::array<Real, 4> backward = narrowed<Real>(recursion_.backward);
+        const std::array<Real, 4> feedback = narrowed<Real>(recursion_.feedback);
+        std::array<Row, 4> x;  // ring buffers of the last four inputs and outputs
+        std::array<Row, 4> y;
+        const auto begin_with = [&](const Lanes& border, double gain) {
+            for (int k = 0; k < 4; ++k)
+                for (int l = 0; l < lanes; ++l) {
+                    x[k][l] = static_cast<Real>(border[l]);
+                    y[k][l] = static_cast<Real>(gain) * x[k][l];
+                }
+        };
+        begin_with(line[0], recursion_.forward_gain);
         for (int i = 0; i < n; ++i) {
-            x[i & 3] = line[i];
-            Lanes& next = y[i & 3];
-            for (int l = 0; l < lanes; ++l)
-                next[l] = r.forward[0] * x[i & 3][l] + r.forward[1] * x[(i - 1) & 3][l] +
-                          r.forward[2] * x[(i - 2) & 3][l] + r.forward[3] * x[(i - 3) & 3][l] -
-                          r.feedback[0] * y[(i - 1) & 3][l] - r.feedback[1] * y[(i - 2) & 3][l] -
-                          r.feedback[2] * y[(i - 3) & 3][l] - r.feedback[3] * next[l];
-            out[i] = next;
+            Row& now = x[i & 3];
+            Row& next = y[i & 3];
+            for (int l = 0; l < lanes; ++l) {
+                now[l] = static_cast<Real>(line[i][l]);
+                next[l] = forward[0] * now[l] + forward[1] * x[(i - 1) & 3][l] +
+                          forward[2] * x[(i - 2) & 3][l] + forward[3] * x[(i - 3) & 3][l] -
+                          feedback[0] * y[(i - 1) & 3][l] - feedback[1] * y[(i - 2) & 3][l] -
+                          feedback[2] * y[(i - 3) & 3][l] - feedback[3] * next[l];
+                out[i][l] = static_cast<float>(next[l]);
+            }
         }
-        for (int k = 0; k < 4; ++k)
-            for (int l = 0; l < lanes; ++l) {
-                x[k][l] = line[n - 1][l];
-                y[k][l] = r.backward_gain * line[n - 1][l];
-            }
+        begin_with(line[n - 1], recursion_.backward_gain);
         for (int i = n - 1; i >= 0; --i) {
-            Lanes& next = y[i & 3];
+            Row& now = x[i & 3];
+            Row& next = y[i & 3];
             for (int l = 0; l < lanes; ++l) {
-                next[l] = r.backward[0] * x[(i + 1) & 3][l] + r.backward[1] * x[(i + 2) & 3][l] +
-                          r.backward[2] * x[(i + 3) & 3][l] + r.backward[3] * x[i & 3][l] -
-                          r.feedback[0] * y[(i + 1) & 3][l] - r.feedback[1] * y[(i + 2) & 3][l] -
-                          r.feedback[2] * y[(i + 3) & 3][l] - r.feedback[3] * next[l];
-                out[i][l] += next[l];
+                next[l] = backward[0] * x[(i + 1) & 3][l] + backward[1] * x[(i + 2) & 3][l] +
+                          backward[2] * x[(i + 3) & 3][l] + backward[3] * now[l] -
+                          feedback[0] * y[(i + 1) & 3][l] - feedback[1] * y[(i + 2) & 3][l] -
+                          feedback[2] * y[(i + 3) & 3][l] - feedback[3] * next[l];
+                out[i][l] += static_cast<float>(next[l]);
+                now[l] = static_cast<Real>(line[i][l]);
             }
-            x[i & 3] = line[i];
         }
     }
 
+    template <class Real>
+    static std::array<Real, 4> narrowed(const std::array<double, 4>& values) {
+        return {static_cast<Real>(values[0]), static_cast<Real>(values[1]),
+                static_cast<Real>(values[2]), static_cast<Real>(values[3])};
+    }
+
+    double sigma_;  // in voxels
     bool recursive_;
     Recursion recursion_;
     std::vector<float> kernel_;
 };
-
-// The lines along `axis`, in bundles of `lanes` neighbours along the axis that runs across them.
-class Bundles {
-  public:
-    Bundles(FloatVolume& image, int axis) : image_(image), axis_(axis) {
-        const Grid& grid = image.grid;
-        across_ = axis == 0 ? 1 : 0;
-        rest_ = axis == 2 ? 1 : 2;
-        per_row_ = (grid.dims[across_] + lanes - 1) / lanes;
-        strides_ = {1, static_cast<std::size_t>(grid.dims[0]), grid.offset(0, 0, 1)};
-    }
-
-    std::size_t count() const {
-        return static_cast<std::size_t>(per_row_) * image_.grid.dims[rest_];
-    }
-
-    void load(std::size_t bundle, std::vector<Lanes>& line) const {
-        line.resize(image_.grid.dims[axis_]);
-        visit(bundle, line, [](float& voxel, float& sample) { sample = voxel; });
-    }
-    void store(std::size_t bundle, std::vector<Lanes>& line) const {
-        visit(bundle, line, [](float& voxel, float& sample) { voxel = sample; });
-    }
-
-  private:
-    template <class Move>
-    void visit(std::size_t bundle, std::vector<Lanes>& line, const Move& move) const {
-        const int first = static_cast<int>(bundle % per_row_) * lanes;
-        const int width = std::min(lanes, image_.grid.dims[across_] - first);
-        float* start =
-            image_.voxels.data() + first * strides_[across_] + bundle / per_row_ * strides_[rest_];
-        if (axis_ == 0) {  // along memory: one lane after the other
-            for (int l = 0; l < width; ++l)
-                for (std::size_t i = 0; i < line.size(); ++i)
-                    move(start[l * strides_[1] + i], line[i][l]);
-        } else {
-            for (std::size_t i = 0; i < line.size(); ++i)
-                for (int l = 0; l < width; ++l) move(start[i * strides_[axis_] + l], line[i][l]);
-        }
-    }
-
-    FloatVolume& image_;
-    int axis_;
-    int across_;
-    int rest_;
-    int per_row_;
-    std::array<std::size_t, 3> strides_;
-};
-
-void smooth_axis(FloatVolume& image, int axis, double sigma_voxels, Job& job) {
-    const Bundles bundles(image, axis);
-    const LineSmoother smoother(sigma_voxels);
-    std::atomic<std::size_t> done{0};
-    constexpr std::size_t block = 16;
-    parallel_blocks(bundles.count(), block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Lanes> line;
-        std::vector<Lanes> spare;
-        for (std::size_t b = begin; b < end; ++b) {
-            bundles.load(b, line);
-            smoother.smooth(line, spare);
-            bundles.store(b, line);
-        }
-        done += end - begin;
-        job.advance((axis + static_cast<double>(done) / static_cast<double>(bundles.count())) /
-                    3.0);
-    });
-}
 
 }  // namespace
 
@@ -232,8 +185,13 @@ void gaussian_smooth(FloatVolume& image, const Vec3& sigma_mm, Job& job) {
         if (!(sigma_mm[axis] >= 0.0) || !std::isfinite(sigma_mm[axis]))
             throw InputError("is " + std::to_string(sigma_mm[axis]), "smoothing width in mm",
                              "Choose a width of 0 or more");
-        if (sigma_mm[axis] > 0.0 && image.grid.dims[axis] > 1)
-            smooth_axis(image, axis, sigma_mm[axis] / image.grid.spacing_mm[axis], job);
+        if (sigma_mm[axis] == 0.0 || image.grid.dims[axis] == 1) continue;
+        const LineSmoother smoother(sigma_mm[axis] / image.grid.spacing_mm[axis]);
+        filter_lines(image, axis, job, [&] {
+            return [&smoother, spare = std::vector<Lanes>()](std::vector<Lanes>& line) mutable {
+                smoother.smooth(line, spare);
+            };
+        });
     }
 }
 
