@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strain energy, stress and stiffness at one point of an elastic body, for host and device. Every
-// law is W(F) + U(theta): theta measures dilatation and may be averaged over an element, which is
-// the cure for volumetric locking (mean dilatation; Nagtegaal, Parks and Rice 1974).
-//   Corotated:  W = mu |F - R|^2, theta = trace(R^T F) - 3, U = lambda/2 theta^2
-//   NeoHookean: the stable form of Smith, de Goes and Kim 2018, with mu' = 4/3 mu and
+// law is W(F) + U(theta): theta measures dilatation, and U takes its mean over the element, which
+// is the cure for volumetric locking (mean dilatation; Nagtegaal, Parks and Rice 1974). Lame's
+// lambda is split between the two: W holds what is safe at every point, U the rest.
+//   Corotated:  theta = trace(R^T F) - 3, W = mu |F - R|^2 + local_lambda/2 theta^2
+//   NeoHookean: the stable form of Smith, de Goes and Kim 2018, theta = J - 1, with mu' = 4/3 mu
+//   and
 //               lambda' = lambda + 5/6 mu, so that small strains obey Hooke's law exactly
 #pragma once
 
@@ -72,8 +74,9 @@ HEPATICA_HOST_DEVICE void set_pair(PrincipalTangent<T>& tangent, int k, T flip, 
 
 template <class T>
 struct CorotatedLaw {
-    T lambda;
     T mu;
+    T local_lambda;  // at every point
+    T mean_lambda;   // on the mean dilatation; Lame's lambda is the sum of both
 
     struct Point {
         Matrix3<T> f;
@@ -90,14 +93,12 @@ struct CorotatedLaw {
     }
     HEPATICA_HOST_DEVICE T isochoric_energy(const Point& point) const {
         const Matrix3<T> d = point.f - point.rotation;
-        return mu * inner(d, d);
+        return mu * inner(d, d) + T(0.5) * local_lambda * point.theta * point.theta;
     }
     HEPATICA_HOST_DEVICE Matrix3<T> stress(const Point& point, T p) const {
-        return T(2) * mu * (point.f - point.rotation) + p * point.rotation;
+        return T(2) * mu * (point.f - point.rotation) +
+               (p + local_lambda * point.theta) * point.rotation;
     }
-    HEPATICA_HOST_DEVICE T volume_energy(T theta) const { return T(0.5) * lambda * theta * theta; }
-    HEPATICA_HOST_DEVICE T pressure(T theta) const { return lambda * theta; }
-    HEPATICA_HOST_DEVICE T bulk() const { return lambda; }
 
     // Hessian of W + p theta, projected onto the positive semidefinite matrices.
     HEPATICA_HOST_DEVICE PrincipalTangent<T> projected_tangent(const Point& point, T p) const {
@@ -106,11 +107,13 @@ struct CorotatedLaw {
         PrincipalTangent<T> tangent;
         tangent.u = svd.u;
         tangent.v = svd.v;
-        tangent.normal = T(2) * mu * identity_matrix<T>();
+        const Vector3<T> one{{T(1), T(1), T(1)}};
+        tangent.normal = T(2) * mu * identity_matrix<T>() + local_lambda * outer(one, one);
+        const T pull = T(2) * (p + local_lambda * point.theta) - T(4) * mu;
         const T tiny = epsilon<T>() * (absolute(svd.sigma[0]) + T(1));
         for (int k = 0; k < 3; ++k) {
             const T sum = larger(svd.sigma[(k + 1) % 3] + svd.sigma[(k + 2) % 3], tiny);
-            set_pair(tangent, k, T(2) * mu, T(2) * mu + (T(2) * p - T(4) * mu) / sum);
+            set_pair(tangent, k, T(2) * mu, T(2) * mu + pull / sum);
         }
         return tangent;
     }
@@ -118,8 +121,9 @@ struct CorotatedLaw {
 
 template <class T>
 struct NeoHookeanLaw {
-    T lambda;  // Lame's
-    T mu;
+    T mu;  // Lame's
+    T local_lambda;
+    T mean_lambda;
 
     struct Point {
         Matrix3<T> f;
@@ -137,16 +141,14 @@ struct NeoHookeanLaw {
     // lambda/2 (J - 1)^2 the published energy, split so that either part is stable by itself.
     HEPATICA_HOST_DEVICE T isochoric_energy(const Point& point) const {
         const T i = inner(point.f, point.f) - T(3), d = point.theta;
-        return mu * (T(2) / T(3) * (i - std::log1p(T(0.25) * i)) - d + T(5) / T(12) * d * d);
+        return mu * (T(2) / T(3) * (i - std::log1p(T(0.25) * i)) - d) +
+               T(0.5) * local_bulk() * d * d;
     }
     HEPATICA_HOST_DEVICE Matrix3<T> stress(const Point& point, T p) const {
         const T ic = inner(point.f, point.f);
         const T stretch = T(4) / T(3) * mu * (T(1) - T(1) / (ic + T(1)));
         return stretch * point.f + (p + local_pressure(point)) * point.cofactors;
     }
-    HEPATICA_HOST_DEVICE T volume_energy(T theta) const { return T(0.5) * lambda * theta * theta; }
-    HEPATICA_HOST_DEVICE T pressure(T theta) const { return lambda * theta; }
-    HEPATICA_HOST_DEVICE T bulk() const { return lambda; }
 
     // Hessian of W + p theta, projected onto the positive semidefinite matrices.
     HEPATICA_HOST_DEVICE PrincipalTangent<T> projected_tangent(const Point& point, T p) const {
@@ -160,7 +162,7 @@ struct NeoHookeanLaw {
         const T m = T(4) / T(3) * mu, plus = T(1) / (dot(s, s) + T(1)), stretch = m * (T(1) - plus),
                 total = p + local_pressure(point);
         tangent.normal = (T(2) * m * plus * plus) * outer(s, s) + stretch * identity_matrix<T>() +
-                         (T(5) / T(6) * mu) * outer(area, area);
+                         local_bulk() * outer(area, area);
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
             tangent.normal(i, j) += total * s[k];
@@ -173,8 +175,9 @@ struct NeoHookeanLaw {
 
   private:
     HEPATICA_HOST_DEVICE T local_pressure(const Point& point) const {
-        return mu * (T(5) / T(6) * point.theta - T(1));
+        return local_bulk() * point.theta - mu;
     }
+    HEPATICA_HOST_DEVICE T local_bulk() const { return T(5) / T(6) * mu + local_lambda; }
 };
 
 // The 3x3 block of  sum dP/dF : (a (x) b)  for two shape gradients taken into the frame v, that is

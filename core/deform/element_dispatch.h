@@ -21,11 +21,10 @@ double evaluate_elastic(ElementModel model, const small::TetrahedronRest<double>
     if (model == ElementModel::neohookean) {
         constexpr auto projected =
             tangent == small::Tangent::none ? tangent : small::Tangent::projected;
-        return small::evaluate_tetrahedron<Nodes, projected>(
-            small::NeoHookeanLaw<double>{rest.lambda, rest.mu}, rest, x, force, blocks);
+        return small::evaluate_tetrahedron<Nodes, projected, small::NeoHookeanLaw>(rest, x, force,
+                                                                                   blocks);
     }
-    return small::evaluate_tetrahedron<Nodes, tangent>(
-        small::CorotatedLaw<double>{rest.lambda, rest.mu}, rest, x, force, blocks);
+    return small::evaluate_tetrahedron<Nodes, tangent, small::CorotatedLaw>(rest, x, force, blocks);
 }
 
 // Energy of element e of the group; force and blocks as in evaluate_tetrahedron (may be null).

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tetrahedra of 4 and 10 nodes for any constitutive law: energy, force and stiffness, for host and
 // device. The linear element has one integration point, the quadratic one four, with straight edges
-// at rest and the dilatation averaged over the element, so that it does not lock near nu = 1/2.
+// at rest. Resistance to dilatation beyond that of nu = 0.4 acts on the element's mean, so that the
+// quadratic element does not lock near nu = 1/2 and is the usual one below.
 #pragma once
 
 #include "core/deform/constitutive_law.h"
@@ -85,7 +86,14 @@ HEPATICA_HOST_DEVICE Matrix3<T> deformation_gradient(const Vector3<T>* x, const 
     return f;
 }
 
-// Adds one point's share of the stiffness without its dilatation.
+// The law of an element: one point takes all of lambda, several share what exceeds 4 mu.
+template <int Nodes, template <class> class Law, class T>
+HEPATICA_HOST_DEVICE Law<T> law_of(const TetrahedronRest<T>& rest) {
+    const T local = Nodes == 4 ? rest.lambda : smaller(rest.lambda, T(4) * rest.mu);
+    return {rest.mu, local, rest.lambda - local};
+}
+
+// Adds one point's share of the stiffness.
 template <int Nodes, Tangent tangent, class Law, class T>
 HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law::Point& point,
                                               T pressure, T weight, const Vector3<T>* g,
@@ -93,17 +101,17 @@ HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law
     Vector3<T> h[Nodes];
     if constexpr (tangent == Tangent::rotated) {
         for (int a = 0; a < Nodes; ++a) h[a] = point.rotation * g[a];
-        const T s = weight * law.mu;
-        for (int a = 0; a < Nodes; ++a)
+        for (int a = 0; a < Nodes; ++a) {
+            const Vector3<T> sa = (weight * law.mu) * h[a], la = (weight * law.local_lambda) * h[a];
             for (int b = a + 1; b < Nodes; ++b) {
                 Matrix3<T>& k = blocks[pair_index<Nodes>(a, b)];
-                const Vector3<T> sa = s * h[a];
                 const T diagonal = dot(sa, h[b]);
                 for (int i = 0; i < 3; ++i) {
-                    for (int j = 0; j < 3; ++j) k(i, j) += h[b][i] * sa[j];
+                    for (int j = 0; j < 3; ++j) k(i, j) += h[b][i] * sa[j] + la[i] * h[b][j];
                     k(i, i) += diagonal;
                 }
             }
+        }
     } else {
         const PrincipalTangent<T> principal = law.projected_tangent(point, pressure);
         for (int a = 0; a < Nodes; ++a) h[a] = transposed_times(principal.v, g[a]);
@@ -121,10 +129,11 @@ HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law
 // force (may be null) receives the elastic force on each node [uN]; blocks (null with
 // Tangent::none) receives the stiffness blocks of all pairs a < b, K = -dforce_a/dx_b [uN/mm]; the
 // diagonal blocks are minus the sum of their row, since a translation costs nothing.
-template <int Nodes, Tangent tangent, class Law, class T>
-HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const Law& law, const TetrahedronRest<T>& rest,
-                                            const Vector3<T>* x, Vector3<T>* force,
-                                            Matrix3<T>* blocks) {
+template <int Nodes, Tangent tangent, template <class> class LawOf, class T>
+HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, const Vector3<T>* x,
+                                            Vector3<T>* force, Matrix3<T>* blocks) {
+    using Law = LawOf<T>;
+    const Law law = detail::law_of<Nodes, LawOf>(rest);
     constexpr int points = detail::point_count<Nodes>;
     Vector3<T> g[points][Nodes];
     typename Law::Point point[points];
@@ -135,15 +144,15 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const Law& law, const TetrahedronRes
         theta += point[q].theta / T(points);
         energy += law.isochoric_energy(point[q]) / T(points);
     }
-    energy = rest.volume * (energy + law.volume_energy(theta));
+    energy = rest.volume * (energy + T(0.5) * law.mean_lambda * theta * theta);
     if (!force && !blocks) return energy;
 
-    const T pressure = law.pressure(theta), weight = rest.volume / T(points);
+    const T pressure = law.mean_lambda * theta, weight = rest.volume / T(points);
     if (force)
         for (int a = 0; a < Nodes; ++a) force[a] = {{T(0), T(0), T(0)}};
     if constexpr (tangent != Tangent::none)
         for (int k = 0; k < pair_count<Nodes>; ++k) blocks[k] = zero_matrix<T>();
-    Vector3<T> h[Nodes];  // gradient of the mean dilatation
+    Vector3<T> h[Nodes];  // gradient of the mean dilatation, where it differs from the point's
     for (int a = 0; a < Nodes; ++a) h[a] = {{T(0), T(0), T(0)}};
     for (int q = 0; q < points; ++q) {
         if (force) {
@@ -154,13 +163,14 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const Law& law, const TetrahedronRes
             detail::add_point_stiffness<Nodes, tangent>(law, point[q], pressure, weight, g[q],
                                                         blocks);
             const Matrix3<T> gradient = Law::theta_gradient(point[q]);
-            for (int a = 0; a < Nodes; ++a) h[a] = h[a] + (T(1) / T(points)) * (gradient * g[q][a]);
+            for (int a = 0; a < Nodes && points > 1; ++a)
+                h[a] = h[a] + (T(1) / T(points)) * (gradient * g[q][a]);
         }
     }
     if (force)
         for (int a = 1; a < Nodes; ++a) force[0] = force[0] - force[a];
-    if constexpr (tangent != Tangent::none) {
-        const T bulk = rest.volume * law.bulk();
+    if constexpr (tangent != Tangent::none && points > 1) {
+        const T bulk = rest.volume * law.mean_lambda;
         for (int a = 0; a < Nodes; ++a) {
             const Vector3<T> s = bulk * h[a];
             for (int b = a + 1; b < Nodes; ++b) {
