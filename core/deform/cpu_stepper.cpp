@@ -9,6 +9,7 @@
 #include "core/deform/backward_euler.h"
 #include "core/deform/energy_ledger.h"
 #include "core/deform/external_forces.h"
+#include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
 namespace {
@@ -35,10 +36,12 @@ StepperOptions checked(const StepperOptions& options) {
 std::unique_ptr<LinearSolver> solver_for(const Body& body, const BodyDescription& description,
                                          const StepperOptions& options) {
     if (options.solver == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
-    const FrameSkeleton skeleton = description.skeleton.positions_mm.empty()
-                                       ? skeleton_of_mesh(description.mesh)
-                                       : description.skeleton;
-    return make_linear_solver(options.solver, skeleton, body.rest_positions_mm);
+    if (!description.skeleton.positions_mm.empty())
+        return make_linear_solver(options.solver, description.skeleton, body.rest_positions_mm);
+    TetMesh mesh = description.mesh;
+    const auto cut = cut_into_tetrahedra(description.hexahedra);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), cut.begin(), cut.end());
+    return make_linear_solver(options.solver, skeleton_of_mesh(mesh), body.rest_positions_mm);
 }
 
 NewtonSettings newton_of(const StepperOptions& options) {

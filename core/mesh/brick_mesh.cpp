@@ -25,42 +25,23 @@ std::vector<Vec3> lattice(const Vec3& size, const Index3& cells) {
     return vertices;
 }
 
-// Calls visit(corner) for each cell; corner[b] has bit 0 of b for x, bit 1 for y, bit 2 for z.
-template <class Visit>
-void for_each_cell(const Index3& cells, const Visit& visit) {
-    const int row = cells[0] + 1, layer = row * (cells[1] + 1);
-    for (int k = 0; k < cells[2]; ++k)
-        for (int j = 0; j < cells[1]; ++j)
-            for (int i = 0; i < cells[0]; ++i) {
-                const int base = i + row * j + layer * k;
-                std::array<int, 8> corner;
-                for (int b = 0; b < 8; ++b)
-                    corner[b] = base + (b & 1) + row * ((b >> 1) & 1) + layer * (b >> 2);
-                visit(corner);
-            }
-}
-
 }  // namespace
 
 TetMesh kuhn_brick(const Vec3& size_mm, const Index3& cells) {
-    TetMesh mesh{lattice(size_mm, cells), {}};
-    // Paths from corner 0 to corner 7 along one axis at a time; odd permutations swap two corners
-    // to keep the orientation.
-    constexpr int paths[6][4] = {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7},
-                                 {0, 3, 2, 7}, {0, 6, 4, 7}, {0, 5, 1, 7}};
-    for_each_cell(cells, [&](const std::array<int, 8>& corner) {
-        for (const auto& path : paths)
-            mesh.tetrahedra.push_back(
-                {corner[path[0]], corner[path[1]], corner[path[2]], corner[path[3]]});
-    });
-    return mesh;
+    HexMesh brick = hexahedral_brick(size_mm, cells);
+    return {std::move(brick.vertices_mm), cut_into_tetrahedra(brick.hexahedra)};
 }
 
 HexMesh hexahedral_brick(const Vec3& size_mm, const Index3& cells) {
     HexMesh mesh{lattice(size_mm, cells), {}};
-    for_each_cell(cells, [&](const std::array<int, 8>& c) {
-        mesh.hexahedra.push_back({c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
-    });
+    const int row = cells[0] + 1, layer = row * (cells[1] + 1);
+    for (int k = 0; k < cells[2]; ++k)
+        for (int j = 0; j < cells[1]; ++j)
+            for (int i = 0; i < cells[0]; ++i) {
+                const int base = i + row * j + layer * k, above = base + layer;
+                mesh.hexahedra.push_back({base, base + 1, base + row + 1, base + row, above,
+                                          above + 1, above + row + 1, above + row});
+            }
     return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "core/mesh/tet_mesh.h"
 
 namespace hepatica {
 
@@ -14,5 +15,10 @@ struct HexMesh {
     std::vector<Vec3> vertices_mm;
     std::vector<std::array<int, 8>> hexahedra;
 };
+
+// Six tetrahedra a hexahedron, around the diagonal from corner 0 to corner 6 (Kuhn 1960). They
+// conform where neighbours are numbered alike, as in a brick. For surfaces and skeletons.
+std::vector<std::array<int, 4>> cut_into_tetrahedra(
+    const std::vector<std::array<int, 8>>& hexahedra);
 
 }  // namespace hepatica
