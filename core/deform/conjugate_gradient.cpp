@@ -154,8 +154,11 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     const auto finished = [&] {
         const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;
         const double residual_limit = limits.residual_tolerance * limits.residual_tolerance;
+        // A semidefinite preconditioner may see nothing of a residual that is still there.
+        if (work == 0.0) error_squared = residual_squared > 0.0 ? INFINITY : 0.0;
         report.converged = (1.0 - energy_limit) * error_squared <= energy_limit * solution_energy ||
-                           residual_squared <= residual_limit * rhs_squared || work == 0.0;
+                           residual_squared <= residual_limit * rhs_squared ||
+                           residual_squared == 0.0;
         return report.converged || report.iterations >= limits.max_iterations;
     };
     while (!finished()) {
@@ -176,6 +179,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
         solution_energy += step * work;
         precondition(residual_, preconditioned_);
         const double new_work = dot(residual_, preconditioned_);
+        if (!(new_work >= 0.0) || !std::isfinite(new_work)) break;  // M is not positive definite
         const double ratio = new_work / work;
         work = new_work;
         error_squared = bound.after(step, ratio) * work;

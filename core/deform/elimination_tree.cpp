@@ -210,8 +210,7 @@ void plan_stages(EliminationTree& tree) {
     for (std::size_t s = 0; s < count; ++s) {
         const Supernode& own = tree.supernodes[s];
         work[s] += front_cost(own.count, own.rest());
-        const double k = 3.0 * own.count, m = 3.0 * own.rest();
-        tree.multiplications += k * (k * k / 6.0 + 0.5 * k * m + 0.5 * m * m);
+        tree.multiplications += multiplications(own);
         if (own.parent >= 0) {
             work[own.parent] += work[s];
             size[own.parent] += size[s];
@@ -267,6 +266,11 @@ void plan_stages(EliminationTree& tree) {
 }
 
 }  // namespace
+
+double multiplications(const Supernode& supernode) {
+    const double k = 3.0 * supernode.count, m = 3.0 * supernode.rest();
+    return k * (k * k / 6.0 + 0.5 * k * m + 0.5 * m * m);
+}
 
 EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) {
     std::vector<int> position(order.size());

@@ -23,6 +23,9 @@ struct Supernode {
     int rest() const { return rows_end - rows_begin; }
 };
 
+// Multiplications that the elimination of a supernode takes.
+double multiplications(const Supernode& supernode);
+
 // All indices count vertices (3x3 blocks).
 struct EliminationTree {
     std::vector<int> vertex_at;         // vertex eliminated at each position

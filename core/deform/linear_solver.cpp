@@ -4,7 +4,9 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/deform/automatic_solver.h"
 #include "core/deform/block_jacobi.h"
+#include "core/deform/cholesky_solver.h"
 #include "core/deform/skeleton_preconditioner.h"
 
 namespace hepatica {
@@ -42,8 +44,16 @@ std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const FrameSkeleton& skeleton,
                                                  std::span<const Vec3> rest_positions_mm) {
-    if (kind == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
-    return std::make_unique<SkeletonSolver>(skeleton, rest_positions_mm);
+    switch (kind) {
+        case LinearSolverKind::skeleton:
+            return std::make_unique<SkeletonSolver>(skeleton, rest_positions_mm);
+        case LinearSolverKind::cholesky:
+            return std::make_unique<CholeskySolver>(skeleton, rest_positions_mm);
+        case LinearSolverKind::automatic:
+            return std::make_unique<AutomaticSolver>(skeleton, rest_positions_mm);
+        default:
+            return make_block_jacobi_solver();
+    }
 }
 
 }  // namespace hepatica

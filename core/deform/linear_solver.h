@@ -36,16 +36,9 @@ class LinearSolver {
     virtual ~LinearSolver() = default;
 
     // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
-    // must stay unchanged and alive until the next prepare or update.
+    // must stay unchanged and alive until the next prepare. Solvers that keep something from
+    // one matrix to the next find out by themselves which blocks have changed.
     virtual void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) = 0;
-
-    // As prepare, for a matrix of the same pattern in which only rows (and, by symmetry, columns)
-    // of `changed_vertices` differ from the last one; costs what has changed where it can.
-    virtual void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
-                        std::span<const int> changed_vertices) {
-        static_cast<void>(changed_vertices);
-        prepare(matrix, positions_mm);
-    }
 
     // Solves A x = rhs. On entry x is the warm start (zeros where there is none).
     virtual SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,

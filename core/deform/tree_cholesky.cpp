@@ -180,7 +180,20 @@ void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> chan
     eliminated_ = static_cast<int>(std::count(dirty_.begin(), dirty_.end(), 1));
 }
 
-void TreeCholesky::solve(std::span<const Vec3> b, std::span<Vec3> x) {
+double TreeCholesky::refactor_multiplications(std::span<const int> changed_vertices) const {
+    std::vector<char> dirty(tree_.supernodes.size(), 0);
+    for (const int v : changed_vertices) dirty[tree_.supernode_of[tree_.position_of[v]]] = 1;
+    double sum = 0.0;
+    for (std::size_t s = 0; s < dirty.size(); ++s) {
+        if (!dirty[s]) continue;
+        const Supernode& own = tree_.supernodes[s];
+        sum += multiplications(own);
+        if (own.parent >= 0) dirty[own.parent] = 1;
+    }
+    return sum;
+}
+
+void TreeCholesky::forward(std::span<const Vec3> b) {
     climb(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
         double* head = heads_.data() + head_begin_[s];
@@ -200,6 +213,19 @@ void TreeCholesky::solve(std::span<const Vec3> b, std::span<Vec3> x) {
         }
         forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
     });
+}
+
+double TreeCholesky::inverse_form(std::span<const Vec3> b) {
+    forward(b);
+    return parallel_sum(heads_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i) sum += heads_[i] * heads_[i];
+        return sum;
+    });
+}
+
+void TreeCholesky::solve(std::span<const Vec3> b, std::span<Vec3> x) {
+    forward(b);
     descend(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
         double* head = heads_.data() + head_begin_[s];

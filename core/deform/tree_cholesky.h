@@ -33,6 +33,12 @@ class TreeCholesky {
     // x = A^-1 b. b and x may be the same.
     void solve(std::span<const Vec3> b, std::span<Vec3> x);
 
+    // b . A^-1 b, for half the work of solve: the squared energy norm of an error with residual b.
+    double inverse_form(std::span<const Vec3> b);
+
+    // Multiplications that refactor(changed_vertices, 0) would take.
+    double refactor_multiplications(std::span<const int> changed_vertices) const;
+
     const EliminationTree& tree() const { return tree_; }
     // Supernodes eliminated by the last factor or refactor.
     int eliminated() const { return eliminated_; }
@@ -40,6 +46,7 @@ class TreeCholesky {
 
   private:
     void factor_supernode(const BlockMatrix& matrix, int s);
+    void forward(std::span<const Vec3> b);
     bool changed_beyond(int s, std::span<const double> before, double tolerance) const;
 
     EliminationTree tree_;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses between factorisation and two-level iteration for each body by what their operations were
+// measured to cost: thin trees are factored, bulky bodies iterated. Never by the clock, so that the
+// same commands give the same bits.
+#pragma once
+
+#include "core/deform/cholesky_solver.h"
+#include "core/deform/linear_solver.h"
+#include "core/deform/skeleton_preconditioner.h"
+
+namespace hepatica {
+
+class AutomaticSolver final : public LinearSolver {
+  public:
+    AutomaticSolver(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm)
+        : cholesky_(skeleton, rest_positions_mm), skeleton_(skeleton, rest_positions_mm) {}
+
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                      const SolveLimits& limits) override {
+        return chosen_->solve(rhs, x, limits);  // its report names the method
+    }
+    std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
+
+  private:
+    CholeskySolver cholesky_;
+    SkeletonSolver skeleton_;
+    LinearSolver* chosen_ = nullptr;
+    std::vector<int> planned_rows_;
+};
+
+}  // namespace hepatica
