@@ -36,6 +36,15 @@ void add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour, do
 
 }  // namespace
 
+std::string renderer_name(vtkRenderWindow& window) {
+    const std::string report = window.ReportCapabilities();
+    const std::string key = "OpenGL renderer string:";
+    const std::size_t found = report.find(key);
+    if (found == std::string::npos) return {};
+    const std::size_t begin = report.find_first_not_of(' ', found + key.size());
+    return report.substr(begin, report.find('\n', begin) - begin);
+}
+
 bool is_software_renderer(const std::string& renderer_name) {
     for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"}) {
         if (renderer_name.find(name) != std::string::npos) return true;
@@ -67,6 +76,7 @@ struct SceneView::Parts {
     OrientationMarker orientation;
     DrugView drug;
     double pixel_ratio = 1.0;
+    bool annotated = true;
     bool pulled = false;
     bool looked = false;  // a camera was chosen for the present tree
 };
@@ -125,6 +135,8 @@ void SceneView::render(double pixel_ratio) {
                                    : 1.0);
     }
     renderer.ResetCameraClippingRange();
+    parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
+    parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->annotations.update(parts_->picture_size(), eye, parts_->drug);
     parts_->orientation.update(eye, parts_->picture_size());
     parts_->window.Render();
@@ -149,8 +161,7 @@ void SceneView::set_caption(const std::string& text) {
 }
 
 void SceneView::set_annotations_visible(bool visible) {
-    parts_->annotations.set_visible(visible);
-    parts_->orientation.set_visible(visible);
+    parts_->annotated = visible;
 }
 
 void SceneView::set_smoothing(Smoothing smoothing) {
@@ -221,15 +232,6 @@ void SceneView::drag_pan(const Pixel& from, const Pixel& to) {
 
 void SceneView::zoom_by(double factor) {
     zoom(camera(), factor);
-}
-
-std::string SceneView::renderer_name() const {
-    const std::string report = parts_->window.ReportCapabilities();
-    const std::string key = "OpenGL renderer string:";
-    const std::size_t found = report.find(key);
-    if (found == std::string::npos) return {};
-    const std::size_t begin = report.find_first_not_of(' ', found + key.size());
-    return report.substr(begin, report.find('\n', begin) - begin);
 }
 
 }  // namespace hepatica

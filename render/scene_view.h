@@ -35,6 +35,8 @@ struct ViewRay {
 // or by eight samples a pixel.
 enum class Smoothing { none, cheap, best };
 
+// What the OpenGL driver of the window, whose context must be current, calls itself.
+std::string renderer_name(vtkRenderWindow& window);
 // True for renderers without a graphics card, as Mesa's llvmpipe.
 bool is_software_renderer(const std::string& renderer_name);
 
@@ -77,8 +79,6 @@ class SceneView {
     void drag_orbit(const Pixel& from, const Pixel& to);
     void drag_pan(const Pixel& from, const Pixel& to);
     void zoom_by(double factor);
-
-    std::string renderer_name() const;  // of the OpenGL driver; empty before the first picture
 
   private:
     struct Parts;

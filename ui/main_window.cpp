@@ -300,9 +300,9 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 }
 
 void MainWindow::picture_painted(double ms) {
+    if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
     picture_ms_ = ms;
     if (!first_picture_) return;
-    status_->show_renderer(view_->renderer_name());
     // The frame is on the screen once the event loop comes round again.
     QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));
 }

@@ -16,6 +16,7 @@ void MouseTool::set_mode(MouseMode mode) {
 
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
     cancel();
+    callbacks_.hover(SurfacePick{});  // what is handled is not pointed at
     pressed_ = last_ = at;
     if (button == MouseButton::middle || (button == MouseButton::left && modifiers.shift)) {
         action_ = Action::pan;

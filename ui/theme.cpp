@@ -25,6 +25,9 @@ QPushButton { padding: 5px 12px; border-radius: 4px; background: #2c3541; border
 QPushButton:hover { background: #35404e; }
 QPushButton:disabled { color: #68717d; background: #22282f; }
 QPushButton:default { background: #3c6aa8; border-color: #4f7dbb; color: white; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid #566270; border-radius: 3px;
+    background: #181d24; }
+QCheckBox::indicator:checked { background: #4f8fd6; border-color: #7db3f0; }
 QProgressBar { border: none; border-radius: 3px; background: #262d36; height: 8px; }
 QProgressBar::chunk { background: #4f8fd6; border-radius: 3px; }
 QFrame#messageBar { background: #5a2b2b; }

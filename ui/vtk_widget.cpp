@@ -39,7 +39,7 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(200);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
-        scene_->set_smoothing(Smoothing::best);
+        scene_->set_smoothing(Smoothing::cheap);
         update();
     });
     setMouseTracking(true);

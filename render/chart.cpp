@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/chart.h"
+
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkPlotPoints.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+#include "render/text_style.h"
+
+namespace hepatica {
+namespace {
+
+constexpr std::array<Colour, 7> okabe_ito{{{0.000, 0.447, 0.698},
+                                           {0.835, 0.369, 0.000},
+                                           {0.000, 0.620, 0.451},
+                                           {0.800, 0.475, 0.655},
+                                           {0.337, 0.706, 0.914},
+                                           {0.902, 0.624, 0.000},
+                                           {0.0, 0.0, 0.0}}};
+constexpr Colour ink{0.13, 0.15, 0.18};
+
+bool drawable(const Chart& chart, double x, double y) {
+    return std::isfinite(x) && std::isfinite(y) && (!chart.logarithmic_x || x > 0.0) &&
+           (!chart.logarithmic_y || y > 0.0);
+}
+
+void add_curve(vtkChartXY& plots, const Chart& chart, std::size_t index) {
+    const Curve& curve = chart.curves[index];
+    vtkNew<vtkDoubleArray> x;
+    vtkNew<vtkDoubleArray> y;
+    x->SetName("x");
+    y->SetName(curve.name.empty() ? " " : curve.name.c_str());
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (!drawable(chart, curve.x[i], curve.y[i])) continue;
+        x->InsertNextValue(curve.x[i]);
+        y->InsertNextValue(curve.y[i]);
+    }
+    if (x->GetNumberOfTuples() == 0) return;
+    vtkNew<vtkTable> table;
+    table->AddColumn(x);
+    table->AddColumn(y);
+    vtkPlot* plot = plots.AddPlot(curve.points_only ? vtkChart::POINTS : vtkChart::LINE);
+    plot->SetInputData(table, 0, 1);
+    const Colour colour = curve_colour(index);
+    plot->SetColor(colour[0], colour[1], colour[2]);
+    plot->SetWidth(curve.points_only ? 7.0f : 2.5f);
+    if (curve.points_only) {
+        vtkPlotPoints::SafeDownCast(plot)->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    }
+}
+
+void style_axis(vtkAxis& axis, const std::string& label, bool logarithmic) {
+    axis.SetTitle(label);
+    axis.SetLogScale(logarithmic);
+    style_text(*axis.GetTitleProperties(), 15, ink);
+    style_text(*axis.GetLabelProperties(), 13, ink);
+    axis.GetGridPen()->SetColorF(0.88, 0.89, 0.91);
+    axis.GetPen()->SetColorF(ink[0], ink[1], ink[2]);
+}
+
+}  // namespace
+
+Colour curve_colour(std::size_t index) {
+    return okabe_ito[index % okabe_ito.size()];
+}
+
+std::string to_csv(const Chart& chart) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(17);
+    const auto quoted = [](std::string name) {
+        for (std::size_t i = 0; (i = name.find('"', i)) != std::string::npos; i += 2) {
+            name.insert(i, 1, '"');
+        }
+        return '"' + name + '"';
+    };
+    text << "curve," << quoted(chart.x_label) << ',' << quoted(chart.y_label) << '\n';
+    for (const Curve& curve : chart.curves) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            text << quoted(curve.name) << ',' << curve.x[i] << ',' << curve.y[i] << '\n';
+        }
+    }
+    return text.str();
+}
+
+void draw_chart(vtkRenderWindow& window, const Chart& chart) {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    vtkNew<vtkChartXY> plots;
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) add_curve(*plots, chart, i);
+    plots->SetTitle(chart.title);
+    style_text(*plots->GetTitleProperties(), 17, ink);
+    style_axis(*plots->GetAxis(vtkAxis::BOTTOM), chart.x_label, chart.logarithmic_x);
+    style_axis(*plots->GetAxis(vtkAxis::LEFT), chart.y_label, chart.logarithmic_y);
+    if (chart.curves.size() > 1) {
+        plots->SetShowLegend(true);
+        style_text(*plots->GetLegend()->GetLabelProperties(), 13, ink);
+        plots->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+        plots->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+    }
+    vtkNew<vtkContextActor> actor;
+    actor->GetScene()->AddItem(plots);
+    actor->GetScene()->SetRenderer(renderer);
+    renderer->AddActor(actor);
+    window.AddRenderer(renderer);
+    window.Render();
+    window.RemoveRenderer(renderer);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures without any display, for headless programs: one call each. Linked only where
+// hepatica_use_osmesa() was called.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/tet_mesh.h"
+#include "core/scene/frame.h"
+#include "render/camera.h"
+#include "render/chart.h"
+#include "render/picture.h"
+
+namespace hepatica {
+
+struct PictureOptions {
+    int width = 1280;
+    int height = 960;
+    ViewDirection view = ViewDirection::anterior;
+    double zoom = 1.0;            // 1: all of the tree fits
+    double turn_right_deg = 0.0;  // away from the view, as by the mouse
+    double turn_up_deg = 0.0;
+    std::string caption;
+    bool annotations = true;          // legend, scale bar, orientation
+    std::vector<int> vertex_systems;  // vascular system per vertex; empty: all portal
+    TriangleMesh liver;               // drawn as a ghost; may be empty
+};
+
+struct OffscreenPicture {
+    Picture picture;
+    std::string renderer;  // name of the OpenGL renderer
+};
+
+// Throws UsageError where the size makes no sense, Error where there is no OpenGL.
+OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options);
+OffscreenPicture draw_chart(const Chart& chart, int width = 960, int height = 640);
+
+}  // namespace hepatica

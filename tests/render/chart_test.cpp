@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "render/offscreen_picture.h"
+#include "tests/render/fake_frame.h"
+#include "tests/render/screenshot.h"
+
+namespace hepatica {
+namespace {
+
+Chart two_laws() {
+    Chart chart{
+        "Loss of pressure along one vessel", "Reynolds number", "Pressure (Pa)", {}, true, true};
+    for (const double exponent : {1.0, 1.75}) {
+        Curve curve;
+        curve.name = exponent == 1.0 ? "laminar" : "turbulent";
+        for (double re = 1.0; re <= 1e5; re *= 1.5) {
+            curve.x.push_back(re);
+            curve.y.push_back(0.01 * std::pow(re, exponent));
+        }
+        chart.curves.push_back(curve);
+    }
+    return chart;
+}
+
+TEST(Chart, looks_as_it_did) {
+    const OffscreenPicture drawn = draw_chart(two_laws(), 480, 320);
+    testing::expect_matches_baseline(drawn.picture, "chart");
+}
+
+TEST(Chart, leaves_out_what_cannot_be_drawn) {
+    Chart chart = two_laws();
+    const Picture clean = draw_chart(chart, 480, 320).picture;
+    chart.curves[0].x.push_back(10.0);
+    chart.curves[0].y.push_back(std::numeric_limits<double>::quiet_NaN());
+    chart.curves[0].x.push_back(-1.0);
+    chart.curves[0].y.push_back(3.0);
+    EXPECT_EQ(draw_chart(chart, 480, 320).picture.rgb, clean.rgb);
+    EXPECT_NO_THROW(draw_chart(Chart{}, 64, 64));
+}
+
+TEST(Chart, writes_csv_that_reads_back_to_the_last_bit) {
+    Chart chart{"t", "x", "y", {{"a \"b\"", {0.1}, {1.0 / 3.0}}}};
+    const std::string csv = to_csv(chart);
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "curve,\"x\",\"y\"");
+    EXPECT_NE(csv.find("\"a \"\"b\"\"\","), std::string::npos);
+    EXPECT_EQ(std::stod(csv.substr(csv.rfind(',') + 1)), 1.0 / 3.0);
+}
+
+TEST(OffscreenPicture, is_drawn_as_asked) {
+    PictureOptions options;
+    options.width = 240;
+    options.height = 180;
+    const Frame frame = testing::fake_frame(0.2, 1.0);
+    const OffscreenPicture front = draw_frame(frame, options);
+    EXPECT_EQ(front.picture.width, 240);
+    EXPECT_EQ(front.picture.height, 180);
+    EXPECT_FALSE(front.renderer.empty());
+    EXPECT_EQ(draw_frame(frame, options).picture.rgb, front.picture.rgb);
+    options.view = ViewDirection::superior;
+    EXPECT_NE(draw_frame(frame, options).picture.rgb, front.picture.rgb);
+    options.width = 0;
+    EXPECT_THROW(draw_frame(frame, options), UsageError);
+}
+
+}  // namespace
+}  // namespace hepatica
