@@ -13,11 +13,15 @@
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -40,6 +44,12 @@ bool drawable(const Chart& chart, double x, double y) {
            (!chart.logarithmic_y || y > 0.0);
 }
 
+// VTK's own logarithmic axes take the logarithm twice once a plot was updated, so the plots get
+// logarithms and the axes name the decades.
+double on_axis(double value, bool logarithmic) {
+    return logarithmic ? std::log10(value) : value;
+}
+
 void add_curve(vtkChartXY& plots, const Chart& chart, std::size_t index) {
     const Curve& curve = chart.curves[index];
     vtkNew<vtkDoubleArray> x;
@@ -48,8 +58,8 @@ void add_curve(vtkChartXY& plots, const Chart& chart, std::size_t index) {
     y->SetName(curve.name.empty() ? " " : curve.name.c_str());
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         if (!drawable(chart, curve.x[i], curve.y[i])) continue;
-        x->InsertNextValue(curve.x[i]);
-        y->InsertNextValue(curve.y[i]);
+        x->InsertNextValue(on_axis(curve.x[i], chart.logarithmic_x));
+        y->InsertNextValue(on_axis(curve.y[i], chart.logarithmic_y));
     }
     if (x->GetNumberOfTuples() == 0) return;
     vtkNew<vtkTable> table;
@@ -59,15 +69,60 @@ void add_curve(vtkChartXY& plots, const Chart& chart, std::size_t index) {
     plot->SetInputData(table, 0, 1);
     const Colour colour = curve_colour(index);
     plot->SetColor(colour[0], colour[1], colour[2]);
-    plot->SetWidth(curve.points_only ? 7.0f : 2.5f);
+    plot->SetWidth(2.5f);
     if (curve.points_only) {
-        vtkPlotPoints::SafeDownCast(plot)->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+        auto* points = vtkPlotPoints::SafeDownCast(plot);
+        points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+        points->SetMarkerSize(9.0f);
     }
 }
 
-void style_axis(vtkAxis& axis, const std::string& label, bool logarithmic) {
+struct Range {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+};
+
+Range range_of(const Chart& chart, std::vector<double> Curve::*values) {
+    Range range;
+    for (const Curve& curve : chart.curves) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (!drawable(chart, curve.x[i], curve.y[i])) continue;
+            range.lowest = std::min(range.lowest, (curve.*values)[i]);
+            range.highest = std::max(range.highest, (curve.*values)[i]);
+        }
+    }
+    return range;
+}
+
+std::string decade_name(int exponent) {
+    if (exponent >= -2 && exponent <= 3) {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text << std::pow(10.0, exponent);
+        return text.str();
+    }
+    return "1e" + std::to_string(exponent);
+}
+
+void name_decades(vtkAxis& axis, const Range& range) {
+    if (!(range.lowest <= range.highest)) return;
+    const int first = static_cast<int>(std::floor(std::log10(range.lowest) + 1e-9));
+    const int last =
+        std::max(first + 1, static_cast<int>(std::ceil(std::log10(range.highest) - 1e-9)));
+    const int stride = 1 + (last - first) / 10;
+    vtkNew<vtkDoubleArray> places;
+    vtkNew<vtkStringArray> names;
+    for (int exponent = first; exponent <= last; exponent += stride) {
+        places->InsertNextValue(exponent);
+        names->InsertNextValue(decade_name(exponent));
+    }
+    axis.SetCustomTickPositions(places, names);
+    axis.SetBehavior(vtkAxis::FIXED);
+    axis.SetRange(first, last);
+}
+
+void style_axis(vtkAxis& axis, const std::string& label) {
     axis.SetTitle(label);
-    axis.SetLogScale(logarithmic);
     style_text(*axis.GetTitleProperties(), 15, ink);
     style_text(*axis.GetLabelProperties(), 13, ink);
     axis.GetGridPen()->SetColorF(0.88, 0.89, 0.91);
@@ -106,12 +161,16 @@ void draw_chart(vtkRenderWindow& window, const Chart& chart) {
     for (std::size_t i = 0; i < chart.curves.size(); ++i) add_curve(*plots, chart, i);
     plots->SetTitle(chart.title);
     style_text(*plots->GetTitleProperties(), 17, ink);
-    style_axis(*plots->GetAxis(vtkAxis::BOTTOM), chart.x_label, chart.logarithmic_x);
-    style_axis(*plots->GetAxis(vtkAxis::LEFT), chart.y_label, chart.logarithmic_y);
+    vtkAxis& across = *plots->GetAxis(vtkAxis::BOTTOM);
+    vtkAxis& up = *plots->GetAxis(vtkAxis::LEFT);
+    style_axis(across, chart.x_label);
+    style_axis(up, chart.y_label);
+    if (chart.logarithmic_x) name_decades(across, range_of(chart, &Curve::x));
+    if (chart.logarithmic_y) name_decades(up, range_of(chart, &Curve::y));
     if (chart.curves.size() > 1) {
         plots->SetShowLegend(true);
         style_text(*plots->GetLegend()->GetLabelProperties(), 13, ink);
-        plots->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+        plots->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
         plots->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
     }
     vtkNew<vtkContextActor> actor;

@@ -29,9 +29,19 @@ Chart two_laws() {
     return chart;
 }
 
-TEST(Chart, looks_as_it_did) {
+TEST(Chart, looks_as_it_did_on_plain_axes) {
+    const Chart chart{"Delivered fraction",
+                      "Time (s)",
+                      "Share of the drug (%)",
+                      {{"left lobe", {0, 1, 2, 3}, {0, 4, 22, 31}},
+                       {"right lobe", {0, 1, 2, 3}, {0, 10, 41, 69}},
+                       {"measured", {0.5, 1.5, 2.5}, {3, 20, 60}, true}}};
+    testing::expect_matches_baseline(draw_chart(chart, 480, 320).picture, "chart_plain");
+}
+
+TEST(Chart, looks_as_it_did_on_logarithmic_axes) {
     const OffscreenPicture drawn = draw_chart(two_laws(), 480, 320);
-    testing::expect_matches_baseline(drawn.picture, "chart");
+    testing::expect_matches_baseline(drawn.picture, "chart_logarithmic");
 }
 
 TEST(Chart, leaves_out_what_cannot_be_drawn) {
