@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "core/anatomy/interpolation.h"
@@ -11,44 +12,147 @@ namespace hepatica {
 
 namespace {
 
-constexpr int rays = 24;
+constexpr int ray_count = 24;
+constexpr double rim_voxels = 2.0;  // beyond the mask, where blurring has carried intensity
+constexpr double surroundings_voxels = 4.5;  // beyond the mask, the far border of the background
+constexpr double longest_ray = 1.6;          // over the median: longer rays run into a branch
 
-// Distance along a ray to where the mask falls below one half.
-double ray_length_mm(const Mask& mask, const Vec3& point_mm, const Vec3& ray, double step_mm,
-                     double reach_mm) {
-    double before = interpolate(mask, point_mm);
-    for (double t = step_mm; t < reach_mm; t += step_mm) {
-        const double value = interpolate(mask, point_mm + t * ray);
-        if (value < 0.5) return t - step_mm * (0.5 - value) / (before - value);
-        before = value;
+struct Ray {
+    Vec3 direction;
+    double wall_mm = 0.0;   // where the mask ends
+    double clear_mm = 0.0;  // up to here no other vessel begins
+    bool usable = true;
+};
+
+class Section {
+  public:
+    Section(const Mask& mask, const Volume* ct, const Vec3& point_mm, const Vec3& direction)
+        : mask_(mask),
+          ct_(ct),
+          point_mm_(point_mm),
+          voxel_mm_(std::cbrt(mask.grid.spacing_mm.prod())),
+          step_mm_(0.25 * mask.grid.spacing_mm.minCoeff()) {
+        const Vec3 u = direction.unitOrthogonal();
+        const Vec3 v = direction.cross(u);
+        for (int k = 0; k < ray_count; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / ray_count;
+            rays_[k].direction = std::cos(angle) * u + std::sin(angle) * v;
+        }
     }
-    return reach_mm;
-}
+
+    CrossSection measure(double reach_mm) {
+        CrossSection section;
+        section.inside = interpolate(mask_, point_mm_) >= 0.5;
+        if (!section.inside) return section;
+        for (Ray& ray : rays_) find_wall(ray, reach_mm);
+        choose_usable(section);
+        measure_mask(section);
+        if (ct_ != nullptr) measure_ct(section);
+        return section;
+    }
+
+  private:
+    double mask_at(const Ray& ray, double t) const {
+        return interpolate(mask_, point_mm_ + t * ray.direction);
+    }
+    double hu_at(const Ray& ray, double t) const {
+        return interpolate(*ct_, point_mm_ + t * ray.direction);
+    }
+
+    void find_wall(Ray& ray, double reach_mm) const {
+        double before = mask_at(ray, 0.0);
+        double t = step_mm_;
+        for (; t < reach_mm; t += step_mm_) {
+            const double value = mask_at(ray, t);
+            if (value < 0.5) {
+                ray.wall_mm = t - step_mm_ * (0.5 - value) / (before - value);
+                break;
+            }
+            before = value;
+        }
+        if (ray.wall_mm == 0.0) ray.wall_mm = reach_mm;
+        // The next vessel's blur begins a voxel and a half before its mask.
+        ray.clear_mm = ray.wall_mm + surroundings_voxels * voxel_mm_;
+        for (t = ray.wall_mm + voxel_mm_; t < ray.clear_mm + 1.5 * voxel_mm_; t += 2.0 * step_mm_)
+            if (mask_at(ray, t) >= 0.5) ray.clear_mm = t - 1.5 * voxel_mm_;
+    }
+
+    void choose_usable(CrossSection& section) {
+        std::array<double, ray_count> walls{};
+        for (int k = 0; k < ray_count; ++k) walls[k] = rays_[k].wall_mm;
+        std::ranges::nth_element(walls, walls.begin() + ray_count / 2);
+        const double limit = longest_ray * walls[ray_count / 2] + 0.5 * voxel_mm_;
+        int usable = 0;
+        double shortest = limit, longest = 0.0;
+        for (Ray& ray : rays_) {
+            ray.usable = ray.wall_mm <= limit;
+            if (!ray.usable) continue;
+            ++usable;
+            shortest = std::min(shortest, ray.wall_mm);
+            longest = std::max(longest, ray.wall_mm);
+        }
+        section.usable_share = static_cast<double>(usable) / ray_count;
+        section.roundness = shortest / longest;
+    }
+
+    double scale(const CrossSection& section) const {
+        return 2.0 * std::numbers::pi / (ray_count * section.usable_share);
+    }
+
+    void measure_mask(CrossSection& section) const {
+        Vec3 moment = Vec3::Zero();
+        double area = 0.0;
+        for (const Ray& ray : rays_) {
+            if (!ray.usable) continue;
+            const double r = ray.wall_mm;
+            area += r * r / 2.0;
+            moment += r * r * r / 3.0 * ray.direction;
+        }
+        section.mask_area_mm2 = area * scale(section);
+        section.offset_mm = moment / area;
+    }
+
+    void measure_ct(CrossSection& section) const {
+        std::vector<double> surroundings;
+        double covered = 0.0, sum = 0.0, centre = 0.0, centre_weight = 0.0;
+        for (const Ray& ray : rays_) {
+            if (!ray.usable) continue;
+            const double rim_mm = ray.wall_mm + rim_voxels * voxel_mm_;
+            const double end_mm = std::max(std::min(rim_mm, ray.clear_mm), ray.wall_mm);
+            for (double t = 0.5 * step_mm_; t < end_mm; t += step_mm_) {
+                const double hu = hu_at(ray, t);
+                covered += t * step_mm_;
+                sum += hu * t * step_mm_;
+                if (t > 0.4 * ray.wall_mm) continue;
+                centre += hu * t;
+                centre_weight += t;
+            }
+            for (double t = rim_mm; t < ray.clear_mm; t += 0.5 * voxel_mm_)
+                surroundings.push_back(hu_at(ray, t));
+        }
+        section.covered_area_mm2 = covered * scale(section);
+        section.intensity = sum * scale(section);
+        section.centre_hu = centre_weight > 0.0 ? centre / centre_weight : 0.0;
+        section.has_background = surroundings.size() >= 12;
+        if (!section.has_background) return;
+        const auto middle = surroundings.begin() + std::ssize(surroundings) / 2;
+        std::ranges::nth_element(surroundings, middle);
+        section.background_hu = *middle;
+    }
+
+    const Mask& mask_;
+    const Volume* ct_;
+    Vec3 point_mm_;
+    double voxel_mm_;
+    double step_mm_;
+    std::array<Ray, ray_count> rays_;
+};
 
 }  // namespace
 
-CrossSection mask_cross_section(const Mask& mask, const Vec3& point_mm, const Vec3& direction,
-                                double reach_mm) {
-    CrossSection section;
-    if (interpolate(mask, point_mm) < 0.5) return section;
-    const Vec3 u = direction.unitOrthogonal();
-    const Vec3 v = direction.cross(u);
-    const double step_mm = 0.25 * mask.grid.spacing_mm.minCoeff();
-    double area = 0.0, shortest = reach_mm, longest = 0.0;
-    Vec3 moment = Vec3::Zero();
-    for (int k = 0; k < rays; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / rays;
-        const Vec3 ray = std::cos(angle) * u + std::sin(angle) * v;
-        const double r = ray_length_mm(mask, point_mm, ray, step_mm, reach_mm);
-        area += r * r / 2.0;
-        moment += r * r * r / 3.0 * ray;
-        shortest = std::min(shortest, r);
-        longest = std::max(longest, r);
-    }
-    section.radius_mm = std::sqrt(2.0 * area / rays);
-    section.offset_mm = moment / area;
-    section.roundness = shortest / longest;
-    return section;
+CrossSection cross_section(const Mask& mask, const Volume* ct, const Vec3& point_mm,
+                           const Vec3& direction, double reach_mm) {
+    return Section(mask, ct, point_mm, direction).measure(reach_mm);
 }
 
 }  // namespace hepatica
