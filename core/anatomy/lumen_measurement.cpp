@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/anatomy/centreline.h"
+#include "core/anatomy/fork_placement.h"
 #include "core/anatomy/lumen_radius.h"
 #include "core/base/parallel.h"
 
@@ -57,8 +58,24 @@ class Measurement {
             centre(id);
             cut_sections(id);
         });
+        place_forks(graph_, reliable_points(), voxel_mm_);
+        for_each_link([&](std::size_t id) {
+            VesselLink& link = graph_.links[id];
+            const Centreline even = resampled(
+                {smooth_curve(link.points_mm, voxel_mm_, true), link.radii_mm}, voxel_mm_);
+            link.points_mm = even.points_mm;
+            link.radii_mm = even.radii_mm;
+            cut_sections(id);
+        });
         if (ct_ != nullptr) find_contrasts();
         for_each_link([&](std::size_t id) { set_radii(id); });
+        for (VesselNode& node : graph_.nodes) node.radius_mm = 0.0;
+        for (const VesselLink& link : graph_.links) {
+            double& from = graph_.nodes[link.from].radius_mm;
+            double& to = graph_.nodes[link.to].radius_mm;
+            from = std::max(from, link.radii_mm.front());
+            to = std::max(to, link.radii_mm.back());
+        }
     }
 
   private:
@@ -93,6 +110,15 @@ class Measurement {
             stations.sections.push_back(section);
             stations.trust.push_back(trust);
         }
+    }
+
+    std::vector<std::vector<std::uint8_t>> reliable_points() const {
+        std::vector<std::vector<std::uint8_t>> reliable(stations_.size());
+        for (std::size_t id = 0; id < stations_.size(); ++id)
+            for (const CrossSection& section : stations_[id].sections)
+                reliable[id].push_back(section.inside && section.usable_share == 1.0 &&
+                                       section.roundness > 0.5);
+        return reliable;
     }
 
     // Moves the points into the middle of their sections and smooths again.
