@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/iteration_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/deform/assembly.h"
+#include "core/deform/cholesky_solver.h"
+#include "core/study/vessel_body.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double gravity_mm_s2 = 9810.0;
+constexpr double pull_un = 2e4;
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+double form(const BlockMatrix& matrix, const std::vector<Vec3>& x) {
+    std::vector<Vec3> product;
+    multiply(matrix, x, product);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += x[i].dot(product[i]);
+    return sum;
+}
+
+void fix(const Body& body, BlockMatrix& matrix) {
+    for (int i = 0; i < matrix.rows(); ++i) {
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
+            const int j = matrix.column[k];
+            if (i != j && (body.fixed[i] || body.fixed[j])) matrix.block[k].setZero();
+        }
+    }
+}
+
+std::vector<Vec3> stopped_after(LinearSolver& solver, const StudySystem& system, int iterations) {
+    std::vector<Vec3> x(system.rhs.size(), Vec3::Zero());
+    solver.solve(system.rhs, x, {.energy_tolerance = 0.0, .max_iterations = iterations});
+    return x;
+}
+
+// Least number of iterations whose error is at most `error`; the energy norm falls monotonically.
+int iterations_to(double error, LinearSolver& solver, const StudySystem& system) {
+    constexpr int most = 40000;
+    int enough = 1;
+    while (enough < most && energy_error(system, stopped_after(solver, system, enough)) > error) {
+        enough *= 2;
+    }
+    int few = enough / 2;
+    while (enough - few > std::max(1, enough / 64)) {
+        const int middle = (few + enough) / 2;
+        const bool good = energy_error(system, stopped_after(solver, system, middle)) <= error;
+        (good ? enough : few) = middle;
+    }
+    return enough;
+}
+
+struct StudyCase {
+    std::string name;
+    double slenderness;
+    double bend_rad;
+    std::function<BodyDescription(Job&)> make;
+};
+
+std::vector<StudyCase> cases_of(bool quick) {
+    std::vector<StudyCase> cases;
+    const auto bar = [&](double slenderness, int across, double bend_rad) {
+        cases.push_back({bend_rad > 0.0 ? "bar, bent" : "bar", slenderness, bend_rad,
+                         [=](Job&) { return study_bar(slenderness, across); }});
+    };
+    const auto tree = [&](int tetrahedra, double bend_rad) {
+        cases.push_back({bend_rad > 0.0 ? "tree, bent" : "tree", 36.0, bend_rad,
+                         [=](Job& job) { return body_of(study_tree(6, 6.0), tetrahedra, job); }});
+    };
+    bar(10.0, 4, 2.5);
+    bar(60.0, 3, 2.5);
+    if (quick) return cases;
+    bar(10.0, 8, 2.5);
+    bar(60.0, 4, 0.0);
+    bar(60.0, 4, 2.5);
+    bar(100.0, 3, 2.5);
+    bar(200.0, 3, 2.5);
+    bar(500.0, 2, 2.5);
+    bar(500.0, 3, 2.5);
+    for (const int tetrahedra : {8000, 25000, 100000}) {
+        for (const double bend_rad : {0.0, 1.0}) tree(tetrahedra, bend_rad);
+    }
+    return cases;
+}
+
+}  // namespace
+
+StudySystem study_system(const BodyDescription& description, double bend_rad, double dt_s) {
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    StudySystem system;
+    system.positions_mm = body.rest_positions_mm;
+    if (bend_rad > 0.0) system.positions_mm = bent(system.positions_mm, bend_rad);
+    Assembly assembly(body);
+    assembly.evaluate(system.positions_mm, small::Tangent::rotated);
+    assembly.gather_stiffness(dt_s * dt_s, system.matrix);
+    for (int i = 0; i < system.matrix.rows(); ++i) {
+        system.matrix.block[system.matrix.diagonal[i]] += body.mass_g[i] * Mat3::Identity();
+    }
+    fix(body, system.matrix);
+
+    Vec3 clamp = Vec3::Zero();
+    int clamped = 0;
+    for (int i = 0; i < body.node_count(); ++i) {
+        if (!body.fixed[i]) continue;
+        clamp += body.rest_positions_mm[i];
+        ++clamped;
+    }
+    clamp /= std::max(clamped, 1);
+    int furthest = 0;
+    for (int i = 0; i < body.node_count(); ++i) {
+        const Vec3 weight(0.0, -gravity_mm_s2 * body.mass_g[i], 0.0);
+        system.rhs.push_back(body.fixed[i] ? Vec3(Vec3::Zero()) : Vec3(dt_s * weight));
+        if ((body.rest_positions_mm[i] - clamp).norm() >
+            (body.rest_positions_mm[furthest] - clamp).norm()) {
+            furthest = i;
+        }
+    }
+    system.rhs[furthest] += Vec3(0.0, 0.0, dt_s * pull_un);
+
+    const FrameSkeleton skeleton =
+        description.skeleton.size() > 0 ? description.skeleton : skeleton_of_mesh(description.mesh);
+    CholeskySolver solver(skeleton, body.rest_positions_mm, {.exact = true});
+    solver.prepare(system.matrix, system.positions_mm);
+    system.exact.assign(system.rhs.size(), Vec3::Zero());
+    solver.solve(system.rhs, system.exact, {});
+    return system;
+}
+
+double energy_error(const StudySystem& system, const std::vector<Vec3>& x) {
+    std::vector<Vec3> difference(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) difference[i] = x[i] - system.exact[i];
+    return std::sqrt(form(system.matrix, difference) / form(system.matrix, system.exact));
+}
+
+IterationRow measure_iterations(const std::string& name, const BodyDescription& body,
+                                const StudySystem& system, double slenderness,
+                                LinearSolverKind kind) {
+    const std::vector<Vec3>& rest = body.mesh.vertices_mm;
+    std::unique_ptr<LinearSolver> solver =
+        kind == LinearSolverKind::cholesky
+            ? std::make_unique<CholeskySolver>(body.skeleton, rest, CholeskySettings{.exact = true})
+            : make_linear_solver(kind, body.skeleton, rest);
+    IterationRow row;
+    row.body = name;
+    row.solver = name_of(kind);
+    row.slenderness = slenderness;
+    row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
+    solver->prepare(system.matrix, system.positions_mm);
+    std::vector<Vec3> x(system.rhs.size(), Vec3::Zero());
+    const SolveReport report = solver->solve(system.rhs, x, {.energy_tolerance = 1e-2});
+    row.iterations_stopped = report.iterations;
+    row.estimate = report.energy_error;
+    row.error = energy_error(system, x);
+    if (report.iterations > 0) {
+        row.iterations_10pct = iterations_to(0.1, *solver, system);
+        row.iterations_1pct = iterations_to(0.01, *solver, system);
+    }
+    // Alternating with another matrix, so that a solver that keeps its factor must factor again.
+    BlockMatrix other = system.matrix;
+    for (Mat3& block : other.block) block *= 2.0;
+    row.prepare_ms = std::numeric_limits<double>::infinity();
+    row.ms = row.prepare_ms;
+    const int repetitions = row.iterations_1pct > 200 ? 2 : 6;
+    for (int k = 0; k < repetitions; ++k) {
+        solver->prepare(other, system.positions_mm);
+        const auto start = std::chrono::steady_clock::now();
+        solver->prepare(system.matrix, system.positions_mm);
+        const double prepared = milliseconds_since(start);
+        stopped_after(*solver, system, std::max(row.iterations_1pct, 1));
+        row.prepare_ms = std::min(row.prepare_ms, prepared);
+        row.ms = std::min(row.ms, milliseconds_since(start));
+    }
+    return row;
+}
+
+std::vector<IterationRow> study_iterations(const IterationStudyOptions& options, Job& job) {
+    std::vector<IterationRow> rows;
+    const std::vector<StudyCase> cases = cases_of(options.quick);
+    job.expect_stages(static_cast<int>(cases.size()));
+    for (const StudyCase& study : cases) {
+        job.begin_stage(study.name + ", slenderness " +
+                        std::to_string(static_cast<int>(study.slenderness)));
+        Job meshing;  // its stages are none of the caller's
+        const BodyDescription body = study.make(meshing);
+        const StudySystem system = study_system(body, study.bend_rad);
+        for (const auto kind : {LinearSolverKind::skeleton, LinearSolverKind::cholesky,
+                                LinearSolverKind::block_jacobi}) {
+            job.throw_if_cancelled();
+            if (kind == LinearSolverKind::block_jacobi && !options.block_jacobi) continue;
+            rows.push_back(measure_iterations(study.name, body, system, study.slenderness, kind));
+        }
+    }
+    return rows;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies for the studies of the linear solvers: bent bars of any slenderness, and vessel trees.
+#pragma once
+
+#include "core/anatomy/vessel_tree.h"
+#include "core/base/job.h"
+#include "core/deform/body.h"
+
+namespace hepatica {
+
+// A bar along x, `slenderness` times as long as wide (6 mm), clamped at x = 0, cut into Kuhn
+// bricks, with its centreline as skeleton.
+BodyDescription study_bar(double slenderness, int cells_across);
+
+// A symmetric tree whose every branch, eight diameters long at the root and less further out,
+// forks into two of 0.79 times its radius (Murray's law) in alternating planes.
+VesselTree study_tree(int generations, double root_radius_mm);
+
+// The tree as tetrahedra, about `tetrahedra` of them, clamped at the roots, its centrelines as
+// skeleton.
+BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job);
+
+FrameSkeleton skeleton_of(const VesselTree& tree);
+
+// Positions bent into an arc in the x-y plane: `angle_rad` over the body's length along x.
+std::vector<Vec3> bent(std::vector<Vec3> positions_mm, double angle_rad);
+
+}  // namespace hepatica
