@@ -30,24 +30,32 @@ RootWish nearest_end(const VesselGraph& graph, const Vec3& position_mm) {
 
 }  // namespace
 
-VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
-                        const TreeOptions& options, Job& job) {
+TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                                        const TreeOptions& options, Job& job) {
     if (!same_grid(skeleton.grid, vessels.grid))
         throw InputError("the skeleton and the vessel mask lie on different grids", "",
                          "Make the skeleton from this mask");
     job.throw_if_cancelled();
-    const double voxel_mm = skeleton.grid.spacing_mm.minCoeff();
+    TreeExtraction result;
     VesselGraph graph = skeleton_graph(skeleton, vessels);
-    prune_spurs(graph, options.spur_radii, 1.5 * voxel_mm);
-    remove_short_components(graph, options.minimum_component_mm);
+    prune_spurs(graph, options.spur_radii, 1.5 * skeleton.grid.spacing_mm.minCoeff());
+    remove_short_components(graph, options.minimum_piece_mm);
     job.advance(0.3);
-    if (!options.seeds.empty()) assign_systems(graph, options.seeds);
     measure_lumen(graph, vessels, ct, job);
+    job.advance(0.7);
+    result.bridges = bridge_gaps(graph, vessels, ct, options.bridging, job);
+    remove_short_components(graph, options.minimum_component_mm);
+    assign_systems(graph, options.seeds);
     std::vector<RootWish> wishes;
     for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
-    VesselTree tree = directed(std::move(graph), wishes);
+    result.tree = directed(std::move(graph), wishes);
     job.advance(1.0);
-    return tree;
+    return result;
+}
+
+VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                        const TreeOptions& options, Job& job) {
+    return extract_tree_and_bridges(skeleton, vessels, ct, options, job).tree;
 }
 
 }  // namespace hepatica

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/anatomy/gap_bridging.h"
 #include "core/anatomy/system_assignment.h"
 #include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
@@ -23,13 +24,26 @@ struct TreeOptions {
     // An end branch that reaches less than this many radii of its parent beyond the parent's wall
     // is a bump of the wall, not a vessel.
     double spur_radii = 0.5;
-    // Components shorter than this are left out, unless nothing longer exists.
-    double minimum_component_mm = 5.0;
+    // Pieces shorter than this are noise and left out, unless nothing longer exists.
+    double minimum_piece_mm = 3.0;
+    // The same after gaps have been bridged, for what is still on its own.
+    double minimum_component_mm = 15.0;
+    // Gaps that are bridged without asking, and those that are only offered.
+    BridgeOptions bridging;
+};
+
+struct TreeExtraction {
+    VesselTree tree;
+    std::vector<Bridge> bridges;  // built and offered ones, best first
 };
 
 // Both masks lie on one grid. Radii are measured on `ct` where it is given (any grid that covers
 // the masks in space), otherwise on `vessels`. Returns an empty tree for an empty skeleton.
 // Deterministic; throws Cancelled, and InputError where the masks' grids differ.
+TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                                        const TreeOptions& options, Job& job);
+
+// The tree alone.
 VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                         const TreeOptions& options, Job& job);
 
