@@ -307,18 +307,15 @@ void DrugFront::end_injection() {
     flow_->solve();
 }
 
+FrontStep DrugFront::step_towards(double time_s) {
+    const double left_s = time_s - time_s_;
+    const FrontStep done = step(left_s);
+    if (done.duration_s == left_s) time_s_ = time_s;
+    return done;
+}
+
 void DrugFront::advance_to(double time_s) {
-    while (time_s_ < time_s) {
-        if (at_rest() && options_.injection_end_s > time_s) {
-            step(time_s - time_s_);
-            time_s_ = time_s;
-            break;
-        }
-        const double before = time_s_;
-        const FrontStep done = step(time_s - time_s_);
-        // The last step of the way ends at that very number.
-        if (done.event == FrontEvent::none && done.duration_s == time_s - before) time_s_ = time_s;
-    }
+    while (time_s_ < time_s) step_towards(time_s);
 }
 
 double DrugFront::drug_mm3(int segment) const {

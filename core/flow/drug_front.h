@@ -59,8 +59,11 @@ class DrugFront {
 
     // One step of at most `longest_s`, shorter where an event comes first or the tolerance asks.
     FrontStep step(double longest_s);
-    // Steps until that time exactly.
+    // One step on the way to a time, which it meets exactly when it gets there.
+    FrontStep step_towards(double time_s);
     void advance_to(double time_s);
+    // The drug's inlet is still open.
+    bool injecting() const { return drug_inlet_ >= 0; }
     // No boundary between drug and blood will move any more while things stand as they do.
     bool at_rest() const { return at_rest_; }
 

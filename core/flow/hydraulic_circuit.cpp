@@ -72,6 +72,11 @@ void summarise(HydraulicElement& element, const std::vector<HydraulicPart>& part
     }
 }
 
+struct HydraulicSolver::Subtrees {
+    std::vector<double> conductance;
+    std::vector<double> drive;
+};
+
 // The law of every element linearised about its present flow: drop = intercept + slope * q.
 struct HydraulicSolver::Linear {
     std::vector<double> slope;
@@ -79,6 +84,51 @@ struct HydraulicSolver::Linear {
 };
 
 namespace {
+
+// What leaves each node. Whatever a node receives has to leave it to the last digit: the largest
+// way out takes the remainder that rounding leaves.
+struct Outflows {
+    explicit Outflows(const HydraulicCircuit& circuit)
+        : surplus(circuit.source_mm3_s),
+          largest(circuit.node_count, -1),
+          largest_flow(circuit.node_count, -1.0) {}
+
+    void add(int node, int element, double outflow) {
+        surplus[node] -= outflow;
+        if (std::abs(outflow) > largest_flow[node]) {
+            largest_flow[node] = std::abs(outflow);
+            largest[node] = element;
+        }
+    }
+
+    std::vector<double> surplus;
+    std::vector<int> largest;
+    std::vector<double> largest_flow;
+};
+
+// Solves (entries below the diagonal, diagonal) x = rhs. Scaling to a unit diagonal keeps
+// conductances of 1e-30 and 1e30 in one matrix.
+Eigen::VectorXd solve_scaled(std::vector<Eigen::Triplet<double>>& entries,
+                             const std::vector<double>& diagonal, const Eigen::VectorXd& rhs) {
+    const int count = static_cast<int>(diagonal.size());
+    Eigen::VectorXd scale(count);
+    for (int i = 0; i < count; ++i) {
+        scale[i] = 1.0 / std::sqrt(diagonal[i]);
+        entries.emplace_back(i, i, diagonal[i]);
+    }
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> unit = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(unit);
+    const Eigen::VectorXd b = scale.cwiseProduct(rhs);
+    Eigen::VectorXd x = factor.solve(b);
+    x += factor.solve(b - unit.selfadjointView<Eigen::Lower>() * x);
+    x = scale.cwiseProduct(x);
+    if (!x.allFinite())
+        throw InputError("the pressures cannot be told apart", "vessel network",
+                         "Remove segments whose radii differ by many orders of magnitude");
+    return x;
+}
 
 struct Incidence {
     std::vector<int> first;     // per node + 1
@@ -154,20 +204,22 @@ HydraulicSolver::HydraulicSolver(const HydraulicCircuit& circuit) {
     }
 }
 
-void HydraulicSolver::solve_tree(const HydraulicCircuit& circuit, const Linear& linear,
-                                 double rest_pressure_pa, HydraulicState& next) const {
+// From the leaves to the roots: each subtree as its parent sees it, an outflow of
+// conductance * pressure - drive.
+void HydraulicSolver::eliminate_tree(const HydraulicCircuit& circuit, const Linear& linear,
+                                     const HydraulicState& next, Subtrees& subtrees) const {
     const std::vector<HydraulicElement>& elements = circuit.elements;
-    // Each subtree as its parent sees it: outflow = conductance * pressure - drive.
-    std::vector<double> conductance(circuit.node_count, 0.0);
-    std::vector<double> drive = circuit.source_mm3_s;
+    std::vector<double>& conductance = subtrees.conductance;
+    std::vector<double>& drive = subtrees.drive;
+    conductance.assign(circuit.node_count, 0.0);
+    drive = circuit.source_mm3_s;
     for (auto it = order_.rbegin(); it != order_.rend(); ++it) {
         const int node = *it;
         for (int i = terminal_first_[node]; i < terminal_first_[node + 1]; ++i) {
             const int id = terminals_[i];
             const bool outwards = elements[id].from == node;
             const double g = 1.0 / linear.slope[id];
-            const double beyond =
-                circuit.fixed_pressure_pa[outwards ? elements[id].to : elements[id].from];
+            const double beyond = next.pressure_pa[outwards ? elements[id].to : elements[id].from];
             conductance[node] += g;
             drive[node] +=
                 g * (outwards ? beyond + linear.intercept[id] : beyond - linear.intercept[id]);
@@ -182,24 +234,21 @@ void HydraulicSolver::solve_tree(const HydraulicCircuit& circuit, const Linear& 
         drive[parent] += passed * (conductance[node] * offset + drive[node]);
         conductance[parent] += passed * conductance[node];
     }
-    // Down again. What a node receives leaves it to the last digit: the largest way out takes the
-    // remainder that rounding leaves.
-    std::vector<double> surplus = circuit.source_mm3_s;
-    std::vector<int> largest(circuit.node_count, -1);
-    std::vector<double> largest_flow(circuit.node_count, -1.0);
-    const auto leaves = [&](int node, int id, double outflow) {
-        surplus[node] -= outflow;
-        if (std::abs(outflow) > largest_flow[node]) {
-            largest_flow[node] = std::abs(outflow);
-            largest[node] = id;
-        }
-    };
+}
+
+void HydraulicSolver::solve_tree(const HydraulicCircuit& circuit, const Linear& linear,
+                                 HydraulicState& next) const {
+    Subtrees subtrees;
+    eliminate_tree(circuit, linear, next, subtrees);
+    const std::vector<HydraulicElement>& elements = circuit.elements;
+    const auto& [conductance, drive] = subtrees;
+    Outflows outflows(circuit);
     for (const int node : order_) {
         const int id = parent_element_[node];
         if (id < 0) {
             if (conductance[node] == 0.0 && drive[node] != 0.0) reject_no_way_out(drive[node]);
             next.pressure_pa[node] =
-                conductance[node] > 0.0 ? drive[node] / conductance[node] : rest_pressure_pa;
+                conductance[node] > 0.0 ? drive[node] / conductance[node] : 0.0;
         } else {
             const bool downwards = elements[id].to == node;
             const int parent = downwards ? elements[id].from : elements[id].to;
@@ -210,31 +259,51 @@ void HydraulicSolver::solve_tree(const HydraulicCircuit& circuit, const Linear& 
             const double inflow = passed * (conductance[node] * head - drive[node]);
             next.pressure_pa[node] = (drive[node] + g * head) / (conductance[node] + g);
             next.flow_mm3_s[id] = downwards ? inflow : -inflow;
-            leaves(parent, id, inflow);
+            outflows.add(parent, id, inflow);
         }
         for (int i = terminal_first_[node]; i < terminal_first_[node + 1]; ++i) {
             const int t = terminals_[i];
             const HydraulicElement& e = elements[t];
-            const bool outwards = e.from == node;
-            const double beyond = circuit.fixed_pressure_pa[outwards ? e.to : e.from];
-            const double difference =
-                outwards ? next.pressure_pa[node] - beyond : beyond - next.pressure_pa[node];
+            const double difference = next.pressure_pa[e.from] - next.pressure_pa[e.to];
             next.flow_mm3_s[t] = (difference - linear.intercept[t]) / linear.slope[t];
-            leaves(node, t, outwards ? next.flow_mm3_s[t] : -next.flow_mm3_s[t]);
+            outflows.add(node, t, e.from == node ? next.flow_mm3_s[t] : -next.flow_mm3_s[t]);
         }
     }
     for (const int node : order_) {
         const int in = parent_element_[node];
         if (in >= 0)
-            surplus[node] += elements[in].to == node ? next.flow_mm3_s[in] : -next.flow_mm3_s[in];
-        const int out = largest[node];
+            outflows.surplus[node] +=
+                elements[in].to == node ? next.flow_mm3_s[in] : -next.flow_mm3_s[in];
+        const int out = outflows.largest[node];
         if (out >= 0)
-            next.flow_mm3_s[out] += elements[out].from == node ? surplus[node] : -surplus[node];
+            next.flow_mm3_s[out] +=
+                elements[out].from == node ? outflows.surplus[node] : -outflows.surplus[node];
+    }
+}
+
+// A component that touches no fixed pressure floats: its root is tied to the pressure of rest, 0.
+void HydraulicSolver::tie_floating(const HydraulicCircuit& circuit,
+                                   std::vector<double>& diagonal) const {
+    const int count = static_cast<int>(order_.size());
+    for (int begin = 0; begin < count;) {
+        int end = begin + 1;
+        while (end < count && parent_element_[order_[end]] >= 0) ++end;
+        bool grounded = false;
+        double source = 0.0;
+        for (int i = begin; i < end; ++i) {
+            grounded |= terminal_first_[order_[i] + 1] > terminal_first_[order_[i]];
+            source += circuit.source_mm3_s[order_[i]];
+        }
+        if (!grounded) {
+            if (source != 0.0) reject_no_way_out(source);
+            diagonal[begin] += diagonal[begin] > 0.0 ? diagonal[begin] : 1.0;
+        }
+        begin = end;
     }
 }
 
 void HydraulicSolver::solve_graph(const HydraulicCircuit& circuit, const Linear& linear,
-                                  double rest_pressure_pa, HydraulicState& next) const {
+                                  HydraulicState& next) const {
     const int count = static_cast<int>(order_.size());
     std::vector<int> row(circuit.node_count, -1);
     for (int i = 0; i < count; ++i) row[order_[i]] = i;
@@ -255,46 +324,13 @@ void HydraulicSolver::solve_graph(const HydraulicCircuit& circuit, const Linear&
             diagonal[here] += g;
             rhs[here] += outwards ? offset : -offset;
             if (row[other] < 0)
-                rhs[here] += g * circuit.fixed_pressure_pa[other];
+                rhs[here] += g * next.pressure_pa[other];
             else if (row[other] < here)
                 entries.emplace_back(here, row[other], -g);
         }
     }
-    // A component that touches no fixed pressure floats: tie its root to the pressure of rest.
-    for (int begin = 0; begin < count;) {
-        int end = begin + 1;
-        while (end < count && parent_element_[order_[end]] >= 0) ++end;
-        bool grounded = false;
-        double source = 0.0;
-        for (int i = begin; i < end; ++i) {
-            grounded |= terminal_first_[order_[i] + 1] > terminal_first_[order_[i]];
-            source += circuit.source_mm3_s[order_[i]];
-        }
-        if (!grounded) {
-            if (source != 0.0) reject_no_way_out(source);
-            const double tie = diagonal[begin] > 0.0 ? diagonal[begin] : 1.0;
-            diagonal[begin] += tie;
-            rhs[begin] += tie * rest_pressure_pa;
-        }
-        begin = end;
-    }
-    // Scaling to a unit diagonal keeps conductances of 1e-30 and 1e30 in one matrix.
-    Eigen::VectorXd scale(count);
-    for (int i = 0; i < count; ++i) {
-        scale[i] = 1.0 / std::sqrt(diagonal[i]);
-        entries.emplace_back(i, i, diagonal[i]);
-    }
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SparseMatrix<double> unit = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(unit);
-    const Eigen::VectorXd b = scale.cwiseProduct(rhs);
-    Eigen::VectorXd x = factor.solve(b);
-    x += factor.solve(b - unit.selfadjointView<Eigen::Lower>() * x);
-    x = scale.cwiseProduct(x);
-    if (!x.allFinite())
-        throw InputError("the pressures cannot be told apart", "vessel network",
-                         "Remove segments whose radii differ by many orders of magnitude");
+    tie_floating(circuit, diagonal);
+    const Eigen::VectorXd x = solve_scaled(entries, diagonal, rhs);
     for (int i = 0; i < count; ++i) next.pressure_pa[order_[i]] = x[i];
     for (std::size_t id = 0; id < circuit.elements.size(); ++id) {
         const HydraulicElement& e = circuit.elements[id];
@@ -332,20 +368,55 @@ void HydraulicSolver::balance_graph(const HydraulicCircuit& circuit, HydraulicSt
     }
 }
 
-void HydraulicSolver::linear_solve(const HydraulicCircuit& circuit, Linear& linear,
-                                   double rest_pressure_pa, HydraulicState& next) const {
-    for (int n = 0; n < circuit.node_count; ++n)
-        if (is_fixed(circuit, n)) next.pressure_pa[n] = circuit.fixed_pressure_pa[n];
+void HydraulicSolver::linear_solve(const HydraulicCircuit& circuit, const Linear& linear,
+                                   HydraulicState& next) const {
     if (loop_elements_.empty())
-        solve_tree(circuit, linear, rest_pressure_pa, next);
+        solve_tree(circuit, linear, next);
     else
-        solve_graph(circuit, linear, rest_pressure_pa, next);
+        solve_graph(circuit, linear, next);
     for (const int id : between_fixed_) {
         const HydraulicElement& e = circuit.elements[id];
-        const double difference =
-            circuit.fixed_pressure_pa[e.from] - circuit.fixed_pressure_pa[e.to];
+        const double difference = next.pressure_pa[e.from] - next.pressure_pa[e.to];
         next.flow_mm3_s[id] = (difference - linear.intercept[id]) / linear.slope[id];
     }
+}
+
+void HydraulicSolver::evaluate(const HydraulicCircuit& circuit, const std::vector<double>& flow,
+                               std::vector<Drop>& drops) const {
+    for (std::size_t i = 0; i < flow.size(); ++i)
+        if (circuit.elements[i].open)
+            drops[i] = drop_of(circuit.elements[i], circuit.parts, flow[i]);
+}
+
+// The dissipation is convex along the step from `flow` to `full` and falls at its start. Shortens
+// the step until at its end it no longer rises by more than half of that.
+void HydraulicSolver::line_search(const HydraulicCircuit& circuit, const Linear& linear,
+                                  const std::vector<double>& full, std::vector<double>& flow,
+                                  std::vector<Drop>& drops) const {
+    const std::size_t count = flow.size();
+    double steepness = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double change = full[i] - flow[i];
+        steepness += linear.slope[i] * change * change;
+    }
+    std::vector<double> trial = full;
+    double low = 0.0;
+    double high = 1.0;
+    double at = 1.0;
+    for (int attempt = 0; attempt < maximum_line_search_steps; ++attempt) {
+        double slope = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double predicted = linear.intercept[i] + linear.slope[i] * full[i];
+            slope += (drops[i].pressure_pa - predicted) * (full[i] - flow[i]);
+        }
+        if (std::abs(slope) <= 0.5 * steepness) break;
+        (slope > 0.0 ? high : low) = at;
+        if (low == 1.0) break;
+        at = 0.5 * (low + high);
+        for (std::size_t i = 0; i < count; ++i) trial[i] = flow[i] + at * (full[i] - flow[i]);
+        evaluate(circuit, trial, drops);
+    }
+    flow = std::move(trial);
 }
 
 HydraulicState HydraulicSolver::solve(const HydraulicCircuit& circuit, double rest_pressure_pa,
@@ -356,63 +427,37 @@ HydraulicState HydraulicSolver::solve(const HydraulicCircuit& circuit, double re
         for (std::size_t i = 0; i < count; ++i)
             if (circuit.elements[i].open) flow[i] = (*guess)[i];
     std::vector<Drop> drops(count);
-    const auto evaluate = [&](const std::vector<double>& q) {
-        for (std::size_t i = 0; i < count; ++i)
-            if (circuit.elements[i].open)
-                drops[i] = drop_of(circuit.elements[i], circuit.parts, q[i]);
-    };
-    evaluate(flow);
+    evaluate(circuit, flow, drops);
     Linear linear{std::vector<double>(count), std::vector<double>(count)};
+    // Relative to the pressure of rest, so that what is at rest stays there to the last digit.
     HydraulicState next{std::vector<double>(count, 0.0),
-                        std::vector<double>(circuit.node_count, rest_pressure_pa), 0};
-    std::vector<double> predicted(count, 0.0);
-    std::vector<double> trial(count, 0.0);
+                        std::vector<double>(circuit.node_count, 0.0), 0};
+    for (int n = 0; n < circuit.node_count; ++n)
+        if (is_fixed(circuit, n))
+            next.pressure_pa[n] = circuit.fixed_pressure_pa[n] - rest_pressure_pa;
     for (int step = 1; step <= maximum_newton_steps; ++step) {
         for (std::size_t i = 0; i < count; ++i) {
             linear.slope[i] = drops[i].slope_pa_s_g;
             linear.intercept[i] = drops[i].pressure_pa - linear.slope[i] * flow[i];
         }
-        linear_solve(circuit, linear, rest_pressure_pa, next);
-        double steepness = 0.0;
-        for (std::size_t i = 0; i < count; ++i) {
-            predicted[i] = linear.intercept[i] + linear.slope[i] * next.flow_mm3_s[i];
-            const double change = next.flow_mm3_s[i] - flow[i];
-            steepness += linear.slope[i] * change * change;
-        }
-        evaluate(next.flow_mm3_s);
+        linear_solve(circuit, linear, next);
+        evaluate(circuit, next.flow_mm3_s, drops);
         double highest = 0.0;
-        for (std::size_t i = 0; i < count; ++i)
-            highest = std::max(highest, std::abs(drops[i].pressure_pa));
+        for (const Drop& drop : drops) highest = std::max(highest, std::abs(drop.pressure_pa));
         bool converged = true;
-        double slope = 0.0;  // of the dissipation along the step, at its end
-        for (std::size_t i = 0; i < count; ++i) {
-            const double error = drops[i].pressure_pa - predicted[i];
-            converged &=
-                std::abs(error) <= 1e-12 * std::abs(drops[i].pressure_pa) + 1e-15 * highest;
-            slope += error * (next.flow_mm3_s[i] - flow[i]);
+        for (std::size_t i = 0; i < count && converged; ++i) {
+            const double drop = drops[i].pressure_pa;
+            const double predicted = linear.intercept[i] + linear.slope[i] * next.flow_mm3_s[i];
+            converged = std::abs(drop - predicted) <= 1e-12 * std::abs(drop) + 1e-15 * highest;
         }
         next.newton_steps = step;
-        if (converged) return next;
-        // The dissipation is convex along the step and falls at its start: shorten the step until
-        // it no longer rises by more than half of that at its end.
-        double low = 0.0;
-        double high = 1.0;
-        double at = 1.0;
-        for (int i = 0; i < maximum_line_search_steps && std::abs(slope) > 0.5 * steepness; ++i) {
-            (slope > 0.0 ? high : low) = at;
-            if (low == 1.0) break;
-            at = 0.5 * (low + high);
-            for (std::size_t e = 0; e < count; ++e)
-                trial[e] = flow[e] + at * (next.flow_mm3_s[e] - flow[e]);
-            evaluate(trial);
-            slope = 0.0;
-            for (std::size_t e = 0; e < count; ++e)
-                slope += (drops[e].pressure_pa - predicted[e]) * (next.flow_mm3_s[e] - flow[e]);
+        if (converged) {
+            for (int n = 0; n < circuit.node_count; ++n)
+                next.pressure_pa[n] = is_fixed(circuit, n) ? circuit.fixed_pressure_pa[n]
+                                                           : next.pressure_pa[n] + rest_pressure_pa;
+            return next;
         }
-        if (at == 1.0)
-            flow = next.flow_mm3_s;
-        else
-            flow = trial;
+        line_search(circuit, linear, next.flow_mm3_s, flow, drops);
     }
     throw InputError(
         "the flow did not settle after " + std::to_string(maximum_newton_steps) + " Newton steps",

@@ -67,7 +67,8 @@ class HydraulicSolver {
     explicit HydraulicSolver(const HydraulicCircuit& circuit);
 
     // Starts from `guess` where given (flows of a like circuit), else from the laminar solution.
-    // A part that hangs on no fixed pressure and has no source is at rest at `rest_pressure_pa`.
+    // A part that hangs on no fixed pressure and has no source is at rest at `rest_pressure_pa`,
+    // to which all others are computed relative.
     // Throws InputError where a source has no way out, or where Newton does not converge.
     HydraulicState solve(const HydraulicCircuit& circuit, double rest_pressure_pa,
                          const std::vector<double>* guess = nullptr) const;
@@ -76,13 +77,22 @@ class HydraulicSolver {
 
   private:
     struct Linear;
-    void linear_solve(const HydraulicCircuit& circuit, Linear& linear, double rest_pressure_pa,
+    struct Subtrees;
+    void linear_solve(const HydraulicCircuit& circuit, const Linear& linear,
                       HydraulicState& next) const;
-    void solve_tree(const HydraulicCircuit& circuit, const Linear& linear, double rest_pressure_pa,
+    void eliminate_tree(const HydraulicCircuit& circuit, const Linear& linear,
+                        const HydraulicState& next, Subtrees& subtrees) const;
+    void solve_tree(const HydraulicCircuit& circuit, const Linear& linear,
                     HydraulicState& next) const;
-    void solve_graph(const HydraulicCircuit& circuit, const Linear& linear, double rest_pressure_pa,
+    void tie_floating(const HydraulicCircuit& circuit, std::vector<double>& diagonal) const;
+    void solve_graph(const HydraulicCircuit& circuit, const Linear& linear,
                      HydraulicState& next) const;
     void balance_graph(const HydraulicCircuit& circuit, HydraulicState& next) const;
+    void evaluate(const HydraulicCircuit& circuit, const std::vector<double>& flow,
+                  std::vector<Drop>& drops) const;
+    void line_search(const HydraulicCircuit& circuit, const Linear& linear,
+                     const std::vector<double>& full, std::vector<double>& flow,
+                     std::vector<Drop>& drops) const;
 
     std::vector<int> order_;           // free nodes, a parent before its children
     std::vector<int> parent_element_;  // per node; -1 at the root of a component

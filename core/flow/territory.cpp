@@ -61,7 +61,9 @@ Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
         const double share = share_at_node[network.outlet_nodes[o]];
         leaving += q;
         passed += q * share;
-        if (q * share > 0.0) territory.outlets.push_back(static_cast<int>(o));
+        if (q * share <= 0.0) continue;
+        territory.outlets.push_back(static_cast<int>(o));
+        territory.outlet_shares.push_back(share);
     }
     territory.share_of_outflow = leaving > 0.0 ? passed / leaving : 0.0;
     territory.share_of_flow = entering > 0.0 ? territory.flow_mm3_s / entering : 0.0;

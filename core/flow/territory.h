@@ -17,10 +17,11 @@ struct Territory {
     int segment = -1;          // of the point
     double begins_mm = 0.0;    // distance of the point from that segment's proximal node
     std::vector<int> outlets;  // positions in network.outlet_nodes that receive flow from the point
-    double share_of_flow = 0.0;     // of all that enters the network
-    double share_of_outflow = 0.0;  // of all that leaves through the outlets
-    double flow_mm3_s = 0.0;        // through the point
-    double volume_mm3 = 0.0;        // of the lumen downstream, weighted by passed_share
+    std::vector<double> outlet_shares;  // of each such outlet's flow that has passed the point
+    double share_of_flow = 0.0;         // of all that enters the network
+    double share_of_outflow = 0.0;      // of all that leaves through the outlets
+    double flow_mm3_s = 0.0;            // through the point
+    double volume_mm3 = 0.0;            // of the lumen downstream, weighted by passed_share
 };
 
 // Downstream is where the solved flow goes, not where the tree was rooted. `point` counts as in the

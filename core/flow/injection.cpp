@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flow/injection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double longest_run_in_fillings = 10.0;
+constexpr double most_samples = 1e5;
+
+void check(const char* what, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    std::ostringstream problem;
+    std::ostringstream remedy;
+    problem << "the " << what << " is " << value;
+    remedy << "Give a value from " << low << " to " << high;
+    throw InputError(problem.str(), "injection", remedy.str());
+}
+
+void validate_options(const InjectionOptions& options) {
+    check("mass flow in g/s", options.mass_flow_g_s, 0.0, 1e15);
+    check("flow of blood in g/s", options.blood_flow_g_s, 0.0, 1e15);
+    if (options.step_s) check("time between samples in s", *options.step_s, 1e-9, 1e9);
+    if (options.until_s) check("end in s", *options.until_s, 0.0, 1e9);
+    check("duration of the injection in s", options.injection_s, 0.0, HUGE_VAL);
+    check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
+}
+
+// Puts the catheter in place and states what drives the flow. The drug is inlet 0.
+void prepare(const VesselTree& tree, const InjectionOptions& options, Injection& injection) {
+    const TreePoint tip = options.tip ? *options.tip : main_root(tree);
+    injection.network = network_of(tree, options.shape);
+    if (tip.segment < 0 || tip.segment >= static_cast<int>(tree.segments.size()))
+        throw InputError("there is no segment " + std::to_string(tip.segment), "injection",
+                         "Choose a point on the vessel tree");
+    FlowNetwork& network = injection.network;
+    injection.tip_node = place_catheter(network, tip, options.wedged);
+    FlowConditions& conditions = injection.conditions;
+    conditions.law = options.law;
+    conditions.resident = pure(blood());
+    conditions.outlet_pressure_pa = options.outlet_pressure_pa;
+    conditions.bifurcation_loss_coefficient = options.bifurcation_loss_coefficient;
+    if (options.terminal_resistance_pa_s_mm3 > 0.0)
+        conditions.terminal_resistances =
+            murray_terminal_resistances(network, options.terminal_resistance_pa_s_mm3);
+    injection.drug = drug_of(options);
+    if (options.inlet_pressure_pa)
+        conditions.inlets.push_back(
+            {injection.tip_node, InletKind::pressure, *options.inlet_pressure_pa, injection.drug});
+    else
+        conditions.inlets.push_back(
+            {injection.tip_node, InletKind::mass_flow, options.mass_flow_g_s, injection.drug});
+    if (!options.wedged && options.blood_flow_g_s > 0.0) {
+        int root = tip.segment;
+        while (tree.segments[root].parent >= 0) root = tree.segments[root].parent;
+        conditions.inlets.push_back({tree.segments[root].proximal_node, InletKind::mass_flow,
+                                     options.blood_flow_g_s, conditions.resident});
+    }
+}
+
+double territory_mass_g(const Injection& injection, const DrugFront& front,
+                        const Territory& territory) {
+    double mass = 0.0;
+    for (std::size_t i = 0; i < territory.passed_share.size(); ++i)
+        if (territory.passed_share[i] > 0.0)
+            mass += territory.passed_share[i] * front.drug_mm3(static_cast<int>(i)) *
+                    injection.drug.density_g_mm3;
+    for (std::size_t k = 0; k < territory.outlets.size(); ++k)
+        mass += territory.outlet_shares[k] * front.outlet_mass_g()[territory.outlets[k]];
+    return mass;
+}
+
+InjectionSample sample(const Injection& injection, const DrugFront& front, double tree_mm3,
+                       std::size_t tree_segments, bool filled_lengths) {
+    const double density = injection.drug.density_g_mm3;
+    const DrugBalance balance = front.balance();
+    InjectionSample s;
+    s.time_s = front.time_s();
+    s.inlet_pressure_pa = front.flow().total_pressure_pa[injection.tip_node];
+    s.inlet_flow_g_s = front.injecting() ? front.flow().inlet_flow_mm3_s[0] * density : 0.0;
+    s.injected_g = balance.injected_mm3 * density;
+    s.inside_g = balance.inside_mm3 * density;
+    s.delivered_g = balance.left_mm3 * density;
+    s.filled_fraction = tree_mm3 > 0.0 ? balance.inside_mm3 / tree_mm3 : 0.0;
+    s.outlet_mass_g = front.outlet_mass_g();
+    for (const Territory& territory : injection.territories)
+        s.territory_mass_g.push_back(territory_mass_g(injection, front, territory));
+    if (filled_lengths) {
+        s.filled_length_mm.assign(tree_segments, 0.0f);
+        for (std::size_t i = 0; i < injection.network.segments.size(); ++i)
+            s.filled_length_mm[injection.network.segments[i].tree_segment] +=
+                static_cast<float>(front.filled_length_mm(static_cast<int>(i)));
+    }
+    return s;
+}
+
+}  // namespace
+
+Fluid drug_of(const InjectionOptions& options) {
+    Fluid drug = mixture(blood(), options.second_phase, options.void_fraction);
+    if (options.drug_viscosity_pa_s) drug.viscosity_pa_s = *options.drug_viscosity_pa_s;
+    validate(drug);
+    return drug;
+}
+
+TreePoint main_root(const VesselTree& tree) {
+    if (tree.segments.empty())
+        throw InputError("the vessel tree has no segments", "injection",
+                         "Reconstruct the patient first");
+    std::vector<double> volume(tree.segments.size(), 0.0);
+    const FlowNetwork network = network_of(tree);
+    int best = -1;
+    for (std::size_t i = tree.segments.size(); i-- > 0;) {
+        volume[i] += volume_mm3(network, static_cast<int>(i));
+        const int parent = tree.segments[i].parent;
+        if (parent >= 0)
+            volume[parent] += volume[i];
+        else if (!tree.segments[i].closes_loop && (best < 0 || volume[i] >= volume[best]))
+            best = static_cast<int>(i);
+    }
+    return {std::max(best, 0), 0.0, 0.0};
+}
+
+Injection inject(const VesselTree& tree, const InjectionOptions& options, Job& job) {
+    job.begin_stage("injection");
+    validate_options(options);
+    Injection injection;
+    prepare(tree, options, injection);
+    FrontOptions front_options = options.front;
+    front_options.injection_end_s = options.injection_s;
+    DrugFront front(injection.network, injection.conditions, 0, front_options);
+    injection.begin = front.flow();
+    for (const TreePoint& point : options.territories)
+        injection.territories.push_back(territory_of(injection.network, injection.begin, point));
+
+    const double tree_mm3 = volume_mm3(injection.network);
+    double entering = 0.0;
+    for (const double q : injection.begin.inlet_flow_mm3_s) entering += std::abs(q);
+    const double filling_s = entering > 0.0 ? tree_mm3 / entering : 0.0;
+    double until = options.until_s.value_or(longest_run_in_fillings * filling_s);
+    if (!options.until_s && std::isfinite(options.injection_s)) until += options.injection_s;
+    double interval = options.step_s.value_or(filling_s / 100.0);
+    interval = interval > 0.0 ? std::max(interval, until / most_samples) : until;
+    const auto record = [&] {
+        injection.series.push_back(sample(injection, front, tree_mm3, tree.segments.size(),
+                                          options.record_filled_lengths));
+    };
+    record();
+    for (std::size_t k = 1; front.time_s() < until; ++k) {
+        const double to = std::min(static_cast<double>(k) * interval, until);
+        while (front.time_s() < to) {
+            front.step_towards(to);
+            job.throw_if_cancelled();
+        }
+        record();
+        const bool injecting_for_ever = std::isinf(options.injection_s);
+        if (!options.until_s && front.at_rest() && (injecting_for_ever || !front.injecting()))
+            break;
+        job.advance(std::max(front.time_s() / until, injection.series.back().filled_fraction));
+    }
+    injection.end = front.flow();
+    injection.arrival = front.arrival_times();
+    injection.balance = front.balance();
+    injection.steps = front.steps();
+    return injection;
+}
+
+double end_flow_g_s(const Injection& injection, int tree_segment) {
+    double flow = injection.end.mass_flow_g_s[tree_segment];
+    for (std::size_t i = injection.network.segments.size(); i-- > 0;) {
+        const FlowSegment& s = injection.network.segments[i];
+        if (s.tree_segment == static_cast<int>(i)) break;
+        if (s.tree_segment == tree_segment &&
+            std::abs(injection.end.mass_flow_g_s[i]) > std::abs(flow))
+            flow = injection.end.mass_flow_g_s[i];
+    }
+    return flow;
+}
+
+double first_arrival_s(const Injection& injection, int tree_segment) {
+    double first = injection.arrival.first_s(tree_segment);
+    for (std::size_t i = injection.network.segments.size(); i-- > 0;) {
+        const FlowSegment& s = injection.network.segments[i];
+        if (s.tree_segment == static_cast<int>(i)) break;
+        if (s.tree_segment == tree_segment)
+            first = std::min(first, injection.arrival.first_s(static_cast<int>(i)));
+    }
+    return first;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One injection from beginning to end: where the catheter is, what is injected and how, and what
+// follows from it as arrival times, flows, and series over time. The paper's section II.B as one
+// call.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/flow/drug_front.h"
+#include "core/flow/territory.h"
+
+namespace hepatica {
+
+struct InjectionOptions {
+    // The catheter's tip; none: the root of the system that holds the most blood.
+    std::optional<TreePoint> tip;
+    // A wedged tip fills the lumen: only what is downstream of it is perfused. Past a free one the
+    // blood that enters at the root (blood_flow_g_s) carries the drug along, or is overcome by it.
+    bool wedged = true;
+    double blood_flow_g_s = 0.0;
+
+    double mass_flow_g_s = 2.0;               // of the injected fluid
+    std::optional<double> inlet_pressure_pa;  // total pressure at the tip, instead of the mass flow
+    PressureLaw law = PressureLaw::regime;
+    // The injected fluid: blood with this share of a second phase; 0 is blood itself.
+    Phase second_phase = lipiodol();
+    double void_fraction = 0.0;
+    std::optional<double> drug_viscosity_pa_s;  // instead of (9)
+
+    SegmentShape shape = SegmentShape::one_cone;
+    double outlet_pressure_pa = 0.0;
+    // Of the vessels too small to see, all in parallel, shared out by Murray's law; 0: none.
+    double terminal_resistance_pa_s_mm3 = 0.0;
+    double bifurcation_loss_coefficient = 0.0;
+
+    double injection_s = std::numeric_limits<double>::infinity();  // then the catheter is closed
+    // Until then; none: until nothing changes any more, at most ten times as long as it takes to
+    // inject the volume of the tree.
+    std::optional<double> until_s;
+    // Between the samples of the series, which has no influence on the solution; none: a hundredth
+    // of the time it takes to inject the volume of the tree.
+    std::optional<double> step_s;
+    FrontOptions front;                  // its injection_end_s is not looked at
+    std::vector<TreePoint> territories;  // whose drug is to be followed
+    bool record_filled_lengths = false;  // per segment and sample
+};
+
+// The state at one moment.
+struct InjectionSample {
+    double time_s = 0.0;
+    double inlet_pressure_pa = 0.0;  // total, at the tip
+    double inlet_flow_g_s = 0.0;
+    double injected_g = 0.0;
+    double inside_g = 0.0;
+    double delivered_g = 0.0;              // through outlets, into the vessels too small to see
+    double filled_fraction = 0.0;          // of the volume of the whole tree
+    std::vector<double> outlet_mass_g;     // per outlet
+    std::vector<double> territory_mass_g;  // inside the territory's vessels and through its outlets
+    std::vector<float> filled_length_mm;   // per segment of the vessel tree; empty if not recorded
+};
+
+struct Injection {
+    FlowNetwork network;  // with the catheter in place
+    FlowConditions conditions;
+    int tip_node = -1;
+    Fluid drug;
+    FlowSolution begin;  // all vessels filled with blood
+    FlowSolution end;    // as filled at the end
+    ArrivalTimes arrival;
+    std::vector<Territory> territories;
+    std::vector<InjectionSample> series;  // the first at time 0
+    DrugBalance balance;
+    std::uint64_t steps = 0;
+};
+
+// Two fluids differ in splits that change as the vessels fill; the arrival times are those of the
+// stepped front, and equal the closed form where the drug has the blood's properties. Begins one
+// stage of the job. Throws InputError where an option is out of range or nothing can flow,
+// Cancelled.
+Injection inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
+
+// The injected fluid of these options.
+Fluid drug_of(const InjectionOptions& options);
+
+// Where the injection goes if nobody chose a place: the beginning of the root segment whose system
+// holds the most blood. Throws InputError if the tree is empty.
+TreePoint main_root(const VesselTree& tree);
+
+// Mass flow of a tree's segment at the end, g/s from proximal to distal: of the stretch that
+// carries most, where the catheter or a tear divides the segment.
+double end_flow_g_s(const Injection& injection, int tree_segment);
+// When any of a tree's segment is first reached; infinity: never.
+double first_arrival_s(const Injection& injection, int tree_segment);
+
+}  // namespace hepatica

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flow/injection.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "tests/flow/random_cases.h"
+
+namespace hepatica {
+namespace {
+
+using testing_flow::Random;
+
+// A binary tree of straight conical vessels, depth first, Murray's radii.
+void grow(VesselTree& tree, Random& random, int parent, int node, double radius, int generations) {
+    const double length = radius * random.uniform(4.0, 12.0);
+    const double distal = radius * random.uniform(0.8, 1.0);
+    const Vec3 direction =
+        Vec3(1.0, random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)).normalized();
+    const Vec3 start = tree.nodes[node].position_mm;
+    const int end = static_cast<int>(tree.nodes.size());
+    tree.nodes.push_back({start + length * direction, distal});
+    VesselSegment s;
+    s.proximal_node = node;
+    s.distal_node = end;
+    s.parent = parent;
+    for (int i = 0; i <= 8; ++i) {
+        s.points_mm.push_back(start + length * i / 8.0 * direction);
+        s.radii_mm.push_back(radius + (distal - radius) * i / 8.0);
+    }
+    const int id = static_cast<int>(tree.segments.size());
+    tree.segments.push_back(s);
+    if (generations == 0) return;
+    const double share = random.uniform(0.3, 0.7);
+    grow(tree, random, id, end, distal * std::cbrt(share), generations - 1);
+    grow(tree, random, id, end, distal * std::cbrt(1.0 - share), generations - 1);
+}
+
+VesselTree make_tree(std::uint64_t seed, int generations) {
+    Random random(seed);
+    VesselTree tree;
+    tree.nodes.push_back({Vec3::Zero(), 2.5});
+    grow(tree, random, -1, 0, 2.5, generations);
+    validate(tree);
+    return tree;
+}
+
+TEST(Injection, FillsTheTreeAndLosesNothing) {
+    const VesselTree tree = make_tree(61, 4);
+    for (const double void_fraction : {0.0, 0.5}) {
+        Job job;
+        InjectionOptions options;
+        options.void_fraction = void_fraction;
+        options.record_filled_lengths = true;
+        const Injection injection = inject(tree, options, job);
+        EXPECT_LE(injection.balance.error_relative(), 1e-12);
+        EXPECT_NEAR(injection.series.back().filled_fraction, 1.0, 1e-9);
+        EXPECT_EQ(injection.series.front().filled_fraction, 0.0);
+        double before = -1.0;
+        for (const InjectionSample& s : injection.series) {
+            EXPECT_GT(s.time_s, before);
+            before = s.time_s;
+            EXPECT_NEAR(s.injected_g, 2.0 * s.time_s, 1e-9);
+            EXPECT_NEAR(s.injected_g, s.inside_g + s.delivered_g, 1e-9);
+            const double out = std::accumulate(s.outlet_mass_g.begin(), s.outlet_mass_g.end(), 0.0);
+            EXPECT_NEAR(out, s.delivered_g, 1e-9);
+        }
+        for (std::size_t i = 0; i < tree.segments.size(); ++i) {
+            const int id = static_cast<int>(i);
+            EXPECT_NEAR(injection.series.back().filled_length_mm[i], length_mm(tree.segments[i]),
+                        1e-4);
+            if (tree.segments[i].parent >= 0) {
+                EXPECT_GT(first_arrival_s(injection, id),
+                          first_arrival_s(injection, tree.segments[i].parent));
+            }
+        }
+        EXPECT_NEAR(end_flow_g_s(injection, 0), 2.0, 1e-12);
+    }
+}
+
+TEST(Injection, OfBloodMeetsTheClosedForm) {
+    const VesselTree tree = make_tree(62, 5);
+    Job job;
+    const Injection injection = inject(tree, {}, job);
+    const ArrivalTimes exact = arrival_times(injection.network, injection.begin, {0});
+    for (int s = 0; s < static_cast<int>(tree.segments.size()); ++s)
+        EXPECT_NEAR(injection.arrival.arrival_s(s, 1.0), exact.arrival_s(s, 1.0), 1e-9);
+    EXPECT_NEAR(injection.arrival.end_s(), exact.end_s(), 1e-9);
+}
+
+TEST(Injection, ReachesItsFinalPressureWhenAllIsFilled) {
+    const VesselTree tree = make_tree(63, 3);
+    Job job;
+    InjectionOptions options;
+    options.void_fraction = 0.4;
+    const Injection injection = inject(tree, options, job);
+    FlowConditions filled = injection.conditions;
+    filled.resident = injection.drug;
+    const double steady = solve_flow(injection.network, filled).inlet_pressure_pa[0];
+    EXPECT_NEAR(injection.series.back().inlet_pressure_pa / steady, 1.0, 1e-9);
+    EXPECT_GT(steady, injection.series.front().inlet_pressure_pa);
+}
+
+TEST(Injection, FollowsTheDrugOfATerritory) {
+    const VesselTree tree = make_tree(64, 4);
+    Job job;
+    InjectionOptions options;
+    options.territories = {{0, 0.0, 0.0}, {1, 0.0, 0.0}};
+    for (std::size_t i = 0; i < tree.segments.size(); ++i)
+        if (tree.segments[i].parent == 0 && i != 1)
+            options.territories.push_back({static_cast<int>(i), 0.0, 0.0});
+    ASSERT_EQ(options.territories.size(), 3u);
+    const Injection injection = inject(tree, options, job);
+    const double trunk_g = volume_mm3(injection.network, 0) * 1.06e-3;
+    for (const InjectionSample& s : injection.series) {
+        EXPECT_NEAR(s.territory_mass_g[0], s.injected_g, 1e-9);
+        EXPECT_NEAR(s.territory_mass_g[1] + s.territory_mass_g[2],
+                    std::max(0.0, s.injected_g - trunk_g), 1e-9);
+    }
+}
+
+TEST(Injection, ByAWedgedCatheterStaysDownstream) {
+    const VesselTree tree = make_tree(65, 4);
+    Job job;
+    InjectionOptions options;
+    options.tip = TreePoint{1, 0.5 * length_mm(tree.segments[1]), 0.0};
+    options.mass_flow_g_s = 0.1;
+    const Injection injection = inject(tree, options, job);
+    EXPECT_TRUE(std::isinf(first_arrival_s(injection, 0)));
+    EXPECT_EQ(first_arrival_s(injection, 1), 0.0);
+    EXPECT_EQ(end_flow_g_s(injection, 0), 0.0);
+    EXPECT_NEAR(end_flow_g_s(injection, 1), 0.1, 1e-12);
+    EXPECT_LE(injection.balance.error_relative(), 1e-12);
+}
+
+TEST(Injection, AShortOneFollowedByBloodIsDeliveredInFull) {
+    const VesselTree tree = make_tree(66, 4);
+    Job job;
+    InjectionOptions options;
+    options.wedged = false;
+    options.blood_flow_g_s = 4.0;
+    options.mass_flow_g_s = 0.5;
+    options.void_fraction = 0.3;
+    options.injection_s = 1.0;
+    const Injection injection = inject(tree, options, job);
+    const InjectionSample& end = injection.series.back();
+    EXPECT_NEAR(end.injected_g, 0.5, 1e-9);
+    EXPECT_NEAR(end.delivered_g, 0.5, 1e-6);
+    EXPECT_LE(injection.balance.error_relative(), 1e-12);
+}
+
+TEST(Injection, SamplesDoNotChangeTheSolution) {
+    const VesselTree tree = make_tree(67, 4);
+    Job job;
+    InjectionOptions options;
+    options.until_s = 1.0;
+    std::vector<double> delivered;
+    for (const double step_s : {0.5, 0.01}) {
+        options.step_s = step_s;
+        const Injection injection = inject(tree, options, job);
+        EXPECT_EQ(injection.series.back().time_s, 1.0);
+        delivered.push_back(injection.series.back().inside_g);
+    }
+    EXPECT_NEAR(delivered[0], delivered[1], 1e-12);
+}
+
+TEST(Injection, RefusesNonsenseAndStopsWhenAsked) {
+    const VesselTree tree = make_tree(68, 2);
+    const auto refused = [&](auto change) {
+        InjectionOptions options;
+        change(options);
+        Job job;
+        EXPECT_THROW(inject(tree, options, job), InputError);
+    };
+    refused([](InjectionOptions& o) { o.mass_flow_g_s = -1.0; });
+    refused([](InjectionOptions& o) { o.mass_flow_g_s = std::nan(""); });
+    refused([](InjectionOptions& o) { o.void_fraction = 1.0; });
+    refused([](InjectionOptions& o) { o.drug_viscosity_pa_s = 0.0; });
+    refused([](InjectionOptions& o) { o.step_s = 0.0; });
+    refused([](InjectionOptions& o) { o.until_s = -1.0; });
+    refused([](InjectionOptions& o) { o.tip = TreePoint{77, 0.0, 0.0}; });
+    Job job;
+    EXPECT_THROW(inject({}, {}, job), InputError);
+    job.cancel();
+    EXPECT_THROW(inject(tree, {}, job), Cancelled);
+}
+
+TEST(Injection, BeginsInTheLargestSystem) {
+    VesselTree tree = make_tree(69, 1);
+    const VesselTree larger = make_tree(70, 3);
+    const int nodes = static_cast<int>(tree.nodes.size());
+    const int segments = static_cast<int>(tree.segments.size());
+    tree.nodes.insert(tree.nodes.end(), larger.nodes.begin(), larger.nodes.end());
+    for (VesselSegment s : larger.segments) {
+        s.proximal_node += nodes;
+        s.distal_node += nodes;
+        if (s.parent >= 0) s.parent += segments;
+        s.system = 1;
+        tree.segments.push_back(s);
+    }
+    EXPECT_EQ(main_root(tree).segment, segments);
+    Job job;
+    const Injection injection = inject(tree, {}, job);
+    EXPECT_TRUE(std::isinf(first_arrival_s(injection, 0)));
+    EXPECT_EQ(first_arrival_s(injection, segments), 0.0);
+}
+
+}  // namespace
+}  // namespace hepatica
