@@ -11,20 +11,28 @@
 
 namespace hepatica {
 
+// Order of the upwind differences. First order never overshoots; second order is several times
+// more accurate wherever the front is smooth, and falls back to first order where it is not.
 enum class MarchingOrder { first, second };
 
-// Distance in millimetres from the object's boundary, inside it; 0 outside. The boundary runs
-// half-way between object and background voxels, and along the border of the grid there is none.
-// Second order errs by less than 0.1 voxel on smooth shapes. dims[2] == 1 marches in the plane.
+// Distance in mm from the object's boundary, inside it; 0 outside. The boundary runs half-way
+// between object and background voxels; the border of the grid is none. A grid with dims[2] == 1
+// is marched in its plane. Throws Cancelled.
 FloatVolume distance_from_boundary(const Mask& object, MarchingOrder order, Job& job);
 
-// Arrival time (in mm / speed) of a front that starts at the given voxels and moves with
-// speed[voxel] >= 0; infinity where it never arrives.
-FloatVolume arrival_times(const FloatVolume& speed, const std::vector<std::size_t>& starts,
-                          MarchingOrder order, Job& job);
+// The same from a boundary below the voxel: where `level` (any unit) falls to 0; inside it is > 0.
+FloatVolume distance_from_level_set(const FloatVolume& level, MarchingOrder order, Job& job);
 
-// Where the moving boundary collapses onto itself: object voxels at which the gradient of the
-// distance is discontinuous, |grad T| < threshold (it is 1 elsewhere), thinned to nothing.
-Mask front_collisions(const FloatVolume& distance, double threshold, Job& job);
+// Arrival time (mm / speed) of a front that starts at the given voxels at time 0 and moves with
+// speed[voxel] >= 0; infinity where it never arrives. It ends once every voxel of `until` has been
+// reached (an empty list: the whole grid). Throws Cancelled.
+FloatVolume arrival_times(const FloatVolume& speed, const std::vector<std::size_t>& starts,
+                          MarchingOrder order, Job& job,
+                          const std::vector<std::size_t>& until = {});
+
+// Where the moving boundary collapses onto itself: object voxels (distance > 0) at which the slope
+// of the distance, 1 everywhere else, is below `slope`. 1 on such voxels, 0 elsewhere. The points
+// gather on the medial axis; they need not be connected.
+Mask front_collisions(const FloatVolume& distance, double slope = 0.7);
 
 }  // namespace hepatica

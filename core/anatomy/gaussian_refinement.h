@@ -10,22 +10,25 @@ namespace hepatica {
 
 struct RefinementOptions {
     int recursions = 1;     // 0 returns the mask unchanged
-    double sigma_mm = 0.6;  // of each recursion; n recursions act as sqrt(n) sigma_mm
-    // The level set of the smoothed volume that becomes the new surface. At 0.5 a cylinder of
-    // radius R shrinks by about n sigma^2 / (2 R): thin branches vanish first, as the paper says.
+    double sigma_mm = 0.5;  // of each recursion; n of them act as one of sqrt(n) sigma_mm
+    // The level set of the smoothed volume that becomes the new surface. At 0.5 a ball of radius R
+    // shrinks by about n sigma_mm^2 / R, a cylinder by half of that: thin branches lose most.
     double level = 0.5;
-    // Keeps every voxel of the centreline that the level set would lose, so that a thin branch
-    // stays connected.
+    // A thin branch keeps its skeleton where the level set would cut it in two, or would shorten
+    // it by more than kept_branch_mm.
     bool keep_thin_branches = true;
+    double kept_branch_mm = 4.0;
 };
 
-// Same grid. Labels (several systems) are kept: a voxel that joins takes the label of the nearest
-// object voxel. Throws InputError for a negative number of recursions or sigma_mm <= 0; Cancelled.
+// Same grid. Labels (several systems) are kept: a voxel that joins takes a neighbour's label.
+// Throws InputError for a negative number of recursions, sigma_mm <= 0 or a level outside (0, 1);
+// Cancelled.
 Mask refine(const Mask& mask, const RefinementOptions& options, Job& job);
 Mask refine(const Mask& mask, int recursions, Job& job);
 
-// How rough a surface is: area of the voxel surface, estimated by Cauchy-Crofton counting of
-// crossings along 13 directions, in square millimetres. Volume in cubic millimetres.
+// How rough a surface is: its area by the Cauchy-Crofton formula (crossings counted along the 13
+// directions between neighbours, weighted by their share of the sphere; within 2 % on a ball of 8
+// voxels radius), and the volume within.
 struct SurfaceMeasure {
     double area_mm2 = 0.0;
     double volume_mm3 = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Multi-scale vesselness: how much a neighbourhood looks like a bright tube, from the eigenvalues
-// of the Hessian (Sato 1998; Frangi 1998; the ratio form of Jerman 2016, flat inside vessels).
+// of the Hessian (Sato et al. 1998, with the blob term of Frangi et al. 1998).
 #pragma once
 
 #include <array>
@@ -17,9 +17,10 @@ using Symmetric3 = std::array<float, 6>;
 // In closed form, ascending. Accurate to 1e-5 of the largest magnitude.
 std::array<float, 3> eigenvalues(const Symmetric3& matrix);
 
-// The response at one scale is the mean of the two strongest negative curvatures, in HU, scale
-// normalised by sigma^2; it is 0 where either of them is not negative, and reduced for blobs.
-// Returns the largest response over the scales. The grid must be isotropic to 1 %.
+// The response at one scale is the weaker of the two cross-sectional curvatures in HU, times
+// sigma^2 so that scales compare, lowered for blobs; 0 where the centre is no brighter than what
+// surrounds it. Returns the largest response over the scales (each at least half a voxel). Throws
+// InputError where the voxels are not cubes to 1 %; Cancelled.
 FloatVolume vesselness(const FloatVolume& intensity, const std::vector<double>& sigmas_mm,
                        Job& job);
 
