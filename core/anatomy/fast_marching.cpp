@@ -109,10 +109,14 @@ class Front {
         const Index3 at = grid_.index_of(voxel);
         std::array<Term, 3> terms{};
         std::size_t count = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (upwind(voxel, at, axis, terms[count])) ++count;
-        std::sort(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(count),
-                  [](const Term& a, const Term& b) { return a.value < b.value; });
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Term term{};
+            if (!upwind(voxel, at, axis, term)) continue;
+            std::size_t place = count++;  // sorted by value
+            for (; place > 0 && term.value < terms[place - 1].value; --place)
+                terms[place] = terms[place - 1];
+            terms[place] = term;
+        }
         // Axes join in while the front has already passed their neighbour.
         double a = 0.0;
         double b = 0.0;
@@ -239,17 +243,18 @@ Mask front_collisions(const FloatVolume& distance, double slope) {
                 double squared = 0.0;
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     if (grid.dims[axis] == 1) continue;
-                    // The distance continues as its mirror image beyond the boundary half a voxel
-                    // away.
+                    // One-sided at the boundary: the front came from there with slope 1.
                     const auto value = [&](bool exists, std::size_t neighbour) {
-                        if (!exists) return here;
-                        return distance.voxels[neighbour] > 0.0f ? distance.voxels[neighbour]
-                                                                 : -here;
+                        return exists ? distance.voxels[neighbour] : 0.0f;
                     };
                     const float before = value(at[axis] > 0, i - stride[axis]);
                     const float after = value(at[axis] + 1 < grid.dims[axis], i + stride[axis]);
-                    const double d =
-                        (after - before) / (2.0 * grid.spacing_mm[static_cast<Eigen::Index>(axis)]);
+                    const double h = grid.spacing_mm[static_cast<Eigen::Index>(axis)];
+                    double d = 0.0;
+                    if (before > 0.0f && after > 0.0f)
+                        d = (after - before) / (2.0 * h);
+                    else if (before > 0.0f || after > 0.0f)
+                        d = (std::max(before, after) - here) / h;
                     squared += d * d;
                 }
                 if (squared < slope * slope) collisions.voxels[i] = 1;

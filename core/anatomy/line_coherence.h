@@ -15,8 +15,8 @@ struct LineOptions {
 };
 
 // For every candidate voxel the largest mean of the values along two half-lines that leave it in
-// nearly opposite directions; 0 elsewhere, and within half_length_mm of the grid's border. The
-// voxels must be cubes. Throws Cancelled.
+// nearly opposite directions; 0 elsewhere. Outside the grid the border value continues. The voxels
+// must be cubes. Throws Cancelled.
 FloatVolume line_coherence(const FloatVolume& values, const Mask& candidates,
                            const LineOptions& options, Job& job);
 

@@ -3,6 +3,8 @@
 // fat), so its level is measured around every voxel before anything is called bright.
 #pragma once
 
+#include <optional>
+
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
@@ -12,6 +14,8 @@ struct TissueContrast {
     FloatVolume excess;          // intensity minus the local parenchyma, in HU; 0 outside the liver
     double parenchyma_hu = 0.0;  // median over the liver
     double noise_hu = 0.0;       // standard deviation of the parenchyma around its local level
+    // What counts as vessel, where the user has said so; else it follows from the noise.
+    std::optional<double> threshold_hu;
 };
 
 // The local level is a mean over about 8 mm of what differs from it by less than two standard

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/anatomy/vessel_growth.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,36 @@ Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3) {
     for (std::size_t i = 0; i < mask.voxels.size(); ++i)
         mask.voxels[i] = kept[pieces.labels.voxels[i]];
     return mask;
+}
+
+Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
+    const Grid& grid = weak.grid;
+    Mask grown(grid);
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < grown.voxels.size(); ++i)
+        if (strong.voxels[i] && weak.voxels[i]) {
+            grown.voxels[i] = 1;
+            front.push_back(i);
+        }
+    const auto rounds = static_cast<int>(std::lround(reach_mm / grid.spacing_mm[0]));
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<std::size_t> next;
+        for (const std::size_t i : front) {
+            const Index3 at = grid.index_of(i);
+            for (int code = 0; code < 27; ++code) {
+                const int x = at[0] + code % 3 - 1;
+                const int y = at[1] + code / 3 % 3 - 1;
+                const int z = at[2] + code / 9 - 1;
+                if (!grid.contains(x, y, z)) continue;
+                const std::size_t n = grid.offset(x, y, z);
+                if (!weak.voxels[n] || grown.voxels[n]) continue;
+                grown.voxels[n] = 1;
+                next.push_back(n);
+            }
+        }
+        front.swap(next);
+    }
+    return grown;
 }
 
 }  // namespace hepatica

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hysteresis and the labels of vascular systems: growth through whatever is connected.
+// Growth of vessels from where they are certain to where they are likely.
 #pragma once
 
-#include <cstddef>
-
-#include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
@@ -12,5 +9,9 @@ namespace hepatica {
 // The 26-connected pieces of `weak` that hold at least one voxel of `strong` and at least
 // minimum_mm3 of volume. Same grid for both.
 Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3);
+
+// What of `weak` can be reached from `strong` by a path of at most reach_mm through `weak`, in
+// steps to 26 neighbours counted as one voxel each. Same grid of cubes for both.
+Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm);
 
 }  // namespace hepatica

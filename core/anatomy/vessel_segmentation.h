@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a contrast CT to the voxels of its hepatic vessels: the paper's multi-layer method (section
-// II.A.1), a multi-scale vesselness as the modern comparison, and the two together.
+// II.A.1), a multi-scale vesselness as the modern comparison, and the default, which joins
+// intensity with coherence along lines.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/anatomy/vessel_systems.h"
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
@@ -17,18 +19,11 @@ namespace hepatica {
 enum class SegmentationMethod {
     multi_layer,  // 2-D cross-sections, layer by layer, assembled along their centreline
     vesselness,   // 3-D multi-scale Hessian, hysteresis, growth
-    combined,     // intensity and vesselness as one likelihood: the default
-};
-
-// A point inside one vascular system. Systems are numbered from 1 (say 1 portal vein, 2 hepatic
-// veins, 3 artery); several seeds may name the same system.
-struct VesselSeed {
-    Vec3 position_mm = Vec3::Zero();
-    std::uint8_t system = 1;
+    coherent,  // rise above the local parenchyma, kept where it goes on along a line: the default
 };
 
 struct SegmentationOptions {
-    SegmentationMethod method = SegmentationMethod::combined;
+    SegmentationMethod method = SegmentationMethod::coherent;
     // Anything else than 0 is liver. Any grid; vessels may be carved out of it (it is closed).
     // Without one the liver is found (liver_region.h).
     std::optional<Mask> liver;
@@ -37,21 +32,21 @@ struct SegmentationOptions {
     // With seeds only what is connected to one of them is kept, and labelled with its system.
     std::vector<VesselSeed> seeds;
     // Recursions of the Gaussian refinement (gaussian_refinement.h); 0 leaves the surface alone.
-    int refinement_recursions = 1;
-    // Edge of the isotropic voxels that the work is done on, at most 1.5; 0 picks it from the CT.
+    int refinement_recursions = 0;
+    // Edge of the cubic voxels that the work is done on, 0.3 to 1.5; 0 stands for 0.8.
     double spacing_mm = 0.0;
 };
 
 // What the image says about itself, inside the liver.
 struct ContrastStatistics {
-    double parenchyma_hu = 0.0;  // mode of the liver tissue
-    double noise_hu = 0.0;       // standard deviation of the noise in one voxel of the CT
-    double vessel_hu = 0.0;      // mean of the voxels well inside vessels
+    double parenchyma_hu = 0.0;  // median of the liver
+    double noise_hu = 0.0;       // standard deviation of the tissue around its local level
+    double vessel_hu = 0.0;      // median well inside vessels
     double contrast_hu() const { return vessel_hu - parenchyma_hu; }
 };
 
 struct Segmentation {
-    // 0 background, else the system's number (1 where no seed was given). On an isotropic grid that
+    // 0 background, else the system's number (1 where no seed was given). On a grid of cubes that
     // covers the liver and lies in the CT's frame.
     Mask mask;
     Mask liver;             // closed; same grid as the mask
@@ -63,15 +58,8 @@ struct Segmentation {
 };
 
 // Throws InputError where the CT shows no contrast between vessels and liver (naming what was
-// measured), where no liver can be found, or where a seed lies outside it; Cancelled. Progress and
-// cancellation through the job. Same bytes for any number of threads.
+// measured), where no liver can be found, where a seed lies in no vessel, or an option is outside
+// its range; Cancelled. Begins its own stages of the job. Same bytes for any number of threads.
 Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job);
-
-// Relabels the piece of a system around a seed: the connected voxels of the system found at
-// the seed that are no nearer, along the vessels, to any seed of their own system than to this one.
-// Returns the number of voxels that changed hands. One step of the correction of an overlap of two
-// systems that touch. Throws InputError if the seed lies in no vessel.
-std::size_t reassign_overlap(Mask& systems, const std::vector<VesselSeed>& seeds,
-                             const VesselSeed& correction);
 
 }  // namespace hepatica
