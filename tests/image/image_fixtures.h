@@ -51,8 +51,7 @@ inline Grid small_grid() {
 
 inline Grid turned_grid() {
     Grid grid = small_grid();
-    grid.direction =
-        Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+    grid.direction = Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
     return grid;
 }
 
@@ -73,8 +72,8 @@ inline std::string bytes_of_file(const std::filesystem::path& file) {
 }
 
 inline void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
-    std::ofstream(file, std::ios::binary).write(bytes.data(),
-                                                static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(file, std::ios::binary)
+        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 // The folder of public patients, which is not part of the project.

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DICOM series written by the program, then bent in every way that real folders are bent.
+#include <gdcmDataSet.h>
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageReader.h>
+#include <gdcmImageWriter.h>
+#include <gdcmReader.h>
+#include <gdcmWriter.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <functional>
+
+#include "core/base/parallel.h"
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
+#include "tests/image/image_fixtures.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace testing_support;
+
+// A folder with one series of nine slices, slice_0001.dcm to slice_0009.dcm.
+class DicomFolder {
+  public:
+    explicit DicomFolder(const Volume& volume = patterned_volume(small_grid())) : volume_(volume) {
+        Job job;
+        write_dicom_series(path(), volume_, {}, job);
+    }
+
+    fs::path path() const { return folder_ / "ct"; }
+    fs::path slice(int number) const {
+        char name[32];
+        std::snprintf(name, sizeof name, "slice_%04d.dcm", number);
+        return path() / name;
+    }
+    const Volume& volume() const { return volume_; }
+
+    // Replaces the value of a tag, as text, in one slice.
+    void edit(int number, gdcm::Tag tag, const std::string& value) const {
+        edit_file(slice(number), tag, value);
+    }
+    void edit_all(gdcm::Tag tag, const std::string& value) const {
+        for (int i = 1; i <= volume_.grid.dims[2]; ++i) edit(i, tag, value);
+    }
+    static void edit_file(const fs::path& file, gdcm::Tag tag, std::string value) {
+        if (value.size() % 2 != 0) value += ' ';
+        gdcm::Reader reader;
+        reader.SetFileName(file.c_str());
+        ASSERT_TRUE(reader.Read());
+        gdcm::DataSet& data = reader.GetFile().GetDataSet();
+        gdcm::DataElement element(tag);
+        element.SetVR(data.FindDataElement(tag) ? data.GetDataElement(tag).GetVR()
+                                                : gdcm::VR(gdcm::VR::LO));
+        element.SetByteValue(value.data(), static_cast<std::uint32_t>(value.size()));
+        data.Replace(element);
+        gdcm::Writer writer;
+        writer.CheckFileMetaInformationOff();
+        writer.SetFile(reader.GetFile());
+        writer.SetFileName(file.c_str());
+        ASSERT_TRUE(writer.Write());
+    }
+
+    Volume read(ReadRemarks* remarks = nullptr) const {
+        Job job;
+        return read_volume(path(), job, remarks);
+    }
+    std::string refusal_of_folder() const {
+        return refusal([&] { read(); });
+    }
+
+  private:
+    TemporaryFolder folder_;
+    Volume volume_;
+};
+
+const gdcm::Tag position(0x0020, 0x0032);
+const gdcm::Tag orientation(0x0020, 0x0037);
+const gdcm::Tag pixel_spacing(0x0028, 0x0030);
+const gdcm::Tag series_uid(0x0020, 0x000e);
+const gdcm::Tag study_uid(0x0020, 0x000d);
+const gdcm::Tag series_number(0x0020, 0x0011);
+const gdcm::Tag modality(0x0008, 0x0060);
+const gdcm::Tag image_type(0x0008, 0x0008);
+const gdcm::Tag frames(0x0028, 0x0008);
+const gdcm::Tag slope(0x0028, 0x1053);
+const gdcm::Tag intercept(0x0028, 0x1052);
+
+TEST(Dicom, ComesBackAsItWasWritten) {
+    for (const Grid& grid : {small_grid(), turned_grid()}) {
+        const DicomFolder folder(patterned_volume(grid));
+        ReadRemarks remarks;
+        const Volume read = folder.read(&remarks);
+        EXPECT_TRUE(same_grid(read.grid, grid));
+        EXPECT_EQ(read.voxels, folder.volume().voxels);
+        EXPECT_TRUE(remarks.empty());
+    }
+}
+
+TEST(Dicom, IsWrittenWithTheSameBytesEveryTime) {
+    const DicomFolder a;
+    const DicomFolder b;
+    EXPECT_EQ(bytes_of_file(a.slice(4)), bytes_of_file(b.slice(4)));
+    Volume other = a.volume();
+    other.voxels[0] += 1;
+    const DicomFolder c(other);
+    EXPECT_NE(bytes_of_file(a.slice(4)), bytes_of_file(c.slice(4)));  // other content, other UIDs
+}
+
+TEST(Dicom, SortsByPositionWhateverTheNames) {
+    const DicomFolder folder;
+    const char* names[] = {"x.9", "10", "IM", "a.b.c", "zz", "1", "image_2", "image_10", "0.dcm"};
+    for (int i = 1; i <= 9; ++i) fs::rename(folder.slice(i), folder.path() / names[i * 5 % 9]);
+    EXPECT_EQ(folder.read().voxels, folder.volume().voxels);
+}
+
+TEST(Dicom, IsFoundFromOneOfItsFilesAndFromADicomdir) {
+    const DicomFolder folder;
+    write_bytes(folder.path() / "DICOMDIR", "not read, only its place matters");
+    Job job;
+    EXPECT_EQ(read_volume(folder.slice(3), job).voxels, folder.volume().voxels);
+    EXPECT_EQ(read_volume(folder.path() / "DICOMDIR", job).voxels, folder.volume().voxels);
+}
+
+TEST(Dicom, PassesOverFilesThatAreNoImages) {
+    const DicomFolder folder;
+    write_bytes(folder.path() / "report.pdf", std::string(5000, 'p'));
+    write_bytes(folder.path() / "empty", "");
+    write_bytes(folder.path() / ".DS_Store", std::string(300, '\0'));
+    write_bytes(folder.path() / "preamble only", std::string(128, '\0') + "DICM");
+    fs::create_symlink("nowhere", folder.path() / "broken link");
+    ReadRemarks remarks;
+    EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
+}
+
+TEST(Dicom, ReadsEverySupportedCompression) {
+    for (const auto syntax :
+         {gdcm::TransferSyntax::JPEG2000Lossless, gdcm::TransferSyntax::JPEGLosslessProcess14_1,
+          gdcm::TransferSyntax::RLELossless, gdcm::TransferSyntax::JPEGLSLossless,
+          gdcm::TransferSyntax::ImplicitVRLittleEndian,
+          gdcm::TransferSyntax::ExplicitVRBigEndian}) {
+        const DicomFolder folder;
+        for (int i = 1; i <= 9; ++i) {
+            gdcm::ImageReader reader;
+            reader.SetFileName(folder.slice(i).c_str());
+            ASSERT_TRUE(reader.Read());
+            gdcm::ImageChangeTransferSyntax change;
+            change.SetTransferSyntax(syntax);
+            change.SetInput(reader.GetImage());
+            ASSERT_TRUE(change.Change());
+            gdcm::ImageWriter writer;
+            writer.SetFileName(folder.slice(i).c_str());
+            writer.SetFile(reader.GetFile());
+            writer.SetImage(change.GetOutput());
+            ASSERT_TRUE(writer.Write());
+        }
+        EXPECT_EQ(folder.read().voxels, folder.volume().voxels)
+            << gdcm::TransferSyntax::GetTSString(syntax);
+    }
+}
+
+TEST(Dicom, ReadsSeriesThatLostTheirIdentifiers) {
+    const DicomFolder folder;
+    for (const gdcm::Tag& tag : {series_uid, study_uid, series_number}) folder.edit_all(tag, "");
+    folder.edit_all(modality, "");
+    EXPECT_EQ(folder.read().voxels, folder.volume().voxels);
+}
+
+TEST(Dicom, AppliesEachSlicesOwnRescale) {
+    const DicomFolder folder;
+    folder.edit(2, slope, "2");
+    folder.edit(2, intercept, "-100");
+    const Volume read = folder.read();
+    EXPECT_EQ(read.at(5, 6, 1), 2 * folder.volume().at(5, 6, 1) - 100);
+    EXPECT_EQ(read.at(5, 6, 2), folder.volume().at(5, 6, 2));
+}
+
+TEST(Dicom, TakesTheLargestCtSeriesAndNamesTheOthers) {
+    const DicomFolder folder;
+    Job job;
+    Grid grid = small_grid();
+    grid.dims[2] = 4;
+    DicomSeriesInfo late;
+    late.series_description = "late phase";
+    write_dicom_series(folder.path() / "deeper" / "late", patterned_volume(grid), late, job);
+    grid.dims[2] = 20;
+    DicomSeriesInfo mr;
+    mr.series_description = "not a CT";
+    write_dicom_series(folder.path() / "mr", patterned_volume(grid), mr, job);
+    for (const auto& entry : fs::directory_iterator(folder.path() / "mr"))
+        DicomFolder::edit_file(entry.path(), modality, "MR");
+    ReadRemarks remarks;
+    EXPECT_EQ(folder.read(&remarks).grid.dims[2], 9);
+    ASSERT_EQ(remarks.size(), 2u);
+    const std::string both = remarks[0] + remarks[1];
+    EXPECT_NE(both.find("late phase"), std::string::npos);
+    EXPECT_NE(both.find("not a CT"), std::string::npos);
+    // Asked by one of its files, the smaller series is read.
+    EXPECT_EQ(read_volume(folder.path() / "deeper" / "late" / "slice_0002.dcm", job).grid.dims[2],
+              4);
+}
+
+TEST(Dicom, LeavesOutScouts) {
+    const DicomFolder folder;
+    fs::copy_file(folder.slice(1), folder.path() / "scout");
+    DicomFolder::edit_file(folder.path() / "scout", image_type, "ORIGINAL\\PRIMARY\\LOCALIZER");
+    DicomFolder::edit_file(folder.path() / "scout", orientation, "1\\0\\0\\0\\0\\-1");
+    ReadRemarks remarks;
+    EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("scout"), std::string::npos);
+}
+
+TEST(Dicom, ReadsASliceThatStandsThereTwiceOnce) {
+    const DicomFolder folder;
+    fs::copy_file(folder.slice(5), folder.path() / "again.dcm");
+    ReadRemarks remarks;
+    EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("twice"), std::string::npos);
+}
+
+TEST(BadDicom, WithTwoPhasesInOnePlaceIsRefused) {
+    const DicomFolder folder;
+    fs::copy_file(folder.slice(5), folder.path() / "again.dcm");
+    DicomFolder::edit_file(folder.path() / "again.dcm", intercept, "60");
+    EXPECT_NE(folder.refusal_of_folder().find("same place"), std::string::npos);
+}
+
+TEST(BadDicom, WithASliceMissingIsRefusedByItsNeighbours) {
+    const DicomFolder one;
+    fs::remove(one.slice(4));
+    const std::string message = one.refusal_of_folder();
+    EXPECT_NE(message.find("1 slice is missing between slice_0003.dcm and slice_0005.dcm"),
+              std::string::npos)
+        << message;
+    const DicomFolder two;
+    fs::remove(two.slice(6));
+    fs::remove(two.slice(7));
+    EXPECT_NE(two.refusal_of_folder().find("2 slices are missing"), std::string::npos);
+}
+
+TEST(BadDicom, WithUnevenGapsIsRefused) {
+    const DicomFolder folder;
+    folder.edit(6, position, "-31.25\\17.5\\-394.1");  // 0.4 mm off the even spacing of 1.5
+    const std::string message = folder.refusal_of_folder();
+    EXPECT_NE(message.find("gap between"), std::string::npos) << message;
+    EXPECT_NE(message.find("slice_0006.dcm"), std::string::npos) << message;
+}
+
+TEST(BadDicom, WithATiltedGantryIsRefused) {
+    const DicomFolder folder;
+    for (int i = 1; i <= 9; ++i)
+        folder.edit(i, position,
+                    "-31.25\\" + std::to_string(17.5 + 0.4 * i) + "\\" +
+                        std::to_string(-402.0 + 1.5 * (i - 1)));
+    EXPECT_NE(folder.refusal_of_folder().find("tilted gantry"), std::string::npos);
+}
+
+TEST(BadDicom, WithASliceShiftedSidewaysIsRefused) {
+    const DicomFolder folder;
+    folder.edit(6, position, "-30.25\\17.5\\-394.5");
+    EXPECT_NE(folder.refusal_of_folder().find("sideways"), std::string::npos);
+}
+
+TEST(BadDicom, WithMixedOrientationsSizesOrSpacingsIsRefused) {
+    const DicomFolder turned;
+    turned.edit(3, orientation, "1\\0\\0\\0\\0\\-1");
+    EXPECT_NE(turned.refusal_of_folder().find("slice_0003.dcm: is oriented otherwise"),
+              std::string::npos);
+    const DicomFolder coarser;
+    coarser.edit(3, pixel_spacing, "0.9\\0.9");
+    EXPECT_NE(coarser.refusal_of_folder().find("slice_0003.dcm: has pixels of 0.9 mm"),
+              std::string::npos);
+
+    const DicomFolder smaller;
+    Grid grid = small_grid();
+    grid.dims[0] = 10;
+    Job job;
+    const TemporaryFolder other;
+    write_dicom_series(other / "ct", patterned_volume(grid), {}, job);
+    fs::copy_file(other / "ct" / "slice_0003.dcm", smaller.slice(3),
+                  fs::copy_options::overwrite_existing);
+    smaller.edit_all(series_uid, "1.2.3");
+    EXPECT_NE(smaller.refusal_of_folder().find("has 10 x 11 pixels"), std::string::npos);
+}
+
+TEST(BadDicom, WithoutASoundGeometryIsRefused) {
+    for (const std::string spacing : {"0\\0", "-1\\1", "abc\\1", "nan\\nan", ""}) {
+        const DicomFolder folder;
+        folder.edit_all(pixel_spacing, spacing);
+        EXPECT_NE(folder.refusal_of_folder().find("spacing"), std::string::npos) << spacing;
+    }
+    const DicomFolder nowhere;
+    nowhere.edit(2, position, "");
+    EXPECT_NE(nowhere.refusal_of_folder().find("slice_0002.dcm: has no position"),
+              std::string::npos);
+    const DicomFolder skewed;
+    skewed.edit_all(orientation, "1\\0\\0\\1\\0\\0");
+    EXPECT_NE(skewed.refusal_of_folder().find("perpendicular"), std::string::npos);
+    const DicomFolder flat;
+    flat.edit_all(slope, "0");
+    EXPECT_NE(flat.refusal_of_folder(), "");
+}
+
+TEST(BadDicom, CutShortIsRefusedByName) {
+    const DicomFolder folder;
+    const std::string whole = bytes_of_file(folder.slice(7));
+    write_bytes(folder.slice(7), whole.substr(0, whole.size() - 60));
+    EXPECT_NE(folder.refusal_of_folder().find("slice_0007.dcm"), std::string::npos);
+}
+
+TEST(BadDicom, OfOtherKindsIsRefusedWithTheReason) {
+    const DicomFolder mr;
+    mr.edit_all(modality, "MR");
+    EXPECT_NE(mr.refusal_of_folder().find("no CT series"), std::string::npos);
+    EXPECT_NE(mr.refusal_of_folder().find("(MR, 9 images)"), std::string::npos);
+
+    const DicomFolder multi;
+    for (int i = 2; i <= 9; ++i) fs::remove(multi.slice(i));
+    EXPECT_NE(multi.refusal_of_folder().find("only one slice"), std::string::npos);
+    multi.edit(1, frames, "100000");
+    EXPECT_NE(multi.refusal_of_folder().find("100000 frames"), std::string::npos);
+
+    const TemporaryFolder empty;
+    Job job;
+    EXPECT_NE(refusal([&] { read_volume(empty.path(), job); }).find("is empty"), std::string::npos);
+    write_bytes(empty / "readme.txt", "no images here");
+    EXPECT_NE(refusal([&] { read_volume(empty.path(), job); }).find("no DICOM images"),
+              std::string::npos);
+}
+
+TEST(Dicom, ReadsTheSameForAnyNumberOfThreadsAndStopsWhenCancelled) {
+    const DicomFolder folder;
+    for (const int threads : {1, 2, 4}) {
+        const ThreadLimit limit(threads);
+        EXPECT_EQ(folder.read().voxels, folder.volume().voxels);
+    }
+    Job job;
+    job.cancel();
+    EXPECT_THROW(read_volume(folder.path(), job), Cancelled);
+    const TemporaryFolder out;
+    EXPECT_THROW(write_dicom_series(out / "ct", folder.volume(), {}, job), Cancelled);
+    EXPECT_TRUE(fs::is_empty(out.path()));
+}
+
+}  // namespace
+}  // namespace hepatica
