@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/dicom_reader.h"
 
-#include <gdcmImageReader.h>
+#include <gdcmBitmap.h>
+#include <gdcmSequenceOfFragments.h>
+#include <gdcmTrace.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/codestream.h"
+#include "core/image/dicom_rle.h"
 #include "core/image/dicom_series.h"
 #include "core/image/memory_limit.h"
 #include "core/image/voxel_file.h"
@@ -28,61 +35,132 @@ namespace {
     throw InputError(what, file.string(), "Copy or export the series again");
 }
 
+std::size_t pixels_in(const DicomSlice& slice) {
+    return static_cast<std::size_t>(slice.rows) * slice.columns;
+}
+
 // Bits that are stored, without what overlays may have put above them.
 template <class Word>
-double stored_value(Word word, int bits, bool is_signed) {
-    const int unused = static_cast<int>(8 * sizeof(Word)) - bits;
+double stored_value(Word word, const DicomSlice& slice) {
+    const int unused = static_cast<int>(8 * sizeof(Word)) - slice.bits_stored;
     const Word shifted = static_cast<Word>(word << unused);
-    if (!is_signed) return static_cast<double>(static_cast<Word>(shifted >> unused));
+    if (!slice.is_signed) return static_cast<double>(static_cast<Word>(shifted >> unused));
     using Signed = std::make_signed_t<Word>;
     return static_cast<double>(static_cast<Signed>(shifted) >> unused);
 }
 
 template <class Word>
-void decode(const std::vector<char>& bytes, int bits, bool is_signed, double slope,
-            double intercept, std::vector<double>& hu) {
+std::vector<double> to_hu(const std::vector<char>& bytes, const DicomSlice& slice, bool swap) {
+    std::vector<double> hu(pixels_in(slice));
     for (std::size_t i = 0; i < hu.size(); ++i) {
-        Word word{};
-        std::memcpy(&word, bytes.data() + i * sizeof(Word), sizeof(Word));
-        hu[i] = slope * stored_value(word, bits, is_signed) + intercept;
+        std::array<char, sizeof(Word)> raw;
+        std::memcpy(raw.data(), bytes.data() + i * sizeof(Word), sizeof(Word));
+        if (swap) std::reverse(raw.begin(), raw.end());
+        hu[i] = slice.slope * stored_value(std::bit_cast<Word>(raw), slice) + slice.intercept;
     }
+    return hu;
+}
+
+std::vector<char> read_plain(const DicomSlice& slice, std::size_t bytes) {
+    if (slice.pixel_bytes < bytes) reject(slice.file, "has fewer pixels than its header claims");
+    std::vector<char> buffer(bytes);
+    ByteStream(slice.file, slice.pixel_offset, Encoding::raw).read(buffer.data(), bytes);
+    return buffer;
+}
+
+using Bytes = std::vector<unsigned char>;
+
+// The fragments of the compressed pixels.
+std::vector<Bytes> read_fragments(const DicomSlice& slice) {
+    std::vector<Bytes> fragments;
+    for (const FileRange& range : slice.fragments) {
+        fragments.emplace_back(range.bytes);
+        ByteStream(slice.file, range.offset, Encoding::raw)
+            .read(fragments.back().data(), range.bytes);
+    }
+    return fragments;
+}
+
+// Refuses a picture whose own size is not the header's, which a decoder might write beyond.
+void require_stated_size(const DicomSlice& slice, const Bytes& first_fragment) {
+    const std::optional<CodestreamSize> size = codestream_size(first_fragment);
+    if (!size || size->columns != slice.columns || size->rows != slice.rows ||
+        size->components != 1 || size->bits > slice.bits_allocated)
+        reject(slice.file, "has compressed pixels of another size than its header");
+}
+
+// The pixels as GDCM's decoders want them, without its parser of whole files, which ends the
+// program on some damaged ones.
+gdcm::Bitmap bitmap_of(const DicomSlice& slice, const std::vector<Bytes>& fragments,
+                       gdcm::TransferSyntax::TSType syntax) {
+    const gdcm::SmartPointer<gdcm::SequenceOfFragments> sequence = new gdcm::SequenceOfFragments();
+    for (const Bytes& bytes : fragments) {
+        gdcm::Fragment fragment;
+        fragment.SetByteValue(reinterpret_cast<const char*>(bytes.data()),
+                              static_cast<std::uint32_t>(bytes.size()));
+        sequence->AddFragment(fragment);
+    }
+    gdcm::DataElement element(gdcm::Tag(0x7fe0, 0x0010));
+    element.SetVR(gdcm::VR::OB);
+    element.SetValue(*sequence);
+
+    const auto bits = [](int n) { return static_cast<unsigned short>(n); };
+    gdcm::Bitmap image;
+    image.SetNumberOfDimensions(2);
+    image.SetDimension(0, static_cast<unsigned>(slice.columns));
+    image.SetDimension(1, static_cast<unsigned>(slice.rows));
+    image.SetPixelFormat(gdcm::PixelFormat(1, bits(slice.bits_allocated), bits(slice.bits_stored),
+                                           bits(slice.bits_stored - 1), slice.is_signed ? 1 : 0));
+    image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
+    image.SetTransferSyntax(syntax);
+    image.SetDataElement(element);
+    return image;
+}
+
+std::vector<char> read_compressed(const DicomSlice& slice, std::size_t bytes) {
+    const auto syntax = gdcm::TransferSyntax::GetTSType(slice.transfer_syntax.c_str());
+    const std::vector<Bytes> fragments = read_fragments(slice);
+    if (fragments.empty() || syntax == gdcm::TransferSyntax::TS_END)
+        reject(slice.file, "has pixels in the unknown encoding " + slice.transfer_syntax);
+    if (syntax == gdcm::TransferSyntax::RLELossless) {
+        auto words = decode_rle(fragments.front(), pixels_in(slice), slice.bits_allocated / 8);
+        if (!words) reject(slice.file, "has damaged run-length encoded pixels");
+        return *std::move(words);
+    }
+    require_stated_size(slice, fragments.front());
+    const gdcm::Bitmap image = bitmap_of(slice, fragments, syntax);
+    std::vector<char> buffer(bytes);
+    bool decoded = false;
+    try {
+        decoded = image.GetBufferLength() == bytes && image.GetBuffer(buffer.data());
+    } catch (const std::exception&) {
+        decoded = false;
+    }
+    if (!decoded) reject(slice.file, "has compressed pixels that cannot be decoded");
+    return buffer;
+}
+
+void require_known_format(const DicomSlice& slice) {
+    if (slice.samples_per_pixel != 1) reject(slice.file, "is a colour picture");
+    const int bits = slice.bits_allocated;
+    if ((bits != 8 && bits != 16 && bits != 32) || slice.bits_stored < 1 ||
+        slice.bits_stored > bits)
+        reject(slice.file, "has " + std::to_string(slice.bits_stored) + " of " +
+                               std::to_string(bits) + " bits a pixel");
+    if (!std::isfinite(slice.slope) || !std::isfinite(slice.intercept) || slice.slope == 0.0)
+        reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
 }
 
 // One slice in Hounsfield units, row by row.
 std::vector<double> read_pixels(const DicomSlice& slice) {
-    gdcm::ImageReader reader;
-    reader.SetFileName(slice.file.c_str());
-    bool read = false;
-    try {
-        read = reader.Read();
-    } catch (const std::exception&) {
-        read = false;
-    }
-    if (!read) reject(slice.file, "cannot be decoded");
-    const gdcm::Image& image = reader.GetImage();
-    const gdcm::PixelFormat format = image.GetPixelFormat();
-    if (format.GetSamplesPerPixel() != 1) reject(slice.file, "is a colour picture");
-    const std::size_t count = static_cast<std::size_t>(slice.rows) * slice.columns;
-    const std::size_t word_bytes = format.GetBitsAllocated() / 8;
-    std::vector<char> bytes(image.GetBufferLength());
-    if (bytes.size() < count * word_bytes || !image.GetBuffer(bytes.data()))
-        reject(slice.file, "has damaged or truncated pixel data");
-    std::vector<double> hu(count);
-    const int bits = format.GetBitsStored();
-    const bool is_signed = format.GetPixelRepresentation() != 0;
-    const double slope = image.GetSlope();
-    const double intercept = image.GetIntercept();
-    if (!std::isfinite(slope) || !std::isfinite(intercept) || slope == 0.0)
-        reject(slice.file, "has a rescale slope of " + std::to_string(slope));
-    if (word_bytes == 1)
-        decode<std::uint8_t>(bytes, bits, is_signed, slope, intercept, hu);
-    else if (word_bytes == 2)
-        decode<std::uint16_t>(bytes, bits, is_signed, slope, intercept, hu);
-    else if (word_bytes == 4)
-        decode<std::uint32_t>(bytes, bits, is_signed, slope, intercept, hu);
-    else
-        reject(slice.file, "has " + std::to_string(word_bytes * 8) + " bits a pixel");
-    return hu;
+    require_known_format(slice);
+    const std::size_t bytes = pixels_in(slice) * (slice.bits_allocated / 8);
+    const std::vector<char> buffer =
+        slice.compressed ? read_compressed(slice, bytes) : read_plain(slice, bytes);
+    const bool swap = slice.big_endian && !slice.compressed;
+    if (slice.bits_allocated == 8) return to_hu<std::uint8_t>(buffer, slice, swap);
+    if (slice.bits_allocated == 16) return to_hu<std::uint16_t>(buffer, slice, swap);
+    return to_hu<std::uint32_t>(buffer, slice, swap);
 }
 
 std::int16_t clamped(double hu) {
@@ -105,6 +183,14 @@ void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks) {
                           " slices stood there twice and were read once");
 }
 
+// Decoding needs a few copies of one slice, whose header may claim any size.
+void require_room(const DicomSlice& slice) {
+    const std::uint64_t pixels = bytes_of(slice.rows, slice.columns, 1, slice.bits_allocated / 8);
+    if (!slice.compressed && pixels > slice.pixel_bytes)
+        reject(slice.file, "has fewer pixels than its header claims");
+    require_memory(8 * pixels, slice.file.string());
+}
+
 PlacedGrid place(const OrderedSeries& series) {
     const DicomSlice& first = series.slices.front();
     Mat3 axes;
@@ -118,11 +204,14 @@ PlacedGrid place(const OrderedSeries& series) {
 }  // namespace
 
 Volume read_dicom(const fs::path& folder, const fs::path& member, Job& job, ReadRemarks& remarks) {
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
     const OrderedSeries series = order_slices(
         choose_series(find_dicom_slices(folder, job, remarks), member, folder, remarks));
+    require_room(series.slices.front());
     require_equal_repeats(series, remarks);
     const PlacedGrid placed = place(series);
-    const auto dims = placed.grid.dims;
+    const Index3& dims = placed.grid.dims;
     require_memory(bytes_of(dims[0], dims[1], dims[2], sizeof(std::int16_t)), folder.string());
     Volume volume(placed.grid);
     std::atomic<std::size_t> done{0};

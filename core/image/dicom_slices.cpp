@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/dicom_slices.h"
 
-#include <gdcmDataSet.h>
-#include <gdcmReader.h>
-#include <gdcmTrace.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <set>
 
 #include "core/base/error.h"
-#include "core/image/header_text.h"
 
 namespace hepatica {
 
@@ -22,35 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const gdcm::DataSet& data, std::uint16_t group, std::uint16_t element) {
-    const gdcm::Tag tag(group, element);
-    if (!data.FindDataElement(tag)) return "";
-    const gdcm::ByteValue* value = data.GetDataElement(tag).GetByteValue();
-    if (value == nullptr || value->GetPointer() == nullptr) return "";
-    return trimmed({value->GetPointer(), value->GetLength()});
-}
-
-// The numbers of a decimal string, which backslashes part.
-std::vector<double> numbers_of(const gdcm::DataSet& data, std::uint16_t group,
-                               std::uint16_t element) {
-    std::string text = text_of(data, group, element);
-    std::ranges::replace(text, '\\', ' ');
-    return numbers(text).value_or(std::vector<double>{});
-}
-
-int unsigned_short(const gdcm::DataSet& data, std::uint16_t group, std::uint16_t element) {
-    const gdcm::Tag tag(group, element);
-    if (!data.FindDataElement(tag)) return 0;
-    const gdcm::ByteValue* value = data.GetDataElement(tag).GetByteValue();
-    if (value == nullptr || value->GetLength() < 2) return 0;
-    const auto* bytes = reinterpret_cast<const unsigned char*>(value->GetPointer());
-    return bytes[0] | bytes[1] << 8;
-}
-
-void read_geometry(const gdcm::DataSet& data, DicomSlice& slice) {
-    const std::vector<double> position = numbers_of(data, 0x0020, 0x0032);
-    const std::vector<double> axes = numbers_of(data, 0x0020, 0x0037);
-    const std::vector<double> spacing = numbers_of(data, 0x0028, 0x0030);
+void read_geometry(const DicomHeader& header, DicomSlice& slice) {
+    const std::vector<double> position = header.numbers(0x0020, 0x0032);
+    const std::vector<double> axes = header.numbers(0x0020, 0x0037);
+    const std::vector<double> spacing = header.numbers(0x0028, 0x0030);
     if (position.size() != 3 || axes.size() != 6 || spacing.size() != 2) return;
     slice.position_mm = Vec3(position[0], position[1], position[2]);
     slice.row_axis = Vec3(axes[0], axes[1], axes[2]);
@@ -62,47 +29,62 @@ void read_geometry(const gdcm::DataSet& data, DicomSlice& slice) {
                          std::isfinite(spacing[1]);
 }
 
-// Anonymised series may have lost their UID: study, number and description then part them.
-std::string series_key(const gdcm::DataSet& data) {
-    const std::string uid = text_of(data, 0x0020, 0x000e);
-    if (!uid.empty()) return uid;
-    return "no UID/" + text_of(data, 0x0020, 0x000d) + "/" + text_of(data, 0x0020, 0x0011) + "/" +
-           text_of(data, 0x0008, 0x103e);
+void read_pixel_format(const DicomHeader& header, DicomSlice& slice) {
+    slice.bits_allocated = header.unsigned_short(0x0028, 0x0100);
+    slice.bits_stored = header.unsigned_short(0x0028, 0x0101, slice.bits_allocated);
+    slice.is_signed = header.unsigned_short(0x0028, 0x0103) != 0;
+    slice.samples_per_pixel = header.unsigned_short(0x0028, 0x0002, 1);
+    slice.big_endian = header.big_endian;
+    slice.compressed = header.compressed;
+    slice.pixel_offset = header.pixel_offset;
+    slice.pixel_bytes = header.pixel_bytes;
+    slice.transfer_syntax = header.transfer_syntax;
+    slice.fragments = header.fragments;
+    const std::vector<double> slope = header.numbers(0x0028, 0x1053);
+    const std::vector<double> intercept = header.numbers(0x0028, 0x1052);
+    if (!slope.empty()) slice.slope = slope[0];
+    if (!intercept.empty()) slice.intercept = intercept[0];
 }
 
-std::string description_of(const gdcm::DataSet& data) {
-    const std::string number = text_of(data, 0x0020, 0x0011);
-    const std::string description = text_of(data, 0x0008, 0x103e);
+// Anonymised series may have lost their UID: study, number and description then part them.
+std::string series_key(const DicomHeader& header) {
+    const std::string uid = header.text(0x0020, 0x000e);
+    if (!uid.empty()) return uid;
+    return "no UID/" + header.text(0x0020, 0x000d) + "/" + header.text(0x0020, 0x0011) + "/" +
+           header.text(0x0008, 0x103e);
+}
+
+std::string description_of(const DicomHeader& header) {
+    const std::string number = header.text(0x0020, 0x0011);
+    const std::string description = header.text(0x0008, 0x103e);
     std::string text = number.empty() ? "series" : "series " + number;
     if (!description.empty()) text += " \"" + description + "\"";
     return text;
 }
 
-std::optional<DicomSlice> read_slice(const fs::path& file) {
-    gdcm::Reader reader;
-    reader.SetFileName(file.c_str());
-    const gdcm::Tag pixel_data(0x7fe0, 0x0010);
-    try {
-        if (!reader.ReadUpToTag(pixel_data)) return std::nullopt;
-    } catch (const std::exception&) {
-        return std::nullopt;
-    }
-    const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     DicomSlice slice;
     slice.file = file;
-    slice.rows = unsigned_short(data, 0x0028, 0x0010);
-    slice.columns = unsigned_short(data, 0x0028, 0x0011);
-    if (slice.rows == 0 || slice.columns == 0) return std::nullopt;  // a report, a DICOMDIR ...
-    slice.series_key = series_key(data);
-    slice.description = description_of(data);
-    slice.modality = text_of(data, 0x0008, 0x0060);
-    slice.localizer = text_of(data, 0x0008, 0x0008).find("LOCALIZER") != std::string::npos;
-    const std::vector<double> frames = numbers_of(data, 0x0028, 0x0008);
+    slice.rows = header.unsigned_short(0x0028, 0x0010);
+    slice.columns = header.unsigned_short(0x0028, 0x0011);
+    slice.series_key = series_key(header);
+    slice.description = description_of(header);
+    slice.modality = header.text(0x0008, 0x0060);
+    slice.localizer = header.text(0x0008, 0x0008).find("LOCALIZER") != std::string::npos;
+    const std::vector<double> frames = header.numbers(0x0028, 0x0008);
     if (!frames.empty() && frames[0] > 1.0)
         slice.frames = static_cast<int>(std::min(frames[0], 1e6));
-    read_geometry(data, slice);
+    read_geometry(header, slice);
+    read_pixel_format(header, slice);
     return slice;
 }
+
+// A damaged slice would only show as a gap, so it is named; other files without an image (reports,
+// a DICOMDIR) are passed over.
+struct Passed {
+    std::size_t without_image = 0;
+    std::vector<std::string> damaged;
+};
 
 std::vector<fs::path> files_below(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -127,37 +109,28 @@ Vec3 DicomSlice::normal() const {
     return row_axis.cross(column_axis).normalized();
 }
 
-bool is_dicom_file(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::array<char, 132> head{};
-    in.read(head.data(), head.size());
-    if (in.gcount() == 132 && std::string_view(head.data() + 128, 4) == "DICM") return true;
-    // Old files have no preamble: they begin with a tag of group 0002 or 0008.
-    if (in.gcount() < 8 || (head[0] != 2 && head[0] != 8) || head[1] != 0) return false;
-    gdcm::Reader reader;
-    reader.SetFileName(file.c_str());
-    return reader.CanRead();
-}
-
 std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, ReadRemarks& remarks) {
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
     const std::vector<fs::path> files = files_below(folder);
     if (files.empty())
         throw InputError("is empty", folder.string(), "Choose the folder that holds the CT slices");
     std::vector<DicomSlice> slices;
-    std::size_t unreadable = 0;
+    Passed passed;
     for (std::size_t i = 0; i < files.size(); ++i) {
         job.advance(0.5 * static_cast<double>(i) / static_cast<double>(files.size()));
         if (!is_dicom_file(files[i])) continue;
-        if (auto slice = read_slice(files[i]))
-            slices.push_back(std::move(*slice));
-        else if (lower_case(files[i].filename().string()) != "dicomdir")
-            ++unreadable;
+        const std::optional<DicomHeader> header = read_dicom_header(files[i]);
+        if (!header)
+            passed.damaged.push_back(files[i].filename().string());
+        else if (!header->has_pixels)
+            ++passed.without_image;
+        else
+            slices.push_back(slice_of(files[i], *header));
     }
-    if (unreadable > 0)
-        remarks.push_back(std::to_string(unreadable) +
+    if (passed.without_image > 0)
+        remarks.push_back(std::to_string(passed.without_image) +
                           " DICOM files hold no image and were passed over");
+    for (const std::string& name : passed.damaged)
+        remarks.push_back(name + " is a damaged DICOM file and was passed over");
     if (slices.empty())
         throw InputError("holds " + std::to_string(files.size()) + " files, but no DICOM images",
                          folder.string(), "Choose the folder that holds the CT slices");

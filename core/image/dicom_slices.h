@@ -2,12 +2,14 @@
 // What a DICOM folder holds: one record per CT slice, read from the headers alone.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/job.h"
 #include "core/base/vector.h"
+#include "core/image/dicom_header.h"
 #include "core/image/volume_reader.h"
 
 namespace hepatica {
@@ -28,6 +30,20 @@ struct DicomSlice {
     double row_spacing_mm = 0.0;      // between rows
     double column_spacing_mm = 0.0;   // between columns
 
+    // How the pixels are stored.
+    int bits_allocated = 0;
+    int bits_stored = 0;
+    bool is_signed = false;
+    int samples_per_pixel = 1;
+    bool big_endian = false;
+    bool compressed = false;
+    std::uint64_t pixel_offset = 0;
+    std::uint64_t pixel_bytes = 0;
+    std::string transfer_syntax;
+    std::vector<FileRange> fragments;
+    double slope = 1.0;  // HU = slope * stored + intercept
+    double intercept = 0.0;
+
     Vec3 normal() const;
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
@@ -36,7 +52,5 @@ struct DicomSlice {
 // half of the stage's progress.
 std::vector<DicomSlice> find_dicom_slices(const std::filesystem::path& folder, Job& job,
                                           ReadRemarks& remarks);
-
-bool is_dicom_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -7,8 +7,8 @@
 #include <ranges>
 
 #include "core/base/error.h"
+#include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
-#include "core/image/dicom_slices.h"
 #include "core/image/header_text.h"
 #include "core/image/voxel_file.h"
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files with random bytes changed, cut or doubled: they are read or refused, and nothing else
+// happens. (Under the sanitizers this test also shows reads beyond a buffer.)
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageReader.h>
+#include <gdcmImageWriter.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
+#include "tests/image/image_fixtures.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace testing_support;
+
+std::string damaged(std::string bytes, std::mt19937_64& engine, std::size_t header_bytes) {
+    const std::size_t reach =
+        engine() % 2 == 0 ? std::min(header_bytes, bytes.size()) : bytes.size();
+    for (std::uint64_t n = 1 + engine() % 6; n > 0; --n)
+        bytes[engine() % reach] = static_cast<char>(engine());
+    if (engine() % 8 == 0) bytes.resize(engine() % bytes.size());
+    if (engine() % 16 == 0) bytes += bytes;
+    return bytes;
+}
+
+// How many of `rounds` damaged copies of the file were refused.
+int refusals(const fs::path& file, const fs::path& to_read, std::size_t header_bytes, int rounds) {
+    const std::string whole = bytes_of_file(file);
+    std::mt19937_64 engine(whole.size());
+    int refused = 0;
+    for (int i = 0; i < rounds; ++i) {
+        write_bytes(file, damaged(whole, engine, header_bytes));
+        Job job;
+        refused += refusal([&] { read_volume(to_read, job); }).empty() ? 0 : 1;
+        refusal([&] { read_label_map(to_read, job); });
+    }
+    write_bytes(file, whole);
+    return refused;
+}
+
+TEST(DamagedFile, OfAnyVolumeFormatIsReadOrRefused) {
+    const TemporaryFolder folder;
+    const Volume volume = patterned_volume(turned_grid());
+    write_nifti(folder / "a.nii", volume);
+    write_nifti(folder / "a.nii.gz", volume);
+    write_segmentation(folder / "a.seg.nrrd", LabelMap(small_grid(), 3), {});
+    write_bytes(folder / "a.mha",
+                "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+                "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1 2 3\n"
+                "ElementSpacing = 1 1 2\nDimSize = 4 5 6\nElementType = MET_SHORT\n"
+                "ElementDataFile = LOCAL\n" +
+                    std::string(240, 'v'));
+    for (const char* name : {"a.nii", "a.nii.gz", "a.seg.nrrd", "a.mha"})
+        EXPECT_GT(refusals(folder / name, folder / name, 400, 150), 10) << name;
+}
+
+TEST(DamagedFile, OfADicomSeriesIsReadOrRefused) {
+    const TemporaryFolder folder;
+    Job job;
+    Grid grid = small_grid();
+    grid.dims[2] = 3;
+    write_dicom_series(folder / "ct", patterned_volume(grid), {}, job);
+    const fs::path file = folder / "ct" / "slice_0002.dcm";
+    EXPECT_GT(refusals(file, folder / "ct", 1200, 500), 50);
+}
+
+TEST(DamagedFile, OfACompressedDicomSeriesIsReadOrRefused) {
+    for (const auto syntax :
+         {gdcm::TransferSyntax::JPEG2000Lossless, gdcm::TransferSyntax::JPEGLosslessProcess14_1,
+          gdcm::TransferSyntax::RLELossless, gdcm::TransferSyntax::JPEGLSLossless}) {
+        const TemporaryFolder folder;
+        Job job;
+        Grid grid = small_grid();
+        grid.dims = {40, 30, 3};
+        write_dicom_series(folder / "ct", patterned_volume(grid), {}, job);
+        const fs::path file = folder / "ct" / "slice_0002.dcm";
+        gdcm::ImageReader reader;
+        reader.SetFileName(file.c_str());
+        ASSERT_TRUE(reader.Read());
+        gdcm::ImageChangeTransferSyntax change;
+        change.SetTransferSyntax(syntax);
+        change.SetInput(reader.GetImage());
+        ASSERT_TRUE(change.Change());
+        gdcm::ImageWriter writer;
+        writer.SetFileName(file.c_str());
+        writer.SetFile(reader.GetFile());
+        writer.SetImage(change.GetOutput());
+        ASSERT_TRUE(writer.Write());
+        EXPECT_GT(refusals(file, folder / "ct", 1200, 150), 10)
+            << gdcm::TransferSyntax::GetTSString(syntax);
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
