@@ -33,6 +33,7 @@ else()
     find_package(ZLIB REQUIRED)
     find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
     find_package(CGAL 5.5 REQUIRED)
+    find_package(Bullet REQUIRED)
     find_package(GDCM 3.0 REQUIRED)
     find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIOGDCM ITKIONIFTI
         ITKIOMeta ITKIONRRD)

@@ -5,6 +5,7 @@ namespace hepatica {
 
 void add_all_verbs(CommandLine& line) {
     add_bench_iterations(line);
+    add_bench_peers(line);
     add_diagnose(line);
 }
 

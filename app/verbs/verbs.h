@@ -7,6 +7,7 @@
 namespace hepatica {
 
 void add_bench_iterations(CommandLine& line);
+void add_bench_peers(CommandLine& line);
 void add_diagnose(CommandLine& line);
 
 // All of them, in the order in which --help lists them.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A clamped body in Bullet's deformable world with its implicit corotational force, as a peer to
+// measure against. (btDeformableCorotatedForce has no force differential in Bullet 3 and is hence
+// explicit; btDeformableLinearElasticityForce is the corotational force that Bullet can step
+// implicitly.)
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/deform/material.h"
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+class BulletBeam {
+  public:
+    // Lumped masses; fixed vertices (nonzero) have none, which is how Bullet holds them.
+    BulletBeam(const TetMesh& mesh, const std::vector<std::uint8_t>& fixed,
+               const Material& material, const Vec3& gravity_mm_s2);
+    ~BulletBeam();
+
+    void step(double dt_s);
+    std::vector<Vec3> positions_mm() const;
+
+  private:
+    struct World;
+    std::unique_ptr<World> world_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The clamped beam of docs/solver.md in this program and in Bullet, side by side: the same mesh,
+// material, step and weight, from straight to rest.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "app/peers/bullet_beam.h"
+#include "app/verbs/verbs.h"
+#include "core/deform/cpu_stepper.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Beam {
+    Index3 cells;
+    double same_mesh_fem_mm;  // tip, CalculiX, linear tetrahedra, large deformation
+};
+
+constexpr std::array<Beam, 3> beams{
+    {{{20, 3, 3}, 10.811}, {{35, 7, 7}, 13.759}, {{60, 12, 12}, 14.534}}};
+constexpr double length_mm = 200.0;
+constexpr double dt_s = 0.01;
+
+struct PeerOptions {
+    int steps = 200;
+    int largest = 10290;
+    std::string solver = "automatic";
+};
+
+BodyDescription beam_body(const Beam& beam) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(length_mm, 40.0, 40.0), beam.cells);
+    body.material = {
+        .young_modulus_pa = 1e6, .poisson_ratio = 0.3, .density_g_mm3 = 1e-3, .damping_ratio = 0.0};
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() < 1e-9 ? 1 : 0);
+    const SkeletonPolyline line{
+        {Vec3(0.0, 20.0, 20.0), Vec3(length_mm, 20.0, 20.0)}, {20.0, 20.0}, -1};
+    body.skeleton = resample(std::span(&line, 1));
+    return body;
+}
+
+// How far the free face has sunk, on average.
+double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t v = 0; v < positions_mm.size(); ++v) {
+        if (body.mesh.vertices_mm[v].x() < length_mm - 1e-6) continue;
+        sum += body.mesh.vertices_mm[v].z() - positions_mm[v].z();
+        ++count;
+    }
+    return sum / count;
+}
+
+// Middle of the times: neither a cold first step nor a disturbed one counts.
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<int>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+}
+
+template <class Step>
+double timed_ms(const Step& step) {
+    const auto start = std::chrono::steady_clock::now();
+    step();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
+    const BodyDescription body = beam_body(beam);
+    const Vec3 gravity(0.0, 0.0, -9810.0);
+    StepperOptions ours_options;
+    ours_options.solver = linear_solver_kind(options.solver);
+    ours_options.sleeping = false;
+    const auto ours = make_cpu_stepper(body, ours_options);
+    ours->set_gravity(gravity);
+    BulletBeam peer(body.mesh, body.fixed, body.material, gravity);
+    std::vector<double> our_ms, peer_ms;
+    int iterations = 0;
+    for (int k = 0; k < options.steps; ++k) {
+        job.advance(static_cast<double>(k) / options.steps);
+        our_ms.push_back(timed_ms([&] { iterations += ours->step(dt_s).linear_iterations; }));
+        peer_ms.push_back(timed_ms([&] { peer.step(dt_s); }));
+    }
+    const double our_tip = sag_mm(body, ours->positions_mm());
+    const double peer_tip = sag_mm(body, peer.positions_mm());
+    return {{"peer", "Bullet deformable, corotational"},
+            {"tetrahedra", body.mesh.tetrahedra.size()},
+            {"our_ms", median(our_ms)},
+            {"peer_ms", median(peer_ms)},
+            {"time_ratio", median(peer_ms) / median(our_ms)},
+            {"our_error", our_tip / beam.same_mesh_fem_mm - 1.0},
+            {"peer_error", peer_tip / beam.same_mesh_fem_mm - 1.0},
+            {"our_tip_mm", our_tip},
+            {"peer_tip_mm", peer_tip},
+            {"fem_tip_mm", beam.same_mesh_fem_mm},
+            {"our_iterations_per_step", static_cast<double>(iterations) / options.steps}};
+}
+
+}  // namespace
+
+void add_bench_peers(CommandLine& line) {
+    const auto options = std::make_shared<PeerOptions>();
+    CLI::App& verb = line.add_verb(
+        "bench", "Benchmarks", "peers", "The same clamped beam in this program and in Bullet",
+        [options](Job& job) {
+            Json rows = Json::array();
+            for (const Beam& beam : beams) {
+                const int tetrahedra = 6 * beam.cells[0] * beam.cells[1] * beam.cells[2];
+                if (tetrahedra > options->largest) continue;
+                job.begin_stage(std::to_string(tetrahedra) + " tetrahedra");
+                rows.push_back(measure(beam, *options, job));
+            }
+            return Json{{"rows", rows}};
+        });
+    verb.add_option("--steps", options->steps, "Steps of 0.01 s, from straight to rest")
+        ->check(CLI::Range(1, 100000));
+    verb.add_option("--largest", options->largest,
+                    "Leave out beams of more tetrahedra (1080, 10290, 51840)");
+    verb.add_option("--solver", options->solver, "Our linear solver");
+}
+
+}  // namespace hepatica
