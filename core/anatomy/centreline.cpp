@@ -69,6 +69,30 @@ std::vector<double> smooth_values(const std::vector<Vec3>& points_mm,
     return smooth;
 }
 
+std::vector<double> median_values(const std::vector<Vec3>& points_mm,
+                                  const std::vector<double>& values,
+                                  const std::vector<double>& weights, double reach_mm) {
+    const std::vector<double> at = arclengths_mm(points_mm);
+    std::vector<double> medians(values.size());
+    std::vector<std::pair<double, double>> window;  // value, weight
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        window.clear();
+        double total = 0.0;
+        visit_window(at, i, reach_mm, reach_mm, [&](std::size_t j, double) {
+            window.emplace_back(values[j], weights[j]);
+            total += weights[j];
+        });
+        std::ranges::sort(window);
+        double below = 0.0;
+        for (const auto& [value, weight] : window) {
+            medians[i] = value;
+            below += weight;
+            if (below >= 0.5 * total) break;
+        }
+    }
+    return medians;
+}
+
 Centreline resampled(const Centreline& curve, double step_mm) {
     const std::vector<double> at = arclengths_mm(curve.points_mm);
     const int pieces = std::max(1, static_cast<int>(std::lround(at.back() / step_mm)));

@@ -17,6 +17,12 @@ std::vector<double> smooth_values(const std::vector<Vec3>& points_mm,
                                   const std::vector<double>& values,
                                   const std::vector<double>& weights, double deviation_mm);
 
+// The weighted median of the values within `reach_mm` along the curve: unlike a mean it does not
+// follow the few sections that cut through a neighbour.
+std::vector<double> median_values(const std::vector<Vec3>& points_mm,
+                                  const std::vector<double>& values,
+                                  const std::vector<double>& weights, double reach_mm);
+
 // Distance along the curve from its first point to each point.
 std::vector<double> arclengths_mm(const std::vector<Vec3>& points_mm);
 

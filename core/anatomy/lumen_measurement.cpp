@@ -17,6 +17,11 @@ namespace {
 
 constexpr double least_contrast_hu = 15.0;  // below this the CT says nothing about a lumen
 
+// Lumens from this radius on show their full contrast in their middle; where there are fewer such
+// stations than these, the widest stand in for them.
+constexpr double wide_voxels = 2.5;
+constexpr std::size_t least_stations = 8;
+
 struct Stations {
     std::vector<CrossSection> sections;  // one per point of the link
     std::vector<double> trust;           // 0 or more
@@ -156,7 +161,7 @@ class Measurement {
             std::ranges::sort(pairs, std::greater<>());
             std::vector<double> of_wide;
             for (const auto& [radius, contrast] : pairs)
-                if (radius >= 2.5 * voxel_mm_ || of_wide.size() < pairs.size() / 10 + 1)
+                if (radius >= wide_voxels * voxel_mm_ || of_wide.size() < least_stations)
                     of_wide.push_back(contrast);
             contrast_hu_[system] = median(of_wide);
         }
@@ -173,7 +178,7 @@ class Measurement {
             known.push_back(shows_lumen(section) ? 1.0 : 0.0);
         }
         backgrounds = smooth_values(link.points_mm, backgrounds, known, 6.0 * voxel_mm_);
-        std::vector<double> areas, trust;
+        std::vector<double> radii;
         for (std::size_t i = 0; i < stations.sections.size(); ++i) {
             const CrossSection& section = stations.sections[i];
             double area = section.mask_area_mm2;
@@ -181,13 +186,12 @@ class Measurement {
                 const double excess = section.intensity - backgrounds[i] * section.covered_area_mm2;
                 area = std::clamp(excess / contrast->second, 0.3 * area, 3.0 * area);
             }
-            const double inscribed = link.radii_mm[i];
-            areas.push_back(section.inside ? area : std::numbers::pi * inscribed * inscribed);
-            trust.push_back(stations.trust[i]);
+            radii.push_back(section.inside ? radius_of_area(area) : link.radii_mm[i]);
         }
-        areas = smooth_values(link.points_mm, areas, trust, 3.0 * voxel_mm_);
-        for (std::size_t i = 0; i < areas.size(); ++i)
-            link.radii_mm[i] = std::max(radius_of_area(areas[i]), 0.25 * voxel_mm_);
+        radii = median_values(link.points_mm, radii, stations.trust, 4.0 * voxel_mm_);
+        radii = smooth_values(link.points_mm, radii, stations.trust, 3.0 * voxel_mm_);
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            link.radii_mm[i] = std::max(radii[i], 0.25 * voxel_mm_);
     }
 
     VesselGraph& graph_;

@@ -24,6 +24,12 @@ struct Ray {
     bool usable = true;
 };
 
+double median(std::vector<double>& values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
 class Section {
   public:
     Section(const Mask& mask, const Volume* ct, const Vec3& point_mm, const Vec3& direction)
@@ -113,31 +119,57 @@ class Section {
     }
 
     void measure_ct(CrossSection& section) const {
-        std::vector<double> surroundings;
         double covered = 0.0, sum = 0.0, centre = 0.0, centre_weight = 0.0;
         for (const Ray& ray : rays_) {
             if (!ray.usable) continue;
-            const double rim_mm = ray.wall_mm + rim_voxels * voxel_mm_;
-            const double end_mm = std::max(std::min(rim_mm, ray.clear_mm), ray.wall_mm);
-            for (double t = 0.5 * step_mm_; t < end_mm; t += step_mm_) {
+            for (double t = 0.5 * step_mm_; t < ray.wall_mm; t += step_mm_) {
+                // The last step ends at the wall.
+                const double width = std::min(step_mm_, ray.wall_mm - (t - 0.5 * step_mm_));
                 const double hu = hu_at(ray, t);
-                covered += t * step_mm_;
-                sum += hu * t * step_mm_;
+                covered += t * width;
+                sum += hu * t * width;
                 if (t > 0.4 * ray.wall_mm) continue;
                 centre += hu * t;
                 centre_weight += t;
             }
-            for (double t = rim_mm; t < ray.clear_mm; t += 0.5 * voxel_mm_)
-                surroundings.push_back(hu_at(ray, t));
+        }
+        // In the rim the median over the rays: a neighbour that the mask does not know of shines
+        // into a few of them only.
+        for (double s = 0.5 * step_mm_; s < rim_voxels * voxel_mm_; s += step_mm_) {
+            const auto [weight, hu] = rim_at(s);
+            covered += weight * step_mm_;
+            sum += weight * hu * step_mm_;
         }
         section.covered_area_mm2 = covered * scale(section);
         section.intensity = sum * scale(section);
         section.centre_hu = centre_weight > 0.0 ? centre / centre_weight : 0.0;
-        section.has_background = surroundings.size() >= 12;
-        if (!section.has_background) return;
-        const auto middle = surroundings.begin() + std::ssize(surroundings) / 2;
-        std::ranges::nth_element(surroundings, middle);
-        section.background_hu = *middle;
+        measure_surroundings(section);
+    }
+
+    // Sum of the radii and median intensity of the clear rays at a distance beyond the wall.
+    std::pair<double, double> rim_at(double beyond_mm) const {
+        double weight = 0.0;
+        std::vector<double> values;
+        for (const Ray& ray : rays_) {
+            const double t = ray.wall_mm + beyond_mm;
+            if (!ray.usable || t > ray.clear_mm) continue;
+            weight += t;
+            values.push_back(hu_at(ray, t));
+        }
+        if (values.empty()) return {0.0, 0.0};
+        return {weight, median(values)};
+    }
+
+    void measure_surroundings(CrossSection& section) const {
+        std::vector<double> values;
+        for (const Ray& ray : rays_) {
+            if (!ray.usable) continue;
+            for (double t = ray.wall_mm + rim_voxels * voxel_mm_; t < ray.clear_mm;
+                 t += 0.5 * voxel_mm_)
+                values.push_back(hu_at(ray, t));
+        }
+        section.has_background = values.size() >= 12;
+        if (section.has_background) section.background_hu = median(values);
     }
 
     const Mask& mask_;

@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/anatomy/test_data.h"
 #include "tests/anatomy/test_trees.h"
 
 namespace hepatica {
@@ -25,11 +26,6 @@ std::filesystem::path scratch(const std::string& name) {
     const auto folder = std::filesystem::path(testing::TempDir()) / "hepatica_tree_io";
     std::filesystem::create_directories(folder);
     return folder / name;
-}
-
-std::filesystem::path shared_data() {
-    if (const char* folder = std::getenv("HEPATICA_TEST_DATA")) return folder;
-    return std::filesystem::path(HEPATICA_SOURCE_DIR) / "../shared/data";
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
