@@ -28,17 +28,16 @@ FrameSpace::FrameSpace(const FrameSkeleton& skeleton, FrameBinding binding,
         }
         groups_.push_back({nodes, std::move(vertices), {}});
     }
+    slots_.resize(pattern.column.size());
     parallel_blocks(groups_.size(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t g = begin; g < end; ++g) {
-            groups_[g].columns = columns_of(groups_[g], pattern);
-        }
+        for (std::size_t g = begin; g < end; ++g) find_columns(groups_[g], pattern);
     });
     modes_.resize(binding_.nodes.size());
     build_coarse_pattern();
 }
 
-std::vector<int> FrameSpace::columns_of(const Group& group, const BlockMatrix& pattern) const {
-    std::vector<int> columns;
+void FrameSpace::find_columns(Group& group, const BlockMatrix& pattern) {
+    std::vector<int>& columns = group.columns;
     for (const int v : group.vertices) {
         for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
             const auto& nodes = binding_.nodes[pattern.column[k]];
@@ -47,7 +46,15 @@ std::vector<int> FrameSpace::columns_of(const Group& group, const BlockMatrix& p
     }
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    return columns;
+    for (const int v : group.vertices) {
+        for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
+            for (std::size_t side = 0; side < 2; ++side) {
+                const int node = binding_.nodes[pattern.column[k]][side];
+                slots_[k][side] = static_cast<std::uint16_t>(
+                    std::lower_bound(columns.begin(), columns.end(), node) - columns.begin());
+            }
+        }
+    }
 }
 
 void FrameSpace::build_coarse_pattern() {
@@ -97,14 +104,16 @@ void FrameSpace::set_shape(std::span<const Vec3> positions_mm, std::span<const c
 }
 
 void FrameSpace::restrict_to_frames(std::span<const Vec3> fine, std::vector<Vec3>& coarse) const {
-    std::vector<std::array<Eigen::Matrix<double, 3, 4>, 2>> sums(groups_.size());
+    std::vector<std::array<Eigen::Matrix<double, 4, 3>, 2>> sums(groups_.size());
     parallel_blocks(groups_.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
             sums[g][0].setZero();
             sums[g][1].setZero();
             for (const int v : groups_[g].vertices) {
-                sums[g][0] += fine[v] * modes_[v][0].transpose();
-                sums[g][1] += fine[v] * modes_[v][1].transpose();
+                for (int a = 0; a < 3; ++a) {
+                    sums[g][0].col(a) += fine[v][a] * modes_[v][0];
+                    sums[g][1].col(a) += fine[v][a] * modes_[v][1];
+                }
             }
         }
     });
@@ -112,7 +121,8 @@ void FrameSpace::restrict_to_frames(std::span<const Vec3> fine, std::vector<Vec3
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         for (std::size_t end = 0; end < 2; ++end) {
             const int base = vectors_per_frame * groups_[g].nodes[end];
-            for (int k = 0; k < vectors_per_frame; ++k) coarse[base + k] += sums[g][end].col(k);
+            for (int k = 0; k < vectors_per_frame; ++k)
+                coarse[base + k] += sums[g][end].row(k).transpose();
         }
     }
 }
@@ -144,10 +154,7 @@ void FrameSpace::project_group(const BlockMatrix& matrix, const Group& group,
             const int w = matrix.column[k];
             const double* block = matrix.block[k].data();
             for (std::size_t side = 0; side < 2; ++side) {
-                const auto found = std::lower_bound(group.columns.begin(), group.columns.end(),
-                                                    binding_.nodes[w][side]);
-                Modes* target = &reached[static_cast<std::size_t>(found - group.columns.begin()) *
-                                         block_entries];
+                Modes* target = &reached[static_cast<std::size_t>(slots_[k][side]) * block_entries];
                 const Modes modes = modes_[w][side];
                 for (int e = 0; e < block_entries; ++e) target[e] += block[e] * modes;
             }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,7 @@ class FrameSpace {
 
     void project_group(const BlockMatrix& matrix, const Group& group,
                        std::vector<double>& product) const;
-    std::vector<int> columns_of(const Group& group, const BlockMatrix& pattern) const;
+    void find_columns(Group& group, const BlockMatrix& pattern);
     void build_coarse_pattern();
 
     int frames_ = 0;
@@ -59,6 +60,8 @@ class FrameSpace {
     std::vector<Group> groups_;
     std::vector<std::vector<int>> groups_of_;  // of each node
     BlockMatrix pattern_;
+    // Of each block of A: the places of its column's nodes among the columns of its row's group.
+    std::vector<std::array<std::uint16_t, 2>> slots_;
     std::vector<std::array<Modes, 2>> modes_;  // weights of a vertex in the vectors of its frames
 };
 
