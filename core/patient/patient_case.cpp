@@ -132,6 +132,7 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         if (!patient.skeleton.voxels.empty())
             write_nifti(temporary / skeleton_file, patient.skeleton);
         write_tree_vtp(temporary / tree_file, patient.tree);
+        write_tree_swc(temporary / swc_file, patient.tree);
         write_vtp(temporary / surface_file, patient.surface);
         write_vtu(temporary / mesh_file, patient.mesh);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a world through which a drug runs: the network, the injection, its clock, and the time
-// at which the front reaches each vertex.
+// The part of a world through which a drug runs: the network, the injection, its clock, and the
+// time at which the front reaches each vertex.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "core/flow/flow_network.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/vertex_places.h"
 
 namespace hepatica {
 
@@ -26,24 +27,26 @@ struct Injection {
 
 class FlowPart {
   public:
-    // `vertices_mm` are the vertices shown, at rest. Throws InputError for an empty tree.
-    FlowPart(const VesselTree& tree, const std::vector<Vec3>& vertices_mm, const FlowSpec& spec);
+    // `places` are those of the vertices shown. Throws InputError for an empty tree.
+    FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places, const FlowSpec& spec);
 
+    // The vessels are at rest but for the injection, and every outlet is at the same pressure.
     // Solves the flow and starts the drug's clock. Throws InputError for values out of range; what
     // was injected before then stays.
     void inject(const Injection& injection);
     void remove_drug();
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
-    void set_time(double time_s);        // >= 0, else InputError
-    void set_speed(double factor);       // > 0, else InputError
+    void set_time(double time_s);   // >= 0, else InputError
+    void set_speed(double factor);  // > 0, else InputError
     void step(double dt_s);
 
     const DrugView& drug() const { return drug_; }
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return places_[vertex]; }
+    double speed() const { return speed_; }
+    const FlowNetwork& network() const { return network_; }
 
   private:
-    VesselTree tree_;
     FlowNetwork network_;
     std::vector<TreePoint> places_;
     double speed_;

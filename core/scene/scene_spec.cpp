@@ -61,9 +61,12 @@ class Fields {
 
 const char* name_of(FixedEnds ends) {
     switch (ends) {
-        case FixedEnds::none: return "none";
-        case FixedEnds::roots: return "roots";
-        case FixedEnds::all: break;
+        case FixedEnds::none:
+            return "none";
+        case FixedEnds::roots:
+            return "roots";
+        case FixedEnds::all:
+            break;
     }
     return "all";
 }

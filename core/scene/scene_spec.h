@@ -20,7 +20,7 @@ struct DeformSpec {
     FixedEnds fixed = FixedEnds::all;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     double tether_pa_per_mm2 = 0.0;  // pull of the tissue around to the place at rest, per volume
-    double quality = 0.5;           // the dial, 0 to 1
+    double quality = 0.5;            // the dial, 0 to 1
 };
 
 struct FlowSpec {

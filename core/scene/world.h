@@ -3,6 +3,7 @@
 // at step boundaries; not thread-safe.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
@@ -50,14 +52,16 @@ class World {
     const std::shared_ptr<const std::vector<std::array<int, 3>>>& surface() const {
         return surface_;
     }
+    // The place on the tree that is nearest to a point of the present, deformed shape.
+    TreePoint place_near(const Vec3& point_mm) const;
     // Vertices at rest.
     const std::vector<Vec3>& rest_positions_mm() const;
 
-    // Advances all parts by the scene's time step.
-    void step();
+    // Advances all parts by the scene's time step; the report is the deforming body's.
+    StepReport step();
     double time_s() const { return time_s_; }
 
-    // Back to the start: shape at rest, no grab, no drug, time 0.
+    // Shape at rest, no grab, no drug; time goes on.
     void reset();
 
     // Fills in positions, surface, grab, drug and time; statistics stay as they are.
@@ -67,9 +71,6 @@ class World {
     std::uint64_t state_hash() const;
 
   private:
-    void build_deform(Job& job);
-    void build_flow(Job& job);
-
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
     std::shared_ptr<const std::vector<std::array<int, 3>>> surface_;
