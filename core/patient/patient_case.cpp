@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/patient/patient_case.h"
 
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -157,22 +156,6 @@ PatientCase read_case(const fs::path& folder) {
 
 PatientCase read_case_without_voxels(const fs::path& folder) {
     return read(folder, false);
-}
-
-std::uint64_t hash_of(const PatientCase& patient) {
-    Hasher hasher;
-    for (const VesselSegment& segment : patient.tree.segments) {
-        const std::array<int, 4> links{segment.proximal_node, segment.distal_node, segment.parent,
-                                       segment.system};
-        hasher.add(std::span<const int>(links));
-        for (const Vec3& point : segment.points_mm) hasher.add_bytes(point.data(), sizeof(Vec3));
-        hasher.add(std::span<const double>(segment.radii_mm));
-    }
-    for (const Vec3& vertex : patient.mesh.vertices_mm)
-        hasher.add_bytes(vertex.data(), sizeof(Vec3));
-    for (const auto& tetrahedron : patient.mesh.tetrahedra)
-        hasher.add(std::span<const int>(tetrahedron));
-    return hasher.value();
 }
 
 }  // namespace hepatica

@@ -20,11 +20,20 @@ Fluid injected_fluid(const Injection& injection) {
     return fluid;
 }
 
+// A tip within a radius of the place where a system is supplied means that place: nothing would be
+// left behind it but a stump.
+TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
+    const VesselSegment& segment = tree.segments[tip.segment];
+    const bool begins_system = segment.parent < 0 && !segment.closes_loop;
+    if (begins_system && tip.arclength_mm < segment.radii_mm.front()) tip.arclength_mm = 0.0;
+    return tip;
+}
+
 }  // namespace
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec)
-    : network_(network_of(tree)), speed_(spec.drug_speed) {
+    : tree_(tree), network_(network_of(tree)), speed_(spec.drug_speed) {
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
     places_.reserve(places.size());
@@ -36,7 +45,7 @@ void FlowPart::inject(const Injection& injection) {
         throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
                          "Give more than 0 g/s");
     FlowNetwork network = network_;
-    const int tip = place_catheter(network, injection.at, false);
+    const int tip = place_catheter(network, at_supply_where_near(injection.at, tree_), false);
     FlowConditions conditions;
     conditions.law = pressure_law(injection.pressure_model);
     conditions.resident = injected_fluid(injection);

@@ -47,6 +47,7 @@ class FlowPart {
     const FlowNetwork& network() const { return network_; }
 
   private:
+    VesselTree tree_;
     FlowNetwork network_;
     std::vector<TreePoint> places_;
     double speed_;
