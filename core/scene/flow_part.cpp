@@ -56,6 +56,7 @@ void FlowPart::inject(const Injection& injection) {
     auto arrival_s = std::make_shared<std::vector<float>>(places_.size());
     for (std::size_t v = 0; v < places_.size(); ++v)
         (*arrival_s)[v] = static_cast<float>(times.arrival_s(places_[v]));
+    mass_error_relative_ = solution.mass_error_relative;
     drug_.arrival_s = std::move(arrival_s);
     ++drug_.version;
     drug_.time_s = 0.0;

@@ -44,6 +44,8 @@ class FlowPart {
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return places_[vertex]; }
     double speed() const { return speed_; }
+    // Largest imbalance of a node in the flow last injected, over what is injected.
+    double mass_error_relative() const { return mass_error_relative_; }
     const FlowNetwork& network() const { return network_; }
 
   private:
@@ -51,6 +53,7 @@ class FlowPart {
     FlowNetwork network_;
     std::vector<TreePoint> places_;
     double speed_;
+    double mass_error_relative_ = 0.0;
     DrugView drug_;
 };
 
