@@ -25,7 +25,7 @@ struct Options {
     fs::path vessel_mask;
     std::vector<double> window;
     std::vector<std::string> seeds;
-    std::string method = "combined";
+    std::string method = "coherent";
 };
 
 // "X,Y,Z" or "X,Y,Z,SYSTEM".
@@ -48,7 +48,7 @@ VesselSeed parse_seed(const std::string& text) {
 
 void parse(Options& options) {
     static const std::map<std::string, SegmentationMethod> methods{
-        {"combined", SegmentationMethod::combined},
+        {"coherent", SegmentationMethod::coherent},
         {"multi-layer", SegmentationMethod::multi_layer},
         {"vesselness", SegmentationMethod::vesselness}};
     ReconstructOptions& reconstruct = options.reconstruct;
@@ -135,7 +135,7 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--seed-mm", options->seeds,
                     "X,Y,Z[,SYSTEM] inside a vessel [LPS mm]; may be repeated");
     verb.add_option("--method", options->method, "How vessels are segmented")
-        ->check(CLI::IsMember({"combined", "multi-layer", "vesselness"}))
+        ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
         ->capture_default_str();
     verb.add_option("--refine", reconstruct.refinement_recursions,
                     "Recursions of the Gaussian refinement, 0 to 10")

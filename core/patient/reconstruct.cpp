@@ -11,6 +11,7 @@
 #include "core/anatomy/unit_width_skeleton.h"
 #include "core/base/error.h"
 #include "core/image/filters.h"
+#include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
 #include "core/mesh/surface.h"
 
@@ -24,10 +25,10 @@ std::string name_of(SegmentationMethod method) {
             return "multi_layer";
         case SegmentationMethod::vesselness:
             return "vesselness";
-        case SegmentationMethod::combined:
+        case SegmentationMethod::coherent:
             break;
     }
-    return "combined";
+    return "coherent";
 }
 
 nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
@@ -48,6 +49,14 @@ nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
                     {"target_tetrahedra", options.mesh.target_tetrahedra},
                     {"minimum_radius_mm", options.mesh.minimum_radius_mm}};
     return json;
+}
+
+// Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
+// takes the system of the voxel before it in the row, which borders the hole.
+void fill_cavities(Mask& mask) {
+    const Mask filled = fill_holes(mask);
+    for (std::size_t i = 1; i < mask.voxels.size(); ++i)
+        if (mask.voxels[i] == 0 && filled.voxels[i] != 0) mask.voxels[i] = mask.voxels[i - 1];
 }
 
 VoxelCounts counts_of(const Mask& mask) {
@@ -90,19 +99,24 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
         segmentation.liver = read_mask(*options.liver_mask, job);
         require_same_grid(segmentation.liver->grid, ct.grid, options.liver_mask->string());
     }
-    job.begin_stage("Segmenting the vessels");
     Segmentation found = segment_vessels(ct, segmentation, job);
     warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     require_vessels(found.mask, options.ct.string());
     return std::move(found.mask);
 }
 
+int stage_count(const ReconstructOptions& options) {
+    constexpr int reading = 1, from_skeleton_to_mesh = 4;
+    constexpr int given_mask = 2, segmentation = 5;
+    const int systems = options.seeds.empty() ? 0 : 1;
+    return reading + (options.vessel_mask ? given_mask : segmentation + systems) +
+           from_skeleton_to_mesh;
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
-    const int optional_stages = (options.liver_mask ? 1 : 0) + (options.vessel_mask ? 1 : 0);
-    job.expect_stages(6 + optional_stages);
-
+    job.expect_stages(stage_count(options));
     Reconstruction result;
     PatientCase& patient = result.patient;
     const Volume ct = read_volume(options.ct, job, &result.warnings);
@@ -111,6 +125,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
 
     patient.mask = options.vessel_mask ? given_vessels(options, ct.grid, job)
                                        : segmented_vessels(options, ct, result.warnings, job);
+    fill_cavities(patient.mask);
     result.mask = counts_of(patient.mask);
 
     job.begin_stage("Thinning to the skeleton");

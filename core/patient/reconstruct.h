@@ -23,8 +23,8 @@ struct ReconstructOptions {
                                                          // done; several labels: several systems
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
-    SegmentationMethod method = SegmentationMethod::combined;
-    int refinement_recursions = 1;  // Gaussian smoothing of the mask (paper, II.A.2)
+    SegmentationMethod method = SegmentationMethod::coherent;
+    int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
     double spacing_mm = 0.0;        // isotropic working grid; 0: chosen from the CT
     MeshOptions mesh{.target_tetrahedra = 20000};
 };
