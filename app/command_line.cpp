@@ -4,7 +4,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -30,6 +32,21 @@ int report(const Error& error, int code) {
     spdlog::error("{}{}", where, error.problem());
     if (!error.remedy().empty()) spdlog::error("{}", error.remedy());
     return code;
+}
+
+int report_usage(const CLI::App& program, int argc, const char* const* argv,
+                 const CLI::ParseError& error) {
+    const auto verbs = program.get_subcommands([](const CLI::App*) { return true; });
+    const bool known = argc > 1 && std::ranges::any_of(verbs, [&](const CLI::App* verb) {
+                           return verb->get_name() == argv[1];
+                       });
+    if (argc > 1 && argv[1][0] != '-' && !known)
+        spdlog::error("there is no verb \"{}\"", argv[1]);
+    else
+        spdlog::error("{}", error.what());
+    const std::string verb = known ? std::string(argv[1]) + " " : "";
+    spdlog::error("See `hepatica-cli {}--help`", verb);
+    return exit_bad_usage;
 }
 
 // The log goes to standard error, so that standard output holds the answer alone.
@@ -77,14 +94,16 @@ CLI::App& CommandLine::add_to(CLI::App& parent, const std::string& name,
 
 int CommandLine::run(int argc, const char* const* argv) {
     set_up_log(false);
+    // Writing beyond a limit on the size of files shall fail like a full disk, not kill the
+    // program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
     try {
         program_.parse(argc, argv);
     } catch (const CLI::Success& success) {
         return program_.exit(success);  // --help and --version
     } catch (const CLI::ParseError& error) {
-        spdlog::error("{}", error.what());
-        spdlog::error("See `hepatica-cli --help` or `hepatica-cli VERB --help`");
-        return exit_bad_usage;
+        return report_usage(program_, argc, argv, error);
     }
     set_up_log(quiet_);
     return run_verb();

@@ -115,7 +115,7 @@ ReconstructOptions PatientWizard::options() const {
                          "write x y z in mm for each seed, or leave it empty");
     }
     for (std::size_t i = 0; i < seeds.size(); i += 3) {
-        options.seeds_mm.emplace_back(seeds[i], seeds[i + 1], seeds[i + 2]);
+        options.seeds.push_back({Vec3(seeds[i], seeds[i + 1], seeds[i + 2])});
     }
     return options;
 }

@@ -4,6 +4,12 @@
 namespace hepatica {
 
 void add_all_verbs(CommandLine& line) {
+    add_phantom(line);
+    add_reconstruct(line);
+    add_compare(line);
+    add_simulate(line);
+    add_replay(line);
+    add_scene(line);
     add_bench_iterations(line);
     add_bench_peers(line);
     add_diagnose(line);

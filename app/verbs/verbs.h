@@ -6,6 +6,12 @@
 
 namespace hepatica {
 
+void add_phantom(CommandLine& line);
+void add_reconstruct(CommandLine& line);
+void add_compare(CommandLine& line);
+void add_simulate(CommandLine& line);
+void add_replay(CommandLine& line);
+void add_scene(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_peers(CommandLine& line);
 void add_diagnose(CommandLine& line);

@@ -5,8 +5,8 @@
 // The CT itself is referred to, not copied.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "core/anatomy/vessel_tree.h"
@@ -17,10 +17,9 @@ namespace hepatica {
 
 // Where a case came from and how it was made.
 struct CaseSource {
-    std::string image_path;       // the CT, as given
-    Grid image_grid;              // its geometry
-    std::string parameters_json;  // options of the reconstruction, one JSON object
-    std::string program_version;
+    std::string image_path;              // the CT, as given
+    Grid image_grid;                     // its geometry
+    std::string parameters_json = "{}";  // options of the reconstruction, one JSON object
 };
 
 struct PatientCase {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way from a CT to a body, as one job that can be watched and stopped:
-// read, find the liver, resample, segment, refine, thin, unit width, tree, mesh.
+// The whole way from a CT to a body, as one job that can be watched and stopped: read, segment (in
+// the liver, on a resampled grid), thin, unit width, tree, mesh.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/anatomy/vessel_segmentation.h"
 #include "core/base/job.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
@@ -16,27 +18,30 @@ namespace hepatica {
 
 struct ReconstructOptions {
     std::filesystem::path ct;                            // DICOM folder or volume file
-    std::optional<std::filesystem::path> liver_mask;     // nonzero = liver
-    std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation
+    std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
+    std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation is
+                                                         // done; several labels: several systems
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
-    std::vector<Vec3> seeds_mm;                          // one or more per vascular system
-    int refinement_recursions = 1;                       // Gaussian smoothing of the mask
-    double spacing_mm = 0.0;                             // isotropic working grid; 0: chosen
-    MeshOptions mesh;
+    std::vector<VesselSeed> seeds;                       // one or more per vascular system
+    SegmentationMethod method = SegmentationMethod::coherent;
+    int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
+    double spacing_mm = 0.0;        // isotropic working grid; 0: chosen from the CT
+    MeshOptions mesh{.target_tetrahedra = 20000};
 };
 
-// Counts that `hepatica-cli reconstruct --json` prints beside the case itself.
+// Counts that judge the voxels, for display beside the case itself.
 struct VoxelCounts {
     std::size_t voxels = 0;
-    int components = 0;
-    int tunnels = 0;
-    int cavities = 0;
+    long long components = 0;
+    long long tunnels = 0;
+    long long cavities = 0;
 };
+
 struct Reconstruction {
     PatientCase patient;
     VoxelCounts mask;
     VoxelCounts skeleton;
-    int crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
+    std::size_t crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
 };

@@ -19,8 +19,8 @@ struct DeformSpec {
     std::string material = "portal vein";  // name of a preset, see core/deform/material.h
     FixedEnds fixed = FixedEnds::all;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
-    double tether_pa_per_mm = 0.0;  // springs to the rest shape: tissue around
-    double quality = 0.5;           // the dial, 0 to 1
+    double tether_pa_per_mm2 = 0.0;  // pull of the tissue around to the place at rest, per volume
+    double quality = 0.5;            // the dial, 0 to 1
 };
 
 struct FlowSpec {

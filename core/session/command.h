@@ -31,10 +31,11 @@ struct ReleaseGrab {};
 // Replaces an injection that was made before; the drug's clock starts at zero and plays.
 struct InjectDrug {
     Vec3 point_mm = Vec3::Zero();
-    double mass_flow_g_s = 2.0;                 // > 0
-    double void_fraction = 0.0;                 // volume share of gas, 0 to below 1
-    std::string pressure_model = "regime";      // published, consistent or regime
-    std::optional<double> drug_viscosity_pa_s;  // > 0; otherwise the fluid's own
+    double mass_flow_g_s = 2.0;                   // > 0
+    double void_fraction = 0.0;                   // volume share of the second phase, 0 to below 1
+    std::string second_phase = "carrier";         // gas, lipiodol or carrier
+    std::string pressure_model = "regime";        // published, consistent or regime
+    std::optional<double> drug_viscosity_pa_s{};  // > 0; otherwise the fluid's own
 };
 struct RemoveDrug {};
 struct PlayDrug {
@@ -52,7 +53,7 @@ struct SetGravity {
 };
 // Tissue around the vessels as springs to the rest shape.
 struct SetTether {
-    double stiffness_pa_per_mm = 0.0;  // pressure per millimetre of displacement, >= 0
+    double pa_per_mm2 = 0.0;  // force per volume per millimetre of displacement, >= 0
 };
 // The dial: 0 fastest, 1 most accurate.
 struct SetQuality {

@@ -9,45 +9,49 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
+#include "core/session/recording.h"
 #include "core/session/triple_buffer.h"
 
 namespace hepatica {
 
 class World;
-class Recorder;
+struct DeformState;
 
 // What one step did, for scripts and measurements.
 struct SessionStep {
     std::uint64_t step = 0;        // number of this step, from 1
-    double step_ms = 0.0;          // wall time
-    std::uint64_t state_hash = 0;  // of positions, velocities and drug clock; only if recording
-                                   // or asked for by hash_every_step()
-    bool diverged = false;
+    double step_ms = 0.0;          // wall time of commands, world and frame
+    std::uint64_t state_hash = 0;  // of the world; 0 unless a recording is kept
+    bool paused = false;           // the world stood still
+    StepReport deform;             // of the deforming body, where there is one
 };
 
 class Session {
   public:
-    // Builds the world's parts. Throws InputError (a spec that the case cannot serve), Cancelled.
+    // Builds the world's parts and publishes a first frame of it at rest. Begins one stage of the
+    // job. Throws InputError (a spec that the case cannot serve), Cancelled.
     Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     // --- any thread -----------------------------------------------------------------------------
-    // Queues a command for the next step boundary. Values out of range are refused there: the
-    // frame's message says so, and the world is as before. Moves that no step has seen yet are
-    // replaced by the newest.
+    // Queues a command for the next step boundary. Never waits for a step. What is out of range is
+    // refused there: the frame's message says so, and the world is as before. Moves that no step
+    // has seen yet are replaced by the newest.
     void post(Command command);
 
     // --- the reader's thread (UI) ---------------------------------------------------------------
@@ -55,38 +59,44 @@ class Session {
     bool update_frame() { return frames_.update(); }
     const Frame& frame() const { return frames_.front(); }
 
-    // --- the simulation thread ------------------------------------------------------------------
+    // --- the simulation thread (or any, while run() does not run) -------------------------------
     // Applies the commands that wait, advances by one time step, publishes a frame.
     SessionStep step();
     // Steps at the scene's rate until asked to stop. When a step takes longer than its period,
     // simulated time runs slower than the wall's, and the frames' real_time_factor says by how
     // much; it never tries to catch up.
-    void run(std::stop_token stop);
+    void run(const std::stop_token& stop);
 
-    void hash_every_step(bool on) { hash_every_step_ = on; }
+    // Keeps the commands and a state hash of every step, from the first one on: call it before.
+    void keep_recording(bool on) { keep_recording_ = on; }
+    // Everything since the start; patient_path is the caller's to fill in.
+    const Recording& recording() const { return recording_; }
+
     std::uint64_t state_hash() const;
-    // From now on every step goes into the recorder, which must outlive the session or be removed
-    // by nullptr.
-    void record_to(Recorder* recorder);
-
+    World& world() { return *world_; }
     const World& world() const { return *world_; }
 
   private:
-    struct Snapshot;
-
-    void apply_commands();
+    void apply_waiting_commands();
     void apply(const Command& command);
-    void publish();
-    void keep_snapshot();
-    void pause_on_divergence(const std::string& why);
+    void require_deform() const;
+    void require_flow() const;
+    void guard_state();
+    void publish(const SessionStep& step);
 
     std::unique_ptr<World> world_;
-    std::unique_ptr<Snapshot> last_good_;
+    std::uint64_t step_ = 0;
+    bool paused_ = false;
+    std::string message_;
+    std::unique_ptr<DeformState> last_good_;
+    double real_time_factor_ = 1.0;
+
     std::mutex queue_mutex_;
     std::vector<Command> queue_;
+
     TripleBuffer<Frame> frames_;
-    Recorder* recorder_ = nullptr;
-    bool hash_every_step_ = false;
+    bool keep_recording_ = false;
+    Recording recording_;
 };
 
 }  // namespace hepatica

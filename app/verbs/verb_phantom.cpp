@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/anatomy/phantom.h"
+#include "core/anatomy/tree_io.h"
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/image/volume_writer.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    fs::path out;
+    PhantomOptions phantom;
+    std::string dims;
+    std::string spacing;
+    std::vector<std::string> formats{"dicom", "nifti"};
+};
+
+void parse(Options& options) {
+    if (!options.dims.empty()) {
+        const auto dims = parse_triple("--dims", options.dims);
+        for (int axis = 0; axis < 3; ++axis)
+            options.phantom.dims[axis] = static_cast<int>(dims[axis]);
+    }
+    if (!options.spacing.empty()) {
+        const auto spacing = parse_triple("--spacing", options.spacing);
+        options.phantom.spacing_mm = Vec3(spacing[0], spacing[1], spacing[2]);
+    }
+    for (const std::string& format : options.formats)
+        if (format != "dicom" && format != "nifti")
+            throw UsageError("\"" + format + "\" is no format", "--format",
+                             "Choose dicom, nifti or both: dicom,nifti");
+}
+
+Json make(Options options, Job& job) {
+    parse(options);
+    require_writable(options.out);
+    require_own_or_new(options.out, "truth_tree.vtp");
+    const Phantom phantom = make_phantom(options.phantom, job);
+    const auto wanted = [&](const char* format) {
+        return std::ranges::find(options.formats, format) != options.formats.end();
+    };
+    Json made = Json::array();
+    write_folder_atomically(options.out, [&](const fs::path& folder) {
+        if (wanted("dicom")) {
+            write_dicom_series(folder / "ct", phantom.ct, {}, job);
+            made.push_back((options.out / "ct").string());
+        }
+        job.begin_stage("Writing the truth");
+        if (wanted("nifti")) {
+            write_nifti(folder / "ct.nii.gz", phantom.ct);
+            made.push_back((options.out / "ct.nii.gz").string());
+        }
+        job.advance(0.5);
+        write_nifti(folder / "truth_mask.nii.gz", phantom.vessels);
+        write_nifti(folder / "liver.nii.gz", phantom.liver);
+        write_tree_vtp(folder / "truth_tree.vtp", phantom.tree);
+        job.advance(1.0);
+    });
+    return {{"ct", made},
+            {"truth_tree", (options.out / "truth_tree.vtp").string()},
+            {"truth_mask", (options.out / "truth_mask.nii.gz").string()},
+            {"liver_mask", (options.out / "liver.nii.gz").string()},
+            {"segments", phantom.tree.segments.size()},
+            {"length_mm", length_mm(phantom.tree)}};
+}
+
+}  // namespace
+
+void add_phantom(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb(
+        "phantom", "Make a synthetic patient: a CT with its true vessel tree and masks",
+        [options](Job& job) { return make(*options, job); });
+    PhantomOptions& phantom = options->phantom;
+    verb.add_option("out", options->out, "Folder to make")->required();
+    verb.add_option("--seed", phantom.seed, "Another seed, another patient")->capture_default_str();
+    verb.add_option("--generations", phantom.generations, "2^N ends per vascular system, 1 to 10")
+        ->capture_default_str();
+    verb.add_option("--systems", phantom.systems, "1: portal vein; 2: and hepatic veins")
+        ->capture_default_str();
+    verb.add_option("--dims", options->dims, "Voxels along x,y,z [256,256,160]");
+    verb.add_option("--spacing", options->spacing, "Size of a voxel along x,y,z [0.8,0.8,1 mm]");
+    verb.add_option("--noise-hu", phantom.noise_hu, "Standard deviation of the noise [HU]")
+        ->capture_default_str();
+    verb.add_option("--contrast-hu", phantom.contrast_hu, "Vessels above parenchyma [HU]")
+        ->capture_default_str();
+    verb.add_option("--format", options->formats, "dicom, nifti or both")
+        ->delimiter(',')
+        ->capture_default_str();
+}
+
+}  // namespace hepatica

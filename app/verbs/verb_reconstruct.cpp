@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/mesh/quality.h"
+#include "core/patient/reconstruct.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    ReconstructOptions reconstruct;
+    fs::path out;
+    fs::path liver_mask;
+    fs::path vessel_mask;
+    std::vector<double> window;
+    std::vector<std::string> seeds;
+    std::string method = "coherent";
+};
+
+// "X,Y,Z" or "X,Y,Z,SYSTEM".
+VesselSeed parse_seed(const std::string& text) {
+    VesselSeed seed;
+    std::string position = text;
+    if (std::ranges::count(text, ',') == 3) {
+        const std::size_t comma = text.rfind(',');
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data() + comma + 1, end, seed.system);
+        if (error != std::errc{} || rest != end || seed.system == 0)
+            throw UsageError("\"" + text.substr(comma + 1) + "\" is no system", "--seed-mm",
+                             "Number the vascular systems from 1");
+        position = text.substr(0, comma);
+    }
+    const auto numbers = parse_triple("--seed-mm", position);
+    seed.position_mm = Vec3(numbers[0], numbers[1], numbers[2]);
+    return seed;
+}
+
+void parse(Options& options) {
+    static const std::map<std::string, SegmentationMethod> methods{
+        {"coherent", SegmentationMethod::coherent},
+        {"multi-layer", SegmentationMethod::multi_layer},
+        {"vesselness", SegmentationMethod::vesselness}};
+    ReconstructOptions& reconstruct = options.reconstruct;
+    if (!options.liver_mask.empty()) reconstruct.liver_mask = options.liver_mask;
+    if (!options.vessel_mask.empty()) reconstruct.vessel_mask = options.vessel_mask;
+    if (!options.window.empty()) {
+        if (options.window.size() != 2 || !(options.window[0] < options.window[1]))
+            throw UsageError("is not a lower and an upper bound", "--window", "Write LO,HI in HU");
+        reconstruct.window_hu = {options.window[0], options.window[1]};
+    }
+    for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
+    reconstruct.method = methods.at(options.method);
+}
+
+Json to_json(const VoxelCounts& counts) {
+    return {{"voxels", counts.voxels},
+            {"components", counts.components},
+            {"tunnels", counts.tunnels},
+            {"cavities", counts.cavities}};
+}
+
+Json to_json(const VesselTree& tree) {
+    double root_radius_mm = 0.0;
+    for (const int root : roots(tree))
+        root_radius_mm = std::max(root_radius_mm, tree.segments[root].radii_mm.front());
+    return {{"segments", tree.segments.size()}, {"bifurcations", bifurcation_count(tree)},
+            {"ends", end_count(tree)},          {"components", roots(tree).size()},
+            {"length_mm", length_mm(tree)},     {"root_radius_mm", root_radius_mm}};
+}
+
+Json to_json(const TetMesh& mesh) {
+    const MeshQuality quality = quality_of(mesh);
+    return {{"vertices", mesh.vertices_mm.size()},
+            {"tetrahedra", mesh.tetrahedra.size()},
+            {"min_dihedral_deg", quality.min_dihedral_deg},
+            {"max_dihedral_deg", quality.max_dihedral_deg},
+            {"components", quality.components},
+            {"closed", quality.closed},
+            {"handles", quality.handles},
+            {"volume_mm3", quality.volume_mm3}};
+}
+
+Json run(Options options, Job& job) {
+    parse(options);
+    require_writable(options.out);
+    require_own_or_new(options.out, "case.json");
+    const Reconstruction made = reconstruct(options.reconstruct, job);
+    job.begin_stage("Writing the case");
+    write_case(options.out, made.patient);
+    for (const std::string& warning : made.warnings) spdlog::warn("{}", warning);
+
+    Json answer;
+    const Grid& grid = made.patient.source.image_grid;
+    answer["case"] = options.out.string();
+    answer["image"] = {
+        {"dims", grid.dims},
+        {"spacing_mm", {grid.spacing_mm.x(), grid.spacing_mm.y(), grid.spacing_mm.z()}}};
+    answer["stages"] = Json::array();
+    for (const StageTime& stage : job.stage_times())
+        answer["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+    answer["mask"] = to_json(made.mask);
+    answer["skeleton"] = to_json(made.skeleton);
+    answer["skeleton"]["crowded_points"] = made.crowded_points;
+    answer["tree"] = to_json(made.patient.tree);
+    answer["mesh"] = to_json(made.patient.mesh);
+    answer["warnings"] = made.warnings;
+    return answer;
+}
+
+}  // namespace
+
+void add_reconstruct(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb("reconstruct", "Make a patient's case from a contrast CT",
+                                   [options](Job& job) { return run(*options, job); });
+    ReconstructOptions& reconstruct = options->reconstruct;
+    verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file")
+        ->required();
+    verb.add_option("--out", options->out, "Case to make, NAME.hep")->required();
+    verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
+    verb.add_option("--vessel-mask", options->vessel_mask,
+                    "Image whose nonzero voxels are vessels: nothing is segmented");
+    verb.add_option("--window", options->window, "Vessels lie within LO,HI [HU]")->delimiter(',');
+    verb.add_option("--seed-mm", options->seeds,
+                    "X,Y,Z[,SYSTEM] inside a vessel [LPS mm]; may be repeated");
+    verb.add_option("--method", options->method, "How vessels are segmented")
+        ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
+        ->capture_default_str();
+    verb.add_option("--refine", reconstruct.refinement_recursions,
+                    "Recursions of the Gaussian refinement, 0 to 10")
+        ->check(CLI::Range(0, 10))
+        ->capture_default_str();
+    verb.add_option("--spacing-mm", reconstruct.spacing_mm,
+                    "Working grid, isotropic; 0 lets the CT decide")
+        ->check(CLI::Range(0.0, 1.5))
+        ->capture_default_str();
+    verb.add_option("--tetrahedra", reconstruct.mesh.target_tetrahedra,
+                    "About so many tetrahedra; 0 lets the radii decide")
+        ->check(CLI::Range(0, 2'000'000))
+        ->capture_default_str();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "app/verbs/verbs.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/world.h"
+#include "core/session/script.h"
+#include "core/session/session.h"
+
+namespace hepatica {
+
+namespace {
+
+// A scene file names its case; a case alone stands for the default scene.
+SceneFile scene_of(const std::filesystem::path& file) {
+    return is_case(file) ? SceneFile{default_scene(), file} : read_scene(file);
+}
+
+// Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
+Json run(const std::filesystem::path& file, Job& job) {
+    const SceneFile scene = scene_of(file);
+    job.begin_stage("Reading the case");
+    auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(scene.patient));
+    Session session(patient, scene.spec, job);
+    job.begin_stage("Weighing the parts");
+    const Vec3 held = point_on_longest_path(patient->tree, 0.5);
+    if (scene.spec.flow) session.post(InjectDrug{held});
+    if (scene.spec.deform) session.post(GrabPoint{held});
+    constexpr int steps = 60;
+    std::vector<double> frame_ms(session.world().parts().size(), 0.0);
+    for (int i = 0; i < steps; ++i) {
+        if (scene.spec.deform) session.post(MoveGrab{held + Vec3(0.2 * i, 0, 0)});
+        session.step();
+        for (std::size_t p = 0; p < frame_ms.size(); ++p)
+            frame_ms[p] += session.world().parts()[p].frame_ms / steps;
+        job.advance(static_cast<double>(i) / steps);
+    }
+    Json parts = Json::array();
+    for (std::size_t p = 0; p < frame_ms.size(); ++p) {
+        const PartCost& part = session.world().parts()[p];
+        parts.push_back({{"name", part.name},
+                         {"bytes", part.bytes},
+                         {"ms", frame_ms[p]},
+                         {"build_ms", part.build_ms}});
+    }
+    return {{"scene", scene.spec.name},
+            {"case", scene.patient.string()},
+            {"vertices", session.world().vertex_count()},
+            {"parts", parts}};
+}
+
+}  // namespace
+
+void add_scene(CommandLine& line) {
+    auto file = std::make_shared<std::filesystem::path>();
+    CLI::App& verb = line.add_verb(
+        "scene", "The parts that a scene builds, their memory, and their cost per frame",
+        [file](Job& job) { return run(*file, job); });
+    verb.add_option("file", *file, "Scene file (JSON) or case")->required();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "core/base/hash.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+std::uint64_t hash_of(const PatientCase& patient) {
+    Hasher hasher;
+    for (const VesselSegment& segment : patient.tree.segments) {
+        const std::array<int, 4> links{segment.proximal_node, segment.distal_node, segment.parent,
+                                       segment.system};
+        hasher.add(std::span<const int>(links));
+        for (const Vec3& point : segment.points_mm) hasher.add_bytes(point.data(), sizeof(Vec3));
+        hasher.add(std::span<const double>(segment.radii_mm));
+    }
+    for (const Vec3& vertex : patient.mesh.vertices_mm)
+        hasher.add_bytes(vertex.data(), sizeof(Vec3));
+    for (const auto& tetrahedron : patient.mesh.tetrahedra)
+        hasher.add(std::span<const int>(tetrahedron));
+    return hasher.value();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/reconstruct.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/anatomy/gaussian_refinement.h"
+#include "core/anatomy/thinning.h"
+#include "core/anatomy/topology.h"
+#include "core/anatomy/tree_extraction.h"
+#include "core/anatomy/unit_width_skeleton.h"
+#include "core/base/error.h"
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
+#include "core/image/volume_reader.h"
+#include "core/mesh/surface.h"
+
+namespace hepatica {
+
+namespace {
+
+std::string name_of(SegmentationMethod method) {
+    switch (method) {
+        case SegmentationMethod::multi_layer:
+            return "multi_layer";
+        case SegmentationMethod::vesselness:
+            return "vesselness";
+        case SegmentationMethod::coherent:
+            break;
+    }
+    return "coherent";
+}
+
+nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
+    nlohmann::ordered_json json;
+    json["liver_mask"] = options.liver_mask ? options.liver_mask->string() : "";
+    json["vessel_mask"] = options.vessel_mask ? options.vessel_mask->string() : "";
+    json["method"] = name_of(options.method);
+    if (options.window_hu)
+        json["window_hu"] = {options.window_hu->first, options.window_hu->second};
+    for (const VesselSeed& seed : options.seeds)
+        json["seeds"].push_back(
+            {{"position_mm", {seed.position_mm.x(), seed.position_mm.y(), seed.position_mm.z()}},
+             {"system", seed.system}});
+    json["refinement_recursions"] = options.refinement_recursions;
+    json["spacing_mm"] = options.spacing_mm;
+    json["mesh"] = {{"facet_size_in_radii", options.mesh.facet_size_in_radii},
+                    {"cell_size_in_radii", options.mesh.cell_size_in_radii},
+                    {"target_tetrahedra", options.mesh.target_tetrahedra},
+                    {"minimum_radius_mm", options.mesh.minimum_radius_mm}};
+    return json;
+}
+
+// Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
+// takes the system of the voxel before it in the row, which borders the hole.
+void fill_cavities(Mask& mask) {
+    const Mask filled = fill_holes(mask);
+    for (std::size_t i = 1; i < mask.voxels.size(); ++i)
+        if (mask.voxels[i] == 0 && filled.voxels[i] != 0) mask.voxels[i] = mask.voxels[i - 1];
+}
+
+VoxelCounts counts_of(const Mask& mask) {
+    const Betti betti = betti_numbers(mask);
+    const auto voxels = std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; });
+    return {static_cast<std::size_t>(voxels), betti.components, betti.tunnels, betti.cavities};
+}
+
+void require_vessels(const Mask& mask, const std::string& place) {
+    if (std::ranges::none_of(mask.voxels, [](auto v) { return v != 0; }))
+        throw InputError("no vessels were found", place,
+                         "Give a window (--window LO,HI), a seed inside a vessel (--seed-mm) or a "
+                         "vessel mask (--vessel-mask)");
+}
+
+// A mask that somebody drew, cut to what it holds.
+Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
+    const LabelMap labels = read_label_map(*options.vessel_mask, job);
+    require_same_grid(labels.grid, ct_grid, options.vessel_mask->string());
+    Mask mask(labels.grid);
+    std::ranges::transform(labels.voxels, mask.voxels.begin(), [](std::uint16_t label) {
+        return static_cast<std::uint8_t>(std::min<int>(label, 255));
+    });
+    require_vessels(mask, options.vessel_mask->string());
+    constexpr double margin_mm = 5.0;
+    mask = crop(mask, grow_box(bounding_box(mask), mask.grid, margin_mm));
+    job.begin_stage("Smoothing the vessels");
+    return refine(mask, options.refinement_recursions, job);
+}
+
+Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
+                       std::vector<std::string>& warnings, Job& job) {
+    SegmentationOptions segmentation;
+    segmentation.method = options.method;
+    segmentation.window_hu = options.window_hu;
+    segmentation.seeds = options.seeds;
+    segmentation.refinement_recursions = options.refinement_recursions;
+    segmentation.spacing_mm = options.spacing_mm;
+    if (options.liver_mask) {
+        segmentation.liver = read_mask(*options.liver_mask, job);
+        require_same_grid(segmentation.liver->grid, ct.grid, options.liver_mask->string());
+    }
+    Segmentation found = segment_vessels(ct, segmentation, job);
+    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+    require_vessels(found.mask, options.ct.string());
+    return std::move(found.mask);
+}
+
+int stage_count(const ReconstructOptions& options) {
+    constexpr int reading = 1, from_skeleton_to_mesh = 4;
+    constexpr int given_mask = 2, segmentation = 5;
+    const int systems = options.seeds.empty() ? 0 : 1;
+    return reading + (options.vessel_mask ? given_mask : segmentation + systems) +
+           from_skeleton_to_mesh;
+}
+
+}  // namespace
+
+Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
+    job.expect_stages(stage_count(options));
+    Reconstruction result;
+    PatientCase& patient = result.patient;
+    const Volume ct = read_volume(options.ct, job, &result.warnings);
+    require_plausible_ct(ct, options.ct.string());
+    patient.source = {options.ct.string(), ct.grid, parameters_of(options).dump()};
+
+    patient.mask = options.vessel_mask ? given_vessels(options, ct.grid, job)
+                                       : segmented_vessels(options, ct, result.warnings, job);
+    fill_cavities(patient.mask);
+    result.mask = counts_of(patient.mask);
+
+    job.begin_stage("Thinning to the skeleton");
+    const Mask skeleton = thin(patient.mask, ThinningMethod::queue, job);
+    job.begin_stage("Making the skeleton one voxel wide");
+    patient.skeleton = unit_width(skeleton, job);
+    result.skeleton = counts_of(patient.skeleton);
+    result.crowded_points = crowded_point_count(patient.skeleton);
+
+    job.begin_stage("Extracting the tree");
+    TreeOptions tree_options;
+    for (const VesselSeed& seed : options.seeds)
+        tree_options.seeds.push_back({seed.position_mm, seed.system});
+    patient.tree = extract_tree(patient.skeleton, patient.mask, &ct, tree_options, job);
+    if (patient.tree.segments.empty())
+        throw InputError("the vessels found are too small for a tree", options.ct.string(),
+                         "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+
+    job.begin_stage("Meshing the vessels");
+    patient.mesh = tetrahedralize(patient.tree, options.mesh, job);
+    patient.surface = surface_of(patient.mesh).mesh;
+    result.stages = job.stage_times();
+    return result;
+}
+
+}  // namespace hepatica

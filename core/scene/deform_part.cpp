@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/deform_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/scene/quality_settings.h"
+
+namespace hepatica {
+
+namespace {
+
+// The hand's springs together are as stiff as a piece of the vessel one radius long, and pull no
+// harder than would stretch the vessel by a fifth.
+constexpr double largest_strain = 0.2;
+
+Material material_named(const std::string& name) {
+    std::string known;
+    for (const MaterialPreset& preset : material_presets()) {
+        if (preset.name == name) return preset.material;
+        known += (known.empty() ? "" : ", ") + preset.name;
+    }
+    throw InputError("\"" + name + "\" is not known", "material", "Choose one of: " + known);
+}
+
+FrameSkeleton skeleton_of(const VesselTree& tree) {
+    std::vector<SkeletonPolyline> polylines;
+    for (const VesselSegment& segment : tree.segments)
+        polylines.push_back({segment.points_mm, segment.radii_mm, segment.parent});
+    return resample(polylines);
+}
+
+}  // namespace
+
+DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec)
+    : quality_(spec.quality), gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
+    if (patient.mesh.tetrahedra.empty())
+        throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
+                         "Reconstruct the patient again");
+    body_.mesh = patient.mesh;
+    body_.material = material_named(spec.material);
+    body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
+    body_.skeleton = skeleton_of(patient.tree);
+    surface_vertices_ = surface_of(body_.mesh).body_vertex;
+    places_ = places_of(body_.mesh.vertices_mm, patient.tree);
+    fix_ends(patient.tree, spec.fixed);
+    Vec3 low = body_.mesh.vertices_mm.front(), high = low;
+    for (const Vec3& vertex : body_.mesh.vertices_mm) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    size_mm_ = (high - low).norm();
+    build_stepper();
+}
+
+DeformPart::~DeformPart() = default;
+
+void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
+    body_.fixed.assign(body_.mesh.vertices_mm.size(), 0);
+    if (ends == FixedEnds::none) return;
+    const std::vector<int> degrees = node_degrees(tree);
+    std::vector<std::vector<int>> vertices_of(tree.segments.size());
+    for (std::size_t v = 0; v < places_.size(); ++v)
+        vertices_of[places_[v].on_tree.segment].push_back(static_cast<int>(v));
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        const VesselSegment& segment = tree.segments[s];
+        const auto fix_around = [&](const Vec3& end, double radius_mm) {
+            for (const int v : vertices_of[s])
+                if ((body_.mesh.vertices_mm[v] - end).norm() < 1.3 * radius_mm) body_.fixed[v] = 1;
+        };
+        if (segment.parent < 0 && degrees[segment.proximal_node] == 1)
+            fix_around(segment.points_mm.front(), segment.radii_mm.front());
+        if (ends == FixedEnds::all && degrees[segment.distal_node] == 1)
+            fix_around(segment.points_mm.back(), segment.radii_mm.back());
+    }
+}
+
+void DeformPart::build_stepper() {
+    DeformState kept;
+    if (stepper_) kept = state();
+    stepper_ = make_cpu_stepper(body_, stepper_options(quality_));
+    stepper_->set_gravity(gravity_mm_per_s2_);
+    if (!kept.positions_mm.empty()) set_state(kept);
+    if (hold_) apply_hold();
+}
+
+void DeformPart::grab(const Vec3& point_mm) {
+    const std::span<const Vec3> positions = positions_mm();
+    int nearest = surface_vertices_.front();
+    for (const int v : surface_vertices_)
+        if ((positions[v] - point_mm).squaredNorm() < (positions[nearest] - point_mm).squaredNorm())
+            nearest = v;
+    close_hand(nearest, point_mm);
+}
+
+void DeformPart::grab_vertex(int vertex) {
+    if (vertex < 0 || vertex >= static_cast<int>(body_.mesh.vertices_mm.size()))
+        throw InputError(
+            "vertex " + std::to_string(vertex) + " does not exist", "grab",
+            "The body has vertices 0 to " + std::to_string(body_.mesh.vertices_mm.size() - 1));
+    close_hand(vertex, positions_mm()[vertex]);
+}
+
+void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
+    const std::span<const Vec3> positions = positions_mm();
+    const double radius_mm = places_[vertex].radius_mm;
+    const Vec3 centre_now = positions[vertex];
+    const Vec3 centre_at_rest = body_.mesh.vertices_mm[vertex];
+    Hold hold;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        // Near now and near at rest: not another vessel that happens to lie beside this one.
+        const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
+                          (body_.mesh.vertices_mm[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
+        if (near && body_.fixed[v] == 0) hold.vertices.push_back(static_cast<int>(v));
+    }
+    if (hold.vertices.empty()) hold.vertices.push_back(vertex);
+    for (const int v : hold.vertices) hold.offsets_mm.push_back(positions[v] - point_mm);
+    const double modulus_pa = body_.material.young_modulus_pa;
+    const auto springs = static_cast<double>(hold.vertices.size());
+    hold.target_mm = point_mm;
+    hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
+    hold.force_limit_un = largest_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
+    hold_ = std::move(hold);
+    apply_hold();
+}
+
+void DeformPart::move_grab(const Vec3& target_mm) {
+    if (!target_mm.allFinite())
+        throw InputError("the hand's position is not finite", "move_grab", "Give finite numbers");
+    if (!hold_) return;
+    hold_->target_mm = target_mm;
+    apply_hold();
+}
+
+void DeformPart::release() {
+    hold_.reset();
+    stepper_->set_grabs({});
+}
+
+void DeformPart::apply_hold() {
+    std::vector<Grab> grabs(hold_->vertices.size());
+    for (std::size_t i = 0; i < grabs.size(); ++i) {
+        grabs[i].vertices[0] = hold_->vertices[i];
+        grabs[i].target_mm = hold_->target_mm + hold_->offsets_mm[i];
+        grabs[i].stiffness_un_per_mm = hold_->stiffness_un_per_mm;
+        grabs[i].force_limit_un = hold_->force_limit_un;
+    }
+    stepper_->set_grabs(grabs);
+}
+
+std::optional<GrabView> DeformPart::grab_view() const {
+    if (!hold_) return std::nullopt;
+    const std::span<const Vec3> positions = positions_mm();
+    GrabView view;
+    view.target_mm = hold_->target_mm;
+    Vec3 force_un = Vec3::Zero();
+    for (std::size_t i = 0; i < hold_->vertices.size(); ++i) {
+        const Vec3 held = positions[hold_->vertices[i]] - hold_->offsets_mm[i];
+        view.point_mm += held / static_cast<double>(hold_->vertices.size());
+        const Vec3 pull = hold_->stiffness_un_per_mm * (hold_->target_mm - held);
+        force_un += pull * std::min(1.0, hold_->force_limit_un / std::max(pull.norm(), 1e-300));
+    }
+    view.force_un = force_un.norm();
+    return view;
+}
+
+void DeformPart::set_gravity(const Vec3& gravity_mm_per_s2) {
+    stepper_->set_gravity(gravity_mm_per_s2);
+    gravity_mm_per_s2_ = gravity_mm_per_s2;
+}
+
+void DeformPart::set_tether(double pa_per_mm2) {
+    if (!(pa_per_mm2 >= 0.0) || !std::isfinite(pa_per_mm2))
+        throw InputError("is " + std::to_string(pa_per_mm2), "tether", "Give 0 or more");
+    body_.tether_pa_per_mm2 = pa_per_mm2;
+    build_stepper();
+}
+
+void DeformPart::set_quality(double quality) {
+    static_cast<void>(stepper_options(quality));  // refuses what is out of range
+    quality_ = quality;
+    build_stepper();
+}
+
+DeformState DeformPart::state() const {
+    const std::span<const Vec3> positions = stepper_->positions_mm();
+    const std::span<const Vec3> velocities = stepper_->velocities_mm_per_s();
+    return {{positions.begin(), positions.end()}, {velocities.begin(), velocities.end()}};
+}
+
+void DeformPart::set_state(const DeformState& state) {
+    stepper_->set_state(state.positions_mm, state.velocities_mm_per_s);
+}
+
+bool DeformPart::plausible() const {
+    const std::span<const Vec3> positions = positions_mm();
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const double moved_mm = (positions[v] - body_.mesh.vertices_mm[v]).norm();
+        if (!(moved_mm <= 10.0 * size_mm_)) return false;
+    }
+    return true;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of a world that moves: the body, its fixed ends, the hand that holds it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.h"
+#include "core/deform/body.h"
+#include "core/deform/stepper.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/frame.h"
+#include "core/scene/scene_spec.h"
+#include "core/scene/vertex_places.h"
+
+namespace hepatica {
+
+// Positions and velocities of all vertices: what a snapshot keeps.
+struct DeformState {
+    std::vector<Vec3> positions_mm;
+    std::vector<Vec3> velocities_mm_per_s;
+};
+
+class DeformPart {
+  public:
+    // Throws InputError where the case has no mesh or the material is not known.
+    DeformPart(const PatientCase& patient, const DeformSpec& spec);
+    ~DeformPart();
+
+    // The hand closes around the point of the surface nearest to point_mm: every vertex within
+    // about a radius is pulled by a spring, all together as stiff as the vessel is there.
+    void grab(const Vec3& point_mm);
+    void grab_vertex(int vertex);  // throws InputError if there is no such vertex
+    void move_grab(const Vec3& target_mm);
+    void release();
+    bool holding() const { return hold_.has_value(); }
+    std::optional<GrabView> grab_view() const;
+
+    // Settings that rebuild the solver and keep the state. Throw InputError for values out of
+    // range.
+    void set_gravity(const Vec3& gravity_mm_per_s2);
+    void set_tether(double pa_per_mm2);
+    void set_quality(double quality);
+
+    StepReport step(double dt_s) { return stepper_->step(dt_s); }
+    std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
+    std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
+    const std::vector<Vec3>& rest_positions_mm() const { return body_.mesh.vertices_mm; }
+    DeformState state() const;
+    void set_state(const DeformState& state);
+
+    const std::vector<VertexPlace>& places() const { return places_; }
+
+    // False where a position is not finite or further from its place at rest than ten times the
+    // body's size.
+    bool plausible() const;
+
+  private:
+    struct Hold {
+        std::vector<int> vertices;
+        std::vector<Vec3> offsets_mm;  // from the held point, when the hand closed
+        Vec3 target_mm;
+        double stiffness_un_per_mm;  // of each spring
+        double force_limit_un;       // of each spring
+    };
+
+    void fix_ends(const VesselTree& tree, FixedEnds ends);
+    // Around the place of a vertex; the held point is where the hand is.
+    void close_hand(int vertex, const Vec3& point_mm);
+    void apply_hold();
+    void build_stepper();
+
+    BodyDescription body_;
+    std::vector<int> surface_vertices_;
+    std::vector<VertexPlace> places_;  // per vertex
+    double quality_;
+    Vec3 gravity_mm_per_s2_;
+    double size_mm_ = 0.0;
+    std::optional<Hold> hold_;
+    std::unique_ptr<Stepper> stepper_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/flow_part.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/flow/arrival_times.h"
+#include "core/flow/flow_solution.h"
+
+namespace hepatica {
+
+namespace {
+
+// The injected mixture. It is taken to displace a fluid of its own kind, so that flows are steady
+// and arrival times exact.
+Fluid injected_fluid(const Injection& injection) {
+    Fluid fluid = mixture(blood(), second_phase(injection.second_phase), injection.void_fraction);
+    if (injection.drug_viscosity_pa_s != 0.0) fluid.viscosity_pa_s = injection.drug_viscosity_pa_s;
+    validate(fluid);
+    return fluid;
+}
+
+// A tip within a radius of the place where a system is supplied means that place: nothing would be
+// left behind it but a stump.
+TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
+    const VesselSegment& segment = tree.segments[tip.segment];
+    const bool begins_system = segment.parent < 0 && !segment.closes_loop;
+    if (begins_system && tip.arclength_mm < segment.radii_mm.front()) tip.arclength_mm = 0.0;
+    return tip;
+}
+
+}  // namespace
+
+FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
+                   const FlowSpec& spec)
+    : tree_(tree), network_(network_of(tree)), speed_(spec.drug_speed) {
+    if (tree.segments.empty())
+        throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
+    places_.reserve(places.size());
+    for (const VertexPlace& place : places) places_.push_back(place.on_tree);
+}
+
+void FlowPart::inject(const Injection& injection) {
+    if (!(injection.mass_flow_g_s > 0.0))
+        throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
+                         "Give more than 0 g/s");
+    FlowNetwork network = network_;
+    const int tip = place_catheter(network, at_supply_where_near(injection.at, tree_), false);
+    FlowConditions conditions;
+    conditions.law = pressure_law(injection.pressure_model);
+    conditions.resident = injected_fluid(injection);
+    conditions.inlets = {{tip, InletKind::mass_flow, injection.mass_flow_g_s, conditions.resident}};
+    const FlowSolution solution = solve_flow(network, conditions);
+    const ArrivalTimes times = arrival_times(network, solution, {tip});
+
+    auto arrival_s = std::make_shared<std::vector<float>>(places_.size());
+    for (std::size_t v = 0; v < places_.size(); ++v)
+        (*arrival_s)[v] = static_cast<float>(times.arrival_s(places_[v]));
+    mass_error_relative_ = solution.mass_error_relative;
+    drug_.arrival_s = std::move(arrival_s);
+    ++drug_.version;
+    drug_.time_s = 0.0;
+    drug_.end_s = times.end_s();
+    drug_.playing = true;
+}
+
+void FlowPart::remove_drug() {
+    drug_.arrival_s.reset();
+    ++drug_.version;
+    drug_.time_s = 0.0;
+    drug_.end_s = 0.0;
+    drug_.playing = false;
+}
+
+void FlowPart::set_time(double time_s) {
+    if (!(time_s >= 0.0) || !std::isfinite(time_s))
+        throw InputError("is " + std::to_string(time_s), "time of the drug", "Give 0 s or more");
+    drug_.time_s = time_s;
+}
+
+void FlowPart::set_speed(double factor) {
+    if (!(factor > 0.0) || !std::isfinite(factor))
+        throw InputError("is " + std::to_string(factor), "speed of the drug", "Give more than 0");
+    speed_ = factor;
+}
+
+void FlowPart::step(double dt_s) {
+    if (drug_.playing) drug_.time_s += speed_ * dt_s;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scene_spec.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Reads the known keys of one JSON object and refuses the rest, so that a misspelt key is not
+// silently ignored.
+class Fields {
+  public:
+    Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
+        if (!json.is_object()) refuse("is not an object", where_);
+    }
+
+    template <class T>
+    void read(const char* key, T& value) {
+        known_.push_back(key);
+        const auto found = json_.find(key);
+        if (found == json_.end()) return;
+        try {
+            value = found->get<T>();
+        } catch (const Json::exception&) {
+            refuse("has a value of the wrong kind (" + found->dump() + ")", key);
+        }
+    }
+    void read_number(const char* key, double& value, double low, double high) {
+        read(key, value);
+        if (!(value >= low && value <= high))
+            refuse("is " + std::to_string(value) + "; it must lie from " + std::to_string(low) +
+                       " to " + std::to_string(high),
+                   key);
+    }
+    void read_vector(const char* key, Vec3& value) {
+        std::array<double, 3> numbers{value.x(), value.y(), value.z()};
+        read(key, numbers);
+        value = Vec3(numbers[0], numbers[1], numbers[2]);
+        if (!value.allFinite()) refuse("is not finite", key);
+    }
+    void refuse_unknown() const {
+        for (const auto& [key, value] : json_.items())
+            if (std::ranges::find(known_, key) == known_.end()) refuse("is not known", key);
+    }
+    [[noreturn]] void refuse(const std::string& problem, const std::string& key) const {
+        throw InputError(problem, where_ + ": " + key, "See docs of scenes in ARCHITECTURE.md");
+    }
+
+  private:
+    const Json& json_;
+    std::string where_;
+    std::vector<std::string> known_;
+};
+
+const char* name_of(FixedEnds ends) {
+    switch (ends) {
+        case FixedEnds::none:
+            return "none";
+        case FixedEnds::roots:
+            return "roots";
+        case FixedEnds::all:
+            break;
+    }
+    return "all";
+}
+
+DeformSpec deform_from(const Json& json) {
+    DeformSpec spec;
+    Fields fields(json, "deform");
+    fields.read("material", spec.material);
+    std::string fixed = name_of(spec.fixed);
+    fields.read("fixed", fixed);
+    if (fixed == "none")
+        spec.fixed = FixedEnds::none;
+    else if (fixed == "roots")
+        spec.fixed = FixedEnds::roots;
+    else if (fixed == "all")
+        spec.fixed = FixedEnds::all;
+    else
+        fields.refuse("is \"" + fixed + "\"; it must be none, roots or all", "fixed");
+    fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
+    fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
+    fields.read_number("quality", spec.quality, 0.0, 1.0);
+    fields.refuse_unknown();
+    return spec;
+}
+
+FlowSpec flow_from(const Json& json) {
+    FlowSpec spec;
+    Fields fields(json, "flow");
+    fields.read_number("drug_speed", spec.drug_speed, 1e-6, 1e6);
+    fields.refuse_unknown();
+    return spec;
+}
+
+}  // namespace
+
+SceneSpec default_scene() {
+    SceneSpec spec;
+    spec.name = "default";
+    return spec;
+}
+
+Json to_json(const SceneSpec& spec) {
+    Json json{{"name", spec.name}, {"dt_s", spec.dt_s}};
+    if (spec.deform) {
+        const Vec3& gravity = spec.deform->gravity_mm_per_s2;
+        json["deform"] = {{"material", spec.deform->material},
+                          {"fixed", name_of(spec.deform->fixed)},
+                          {"gravity_mm_per_s2", {gravity.x(), gravity.y(), gravity.z()}},
+                          {"tether_pa_per_mm2", spec.deform->tether_pa_per_mm2},
+                          {"quality", spec.deform->quality}};
+    }
+    if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
+    return json;
+}
+
+SceneSpec scene_from_json(const Json& json) {
+    SceneSpec spec;
+    Fields fields(json, "scene");
+    fields.read("name", spec.name);
+    fields.read_number("dt_s", spec.dt_s, 1e-4, 1.0);
+    Json deform, flow;
+    fields.read("deform", deform);
+    fields.read("flow", flow);
+    fields.refuse_unknown();
+    spec.deform.reset();
+    spec.flow.reset();
+    if (!deform.is_null()) spec.deform = deform_from(deform);
+    if (!flow.is_null()) spec.flow = flow_from(flow);
+    if (!spec.deform && !spec.flow)
+        fields.refuse("names no part; name deform, flow or both", "deform, flow");
+    return spec;
+}
+
+SceneFile read_scene(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in)
+        throw InputError("cannot be read", file.string(), "Give a scene file (JSON) or a case");
+    Json json = Json::parse(in, nullptr, false);
+    if (json.is_discarded() || !json.is_object())
+        throw InputError("is not a JSON object", file.string(),
+                         "Give a scene file such as assets/scenes/drag.json");
+    SceneFile scene;
+    const auto found = json.find("case");
+    if (found == json.end() || !found->is_string())
+        throw InputError("names no case", file.string(), R"(Add "case": "PATH.hep")");
+    scene.patient = file.parent_path() / std::filesystem::path(found->get<std::string>());
+    json.erase("case");
+    try {
+        scene.spec = scene_from_json(json);
+    } catch (const InputError& error) {
+        throw InputError(error.place() + " " + error.problem(), file.string(), error.remedy());
+    }
+    return scene;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/world.h"
+
+#include <chrono>
+#include <functional>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/heap_use.h"
+
+namespace hepatica {
+
+namespace {
+
+double milliseconds_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start;
+    return passed.count();
+}
+
+PartCost cost_of(const std::string& name, const std::function<void()>& build) {
+    PartCost cost{name};
+    const std::size_t before = heap_bytes_in_use();
+    cost.build_ms = milliseconds_of(build);
+    const std::size_t after = heap_bytes_in_use();
+    cost.bytes = after > before ? after - before : 0;
+    return cost;
+}
+
+}  // namespace
+
+World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
+    : patient_(std::move(patient)), spec_(spec) {
+    job.begin_stage("Building the scene");
+    parts_.push_back(cost_of("shape", [&] {
+        surface_ = std::make_shared<const std::vector<std::array<int, 3>>>(
+            spec_.deform ? boundary_triangles(patient_->mesh) : patient_->surface.triangles);
+    }));
+    job.advance(0.1);
+    if (spec_.deform)
+        parts_.push_back(cost_of(
+            "deform", [&] { deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform); }));
+    job.advance(0.8);
+    if (spec_.flow)
+        parts_.push_back(cost_of("flow", [&] {
+            flow_ = std::make_unique<FlowPart>(
+                patient_->tree,
+                deform_ ? deform_->places() : places_of(rest_positions_mm(), patient_->tree),
+                *spec_.flow);
+        }));
+    job.advance(1.0);
+}
+
+World::~World() = default;
+
+const std::vector<Vec3>& World::rest_positions_mm() const {
+    return deform_ ? deform_->rest_positions_mm() : patient_->surface.vertices_mm;
+}
+
+std::size_t World::vertex_count() const {
+    return rest_positions_mm().size();
+}
+
+Vec3 World::vertex_mm(int vertex) const {
+    return deform_ ? deform_->positions_mm()[vertex] : rest_positions_mm()[vertex];
+}
+
+StepReport World::step() {
+    StepReport report;
+    report.dt_s = spec_.dt_s;
+    for (PartCost& part : parts_) {
+        if (part.name == "deform")
+            part.frame_ms = milliseconds_of([&] { report = deform_->step(spec_.dt_s); });
+        else if (part.name == "flow")
+            part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
+    }
+    time_s_ += spec_.dt_s;
+    return report;
+}
+
+void World::reset() {
+    if (deform_) {
+        deform_->release();
+        const std::vector<Vec3>& rest = deform_->rest_positions_mm();
+        deform_->set_state({rest, std::vector<Vec3>(rest.size(), Vec3::Zero())});
+    }
+    if (flow_) flow_->remove_drug();
+}
+
+TreePoint World::place_near(const Vec3& point_mm) const {
+    // The vertices carry their places on the tree along as they move.
+    if (!flow_) return nearest_point(patient_->tree, point_mm);
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < vertex_count(); ++v) {
+        const double distance = (vertex_mm(static_cast<int>(v)) - point_mm).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        nearest = static_cast<int>(v);
+    }
+    return flow_->place_of(nearest);
+}
+
+void World::fill(Frame& frame) const {
+    frame.time_s = time_s_;
+    frame.topology_version = 1;
+    frame.surface = surface_;
+    frame.positions_mm.resize(3 * vertex_count());
+    const Vec3* positions = deform_ ? deform_->positions_mm().data() : rest_positions_mm().data();
+    for (std::size_t v = 0; v < vertex_count(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            frame.positions_mm[3 * v + axis] = static_cast<float>(positions[v][axis]);
+    frame.grab = deform_ ? deform_->grab_view() : std::nullopt;
+    frame.drug = flow_ ? flow_->drug() : DrugView{};
+}
+
+std::uint64_t World::state_hash() const {
+    Hasher hasher;
+    if (deform_) {
+        for (const Vec3& position : deform_->positions_mm())
+            hasher.add_bytes(position.data(), sizeof(Vec3));
+        for (const Vec3& velocity : deform_->velocities_mm_per_s())
+            hasher.add_bytes(velocity.data(), sizeof(Vec3));
+    }
+    if (flow_) {
+        const DrugView& drug = flow_->drug();
+        const std::array<double, 3> clock{drug.time_s, drug.end_s, drug.playing ? 1.0 : 0.0};
+        hasher.add(std::span<const double>(clock));
+        if (drug.arrival_s) hasher.add(std::span<const float>(*drug.arrival_s));
+    }
+    return hasher.value();
+}
+
+}  // namespace hepatica

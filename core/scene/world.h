@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A patient in play: the parts that the scene names and nothing else. Changed only by its Session,
+// at step boundaries; not thread-safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/deform/stepper.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/frame.h"
+#include "core/scene/scene_spec.h"
+
+namespace hepatica {
+
+class DeformPart;
+class FlowPart;
+
+// What a part costs: its name, the heap that it holds, the time that building it took.
+struct PartCost {
+    std::string name;
+    std::size_t bytes = 0;
+    double build_ms = 0.0;
+    double frame_ms = 0.0;  // of the last step
+};
+
+class World {
+  public:
+    // Throws InputError where the case lacks what a part needs; Cancelled.
+    World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job);
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    const SceneSpec& spec() const { return spec_; }
+    const PatientCase& patient() const { return *patient_; }
+    std::span<const PartCost> parts() const { return parts_; }
+
+    // Null where the scene has no such part.
+    DeformPart* deform() { return deform_.get(); }
+    FlowPart* flow() { return flow_.get(); }
+
+    // The vertices shown: those of the mesh where it deforms, else those of the surface.
+    std::size_t vertex_count() const;
+    Vec3 vertex_mm(int vertex) const;  // where it is now
+    // Surface triangles over the vertices; the same for the world's life.
+    const std::shared_ptr<const std::vector<std::array<int, 3>>>& surface() const {
+        return surface_;
+    }
+    // The place on the tree that is nearest to a point of the present, deformed shape.
+    TreePoint place_near(const Vec3& point_mm) const;
+    // Vertices at rest.
+    const std::vector<Vec3>& rest_positions_mm() const;
+
+    // Advances all parts by the scene's time step; the report is the deforming body's.
+    StepReport step();
+    double time_s() const { return time_s_; }
+
+    // Shape at rest, no grab, no drug; time goes on.
+    void reset();
+
+    // Fills in positions, surface, grab, drug and time; statistics stay as they are.
+    void fill(Frame& frame) const;
+
+    // Of everything that the next step depends on: equal states have equal hashes.
+    std::uint64_t state_hash() const;
+
+  private:
+    std::shared_ptr<const PatientCase> patient_;
+    SceneSpec spec_;
+    std::shared_ptr<const std::vector<std::array<int, 3>>> surface_;
+    std::unique_ptr<DeformPart> deform_;
+    std::unique_ptr<FlowPart> flow_;
+    std::vector<PartCost> parts_;
+    double time_s_ = 0.0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/command.h"
+
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// One description of each command's fields serves writing and reading.
+template <class Visitor>
+void fields(GrabPoint& c, Visitor& v) {
+    v("point_mm", c.point_mm);
+}
+template <class Visitor>
+void fields(GrabVertex& c, Visitor& v) {
+    v("vertex", c.vertex);
+}
+template <class Visitor>
+void fields(MoveGrab& c, Visitor& v) {
+    v("target_mm", c.target_mm);
+}
+template <class Visitor>
+void fields(ReleaseGrab&, Visitor&) {}
+template <class Visitor>
+void fields(InjectDrug& c, Visitor& v) {
+    v("point_mm", c.point_mm);
+    v("mass_flow_g_s", c.mass_flow_g_s);
+    v("void_fraction", c.void_fraction);
+    v("second_phase", c.second_phase);
+    v("pressure_model", c.pressure_model);
+    v("drug_viscosity_pa_s", c.drug_viscosity_pa_s);
+}
+template <class Visitor>
+void fields(RemoveDrug&, Visitor&) {}
+template <class Visitor>
+void fields(PlayDrug& c, Visitor& v) {
+    v("playing", c.playing);
+}
+template <class Visitor>
+void fields(SetDrugTime& c, Visitor& v) {
+    v("time_s", c.time_s);
+}
+template <class Visitor>
+void fields(SetDrugSpeed& c, Visitor& v) {
+    v("factor", c.factor);
+}
+template <class Visitor>
+void fields(SetGravity& c, Visitor& v) {
+    v("gravity_mm_per_s2", c.gravity_mm_per_s2);
+}
+template <class Visitor>
+void fields(SetTether& c, Visitor& v) {
+    v("pa_per_mm2", c.pa_per_mm2);
+}
+template <class Visitor>
+void fields(SetQuality& c, Visitor& v) {
+    v("quality", c.quality);
+}
+template <class Visitor>
+void fields(SetPaused& c, Visitor& v) {
+    v("paused", c.paused);
+}
+template <class Visitor>
+void fields(ResetWorld&, Visitor&) {}
+template <class Visitor>
+void fields(RestoreSnapshot&, Visitor&) {}
+
+// Names in the order of the variant's alternatives.
+constexpr std::array<const char*, std::variant_size_v<Command>> names{
+    "grab_point",  "grab_vertex", "move_grab",     "release_grab",   "inject_drug",
+    "remove_drug", "play_drug",   "set_drug_time", "set_drug_speed", "set_gravity",
+    "set_tether",  "set_quality", "set_paused",    "reset_world",    "restore_snapshot"};
+
+struct Writer {
+    Json& json;
+
+    template <class T>
+    void operator()(const char* name, const T& value) {
+        json[name] = value;
+    }
+    void operator()(const char* name, const Vec3& value) {
+        json[name] = {value.x(), value.y(), value.z()};
+    }
+    void operator()(const char* name, const std::optional<double>& value) {
+        if (value) json[name] = *value;
+    }
+};
+
+struct Reader {
+    const Json& json;
+    const char* command;
+
+    template <class T>
+    void operator()(const char* name, T& value) {
+        const auto found = json.find(name);
+        if (found == json.end()) refuse(name, "is missing");
+        try {
+            value = found->get<T>();
+        } catch (const Json::exception&) {
+            refuse(name, "has a value of the wrong kind (" + found->dump() + ")");
+        }
+    }
+    void operator()(const char* name, Vec3& value) {
+        std::array<double, 3> numbers{};
+        (*this)(name, numbers);
+        value = Vec3(numbers[0], numbers[1], numbers[2]);
+    }
+    void operator()(const char* name, std::optional<double>& value) {
+        if (!json.contains(name)) return;
+        double number = 0.0;
+        (*this)(name, number);
+        value = number;
+    }
+    [[noreturn]] void refuse(const char* name, const std::string& problem) const {
+        throw InputError(problem, std::string("command ") + command + ", field " + name,
+                         "Correct the script or recording");
+    }
+};
+
+template <std::size_t I>
+Command read_alternative(const Json& json) {
+    std::variant_alternative_t<I, Command> command;
+    Reader reader{json, names[I]};
+    fields(command, reader);
+    return command;
+}
+
+template <std::size_t... I>
+Command read_named(const std::string& name, const Json& json, std::index_sequence<I...>) {
+    std::optional<Command> command;
+    static_cast<void>(
+        ((name == names[I] ? (command = read_alternative<I>(json), true) : false) || ...));
+    if (!command)
+        throw InputError("\"" + name + "\" is no command", "command",
+                         "Correct the script or recording");
+    return *command;
+}
+
+}  // namespace
+
+Json to_json(const Command& command) {
+    Json json{{"command", names[command.index()]}};
+    Writer writer{json};
+    Command copy = command;
+    std::visit([&](auto& alternative) { fields(alternative, writer); }, copy);
+    return json;
+}
+
+Command command_from_json(const Json& json) {
+    const auto name = json.is_object() ? json.find("command") : json.end();
+    if (name == json.end() || !name->is_string())
+        throw InputError("has no name", "command", R"(Write {"command": "grab_point", ...})");
+    return read_named(name->get<std::string>(), json,
+                      std::make_index_sequence<std::variant_size_v<Command>>());
+}
+
+}  // namespace hepatica

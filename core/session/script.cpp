@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& problem) {
+    throw InputError(problem, "", "See assets/scripts for scripts that work");
+}
+
+double number(const Json& json, const char* key, double otherwise) {
+    const auto found = json.find(key);
+    if (found == json.end()) return otherwise;
+    if (!found->is_number()) refuse(std::string(key) + " is not a number");
+    return found->get<double>();
+}
+
+Vec3 vector_of(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_array() || found->size() != 3 ||
+        !std::ranges::all_of(*found, [](const Json& value) { return value.is_number(); }))
+        refuse(std::string(key) + " must be three numbers");
+    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+}
+
+ScriptPlace place_of(const Json& action) {
+    const auto where = action.find("where");
+    if (where == action.end() || !where->is_object())
+        refuse(R"(needs a "where" with point_mm or share_of_longest_path)");
+    ScriptPlace place;
+    if (where->contains("point_mm")) {
+        place.point_mm = vector_of(*where, "point_mm");
+    } else {
+        const double share = number(*where, "share_of_longest_path", -1.0);
+        if (!(share >= 0.0 && share <= 1.0)) refuse("share_of_longest_path must lie from 0 to 1");
+        place.share_of_longest_path = share;
+    }
+    return place;
+}
+
+// The rest of the action's keys are the command's own; those that it must have and the script may
+// leave out are filled in.
+Command command_of(const std::string& name, Json action, Command defaults) {
+    Json json = to_json(defaults);
+    for (const char* key : {"at_s", "do", "where"}) action.erase(key);
+    json.update(action);
+    json["command"] = name;
+    return command_from_json(json);
+}
+
+ScriptAction action_from(const Json& json) {
+    if (!json.is_object()) refuse("is not an object");
+    ScriptAction action;
+    action.at_s = number(json, "at_s", 0.0);
+    if (!(action.at_s >= 0.0)) refuse("at_s must be 0 or more");
+    const auto what = json.find("do");
+    if (what == json.end() || !what->is_string()) refuse(R"(needs a "do")");
+    action.what = what->get<std::string>();
+    if (action.what == "grab") {
+        action.place = place_of(json);
+    } else if (action.what == "move") {
+        action.by_mm = vector_of(json, "by_mm");
+        action.over_s = number(json, "over_s", 0.0);
+    } else if (action.what == "inject") {
+        action.place = place_of(json);
+        action.command = command_of("inject_drug", json, InjectDrug{});
+    } else if (action.what == "release") {
+        action.command = ReleaseGrab{};
+    } else {
+        Json command = json;
+        command["command"] = action.what;
+        action.command = command_from_json(command);
+    }
+    return action;
+}
+
+// From the first point of the path to the last, with radii left out.
+std::vector<Vec3> longest_path(const VesselTree& tree) {
+    std::vector<double> from_root(tree.segments.size());
+    int widest = -1;
+    for (const int root : roots(tree))
+        if (widest < 0 ||
+            tree.segments[root].radii_mm.front() > tree.segments[widest].radii_mm.front())
+            widest = root;
+    if (widest < 0)
+        throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
+    std::vector<int> component(tree.segments.size(), 0);
+    int farthest = widest;
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        const VesselSegment& segment = tree.segments[s];
+        const bool is_root = static_cast<int>(s) == widest;
+        component[s] = is_root || (segment.parent >= 0 && component[segment.parent] != 0);
+        if (component[s] == 0) continue;
+        from_root[s] = length_mm(segment) + (is_root ? 0.0 : from_root[segment.parent]);
+        if (from_root[s] > from_root[farthest]) farthest = static_cast<int>(s);
+    }
+    std::vector<int> way;
+    for (int s = farthest; s >= 0; s = s == widest ? -1 : tree.segments[s].parent) way.push_back(s);
+    std::vector<Vec3> points;
+    for (auto s = way.rbegin(); s != way.rend(); ++s)
+        points.insert(points.end(), tree.segments[*s].points_mm.begin(),
+                      tree.segments[*s].points_mm.end());
+    return points;
+}
+
+Vec3 resolve(const ScriptPlace& place, const VesselTree& tree) {
+    return place.point_mm ? *place.point_mm
+                          : point_on_longest_path(tree, *place.share_of_longest_path);
+}
+
+}  // namespace
+
+Vec3 point_on_longest_path(const VesselTree& tree, double share) {
+    const std::vector<Vec3> points = longest_path(tree);
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    double left = share * length;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 edge = points[i] - points[i - 1];
+        if (left <= edge.norm() && edge.norm() > 0.0)
+            return points[i - 1] + left / edge.norm() * edge;
+        left -= edge.norm();
+    }
+    return points.back();
+}
+
+Script read_script(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in)
+        throw InputError("cannot be read", file.string(),
+                         "Give a script such as assets/scripts/drag.json");
+    const Json json = Json::parse(in, nullptr, false);
+    if (json.is_discarded() || !json.is_object() || !json.contains("actions") ||
+        !json["actions"].is_array())
+        throw InputError("is not a script", file.string(),
+                         "Give a script such as assets/scripts/drag.json");
+    Script script;
+    script.name = json.value("name", file.stem().string());
+    std::size_t number = 0;
+    try {
+        if (json.contains("scene")) script.scene = scene_from_json(json["scene"]);
+        for (const Json& action : json["actions"]) {
+            ++number;
+            script.actions.push_back(action_from(action));
+        }
+    } catch (const InputError& error) {
+        const std::string where = number == 0 ? "" : ", action " + std::to_string(number);
+        const std::string what = error.place().empty() ? "" : error.place() + " ";
+        throw InputError(what + error.problem(), file.string() + where, error.remedy());
+    }
+    std::ranges::stable_sort(script.actions, {}, &ScriptAction::at_s);
+    return script;
+}
+
+std::vector<std::vector<Command>> schedule(const Script& script, const VesselTree& tree,
+                                           double dt_s, int steps) {
+    std::vector<std::vector<Command>> commands(static_cast<std::size_t>(steps));
+    const auto step_at = [&](double time_s) { return std::lround(time_s / dt_s); };
+    Vec3 hand = Vec3::Zero();
+    for (const ScriptAction& action : script.actions) {
+        const long first = step_at(action.at_s);
+        const auto add = [&](long step, const Command& command) {
+            if (step < steps) commands[static_cast<std::size_t>(step)].push_back(command);
+        };
+        if (action.what == "grab") {
+            hand = resolve(action.place, tree);
+            add(first, GrabPoint{hand});
+        } else if (action.what == "move") {
+            const long moves = std::max(1L, step_at(action.over_s));
+            for (long i = 1; i <= moves; ++i)
+                add(first + i - 1, MoveGrab{hand + static_cast<double>(i) /
+                                                       static_cast<double>(moves) * action.by_mm});
+            hand += action.by_mm;
+        } else if (action.what == "inject") {
+            InjectDrug injection = std::get<InjectDrug>(*action.command);
+            injection.point_mm = resolve(action.place, tree);
+            add(first, injection);
+        } else {
+            add(first, *action.command);
+        }
+    }
+    return commands;
+}
+
+}  // namespace hepatica

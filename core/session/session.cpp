@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/world.h"
+
+namespace hepatica {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t steps_between_snapshots = 60;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
+    : world_(std::make_unique<World>(patient, spec, job)) {
+    recording_.patient_hash = hash_of(*patient);
+    recording_.scene = spec;
+    if (world_->deform() != nullptr)
+        last_good_ = std::make_unique<DeformState>(world_->deform()->state());
+    publish({});
+}
+
+Session::~Session() = default;
+
+void Session::post(Command command) {
+    const std::scoped_lock lock(queue_mutex_);
+    const bool supersedes = std::holds_alternative<MoveGrab>(command) && !queue_.empty() &&
+                            std::holds_alternative<MoveGrab>(queue_.back());
+    if (supersedes)
+        queue_.back() = std::move(command);
+    else
+        queue_.push_back(std::move(command));
+}
+
+void Session::apply_waiting_commands() {
+    std::vector<Command> commands;
+    {
+        const std::scoped_lock lock(queue_mutex_);
+        commands.swap(queue_);
+    }
+    if (!commands.empty()) message_.clear();
+    for (const Command& command : commands) {
+        try {
+            apply(command);
+        } catch (const InputError& error) {
+            message_ = error.what();
+        }
+    }
+    if (keep_recording_) recording_.steps.push_back({std::move(commands), 0});
+}
+
+void Session::require_deform() const {
+    if (world_->deform() == nullptr)
+        throw InputError("nothing moves in this scene", world_->spec().name,
+                         "Add \"deform\" to the scene");
+}
+
+void Session::require_flow() const {
+    if (world_->flow() == nullptr)
+        throw InputError("nothing flows in this scene", world_->spec().name,
+                         "Add \"flow\" to the scene");
+}
+
+void Session::apply(const Command& command) {
+    World& world = *world_;
+    struct Apply {
+        Session& session;
+        World& world;
+
+        DeformPart& deform() {
+            session.require_deform();
+            return *world.deform();
+        }
+        FlowPart& flow() {
+            session.require_flow();
+            return *world.flow();
+        }
+        void operator()(const GrabPoint& c) { deform().grab(c.point_mm); }
+        void operator()(const GrabVertex& c) { deform().grab_vertex(c.vertex); }
+        void operator()(const MoveGrab& c) { deform().move_grab(c.target_mm); }
+        void operator()(const ReleaseGrab&) { deform().release(); }
+        void operator()(const InjectDrug& c) {
+            Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
+                                c.second_phase, c.pressure_model};
+            if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
+            flow().inject(injection);
+        }
+        void operator()(const RemoveDrug&) { flow().remove_drug(); }
+        void operator()(const PlayDrug& c) { flow().play(c.playing); }
+        void operator()(const SetDrugTime& c) { flow().set_time(c.time_s); }
+        void operator()(const SetDrugSpeed& c) { flow().set_speed(c.factor); }
+        void operator()(const SetGravity& c) { deform().set_gravity(c.gravity_mm_per_s2); }
+        void operator()(const SetTether& c) { deform().set_tether(c.pa_per_mm2); }
+        void operator()(const SetQuality& c) { deform().set_quality(c.quality); }
+        void operator()(const SetPaused& c) { session.paused_ = c.paused; }
+        void operator()(const ResetWorld&) {
+            world.reset();
+            session.paused_ = false;
+        }
+        void operator()(const RestoreSnapshot&) {
+            deform().release();
+            deform().set_state(*session.last_good_);
+            session.paused_ = false;
+        }
+    };
+    std::visit(Apply{*this, world}, command);
+}
+
+void Session::guard_state() {
+    DeformPart* deform = world_->deform();
+    if (deform == nullptr) return;
+    if (!deform->plausible()) {
+        paused_ = true;
+        message_ = "The simulation diverged and was stopped. Restore the last good state to go on.";
+    } else if (step_ % steps_between_snapshots == 0) {
+        *last_good_ = deform->state();
+    }
+}
+
+SessionStep Session::step() {
+    const Clock::time_point start = Clock::now();
+    apply_waiting_commands();
+    SessionStep done;
+    done.step = ++step_;
+    done.paused = paused_;
+    if (!paused_) {
+        done.deform = world_->step();
+        guard_state();
+    }
+    if (keep_recording_) {
+        done.state_hash = state_hash();
+        recording_.steps.back().state_hash = done.state_hash;
+    }
+    done.step_ms = milliseconds_since(start);
+    publish(done);
+    return done;
+}
+
+void Session::run(const std::stop_token& stop) {
+    const auto period = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(world_->spec().dt_s));
+    Clock::time_point due = Clock::now();
+    Clock::time_point last = due - period;
+    while (!stop.stop_requested()) {
+        const Clock::time_point now = Clock::now();
+        const double factor = std::chrono::duration<double>(period) / (now - last);
+        constexpr double smoothing = 0.05;  // over some twenty steps
+        real_time_factor_ += smoothing * (factor - real_time_factor_);
+        last = now;
+        step();
+        due = std::max(due + period, Clock::now());  // late is late: no catching up
+        std::this_thread::sleep_until(due);
+    }
+}
+
+std::uint64_t Session::state_hash() const {
+    return world_->state_hash();
+}
+
+void Session::publish(const SessionStep& step) {
+    Frame& frame = frames_.back();
+    world_->fill(frame);
+    frame.step = step_;
+    FrameStatistics& statistics = frame.statistics;
+    statistics.step_ms = step.step_ms;
+    statistics.real_time_factor = std::min(1.0, real_time_factor_);
+    statistics.linear_iterations = step.deform.linear_iterations;
+    statistics.degraded = step.deform.degraded;
+    statistics.paused = paused_;
+    statistics.message = message_.empty() ? step.deform.message : message_;
+    frames_.publish();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scene_spec.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/world.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test::small_patient;
+
+std::vector<std::string> part_names(const World& world) {
+    std::vector<std::string> names;
+    for (const PartCost& part : world.parts()) names.push_back(part.name);
+    return names;
+}
+
+TEST(World, BuildsOnlyWhatTheSceneNames) {
+    Job job;
+    SceneSpec drag;
+    drag.flow.reset();
+    World dragged(small_patient(), drag, job);
+    EXPECT_EQ(part_names(dragged), (std::vector<std::string>{"shape", "deform"}));
+    EXPECT_NE(dragged.deform(), nullptr);
+    EXPECT_EQ(dragged.flow(), nullptr);
+
+    SceneSpec flow;
+    flow.deform.reset();
+    World flowing(small_patient(), flow, job);
+    EXPECT_EQ(part_names(flowing), (std::vector<std::string>{"shape", "flow"}));
+    EXPECT_EQ(flowing.deform(), nullptr);
+    EXPECT_NE(flowing.flow(), nullptr);
+    EXPECT_EQ(flowing.vertex_count(), small_patient()->surface.vertices_mm.size());
+}
+
+TEST(World, AFlowSceneNeedsNoMesh) {
+    PatientCase without_mesh = *small_patient();
+    without_mesh.mesh = {};
+    const auto patient = std::make_shared<const PatientCase>(without_mesh);
+    Job job;
+    SceneSpec flow;
+    flow.deform.reset();
+    EXPECT_NO_THROW(World(patient, flow, job));
+    EXPECT_THROW(World(patient, default_scene(), job), InputError);
+}
+
+TEST(World, FindsThePlaceOnTheTreeInTheDeformedShape) {
+    Job job;
+    World world(small_patient(), default_scene(), job);
+    const Vec3 held = test::middle_of(small_patient()->tree, 1);
+    const int segment = world.place_near(held).segment;
+    EXPECT_EQ(segment, 1);
+    world.deform()->grab(held);
+    world.deform()->move_grab(held + Vec3(0, 8, 0));
+    for (int i = 0; i < 120; ++i) world.step();
+    EXPECT_EQ(world.place_near(held + Vec3(0, 8, 0)).segment, 1);
+}
+
+TEST(SceneSpec, SurvivesJson) {
+    SceneSpec spec = default_scene();
+    spec.deform->fixed = FixedEnds::roots;
+    spec.deform->tether_pa_per_mm2 = 12.5;
+    spec.dt_s = 0.01;
+    const SceneSpec back = scene_from_json(Json::parse(to_json(spec).dump()));
+    EXPECT_EQ(to_json(back).dump(), to_json(spec).dump());
+    spec.flow.reset();
+    EXPECT_FALSE(scene_from_json(to_json(spec)).flow.has_value());
+}
+
+TEST(SceneSpec, RefusesMisspeltAndImpossibleScenes) {
+    for (const char* text :
+         {R"({})", R"({"deform": {"qualty": 1}})", R"({"deform": {"quality": 3}})",
+          R"({"deform": {"fixed": "some"}})", R"({"deform": 3})", R"({"contact": {}})",
+          R"({"flow": {}, "dt_s": 0})", R"({"flow": {"drug_speed": "fast"}})"})
+        EXPECT_THROW(scene_from_json(Json::parse(text)), InputError) << text;
+}
+
+TEST(SceneFile, NamesItsCaseRelativeToItself) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "scenes";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "a.json") << R"({"case": "p.hep", "flow": {}})";
+    const SceneFile scene = read_scene(folder / "a.json");
+    EXPECT_EQ(scene.patient, folder / "p.hep");
+    EXPECT_FALSE(scene.spec.deform.has_value());
+    for (const char* text : {"", "text", "{}", R"({"case": 3})", R"({"case": "p", "fly": {}})"}) {
+        std::ofstream(folder / "bad.json") << text;
+        EXPECT_THROW(read_scene(folder / "bad.json"), InputError) << text;
+    }
+    EXPECT_THROW(read_scene(folder / "missing.json"), InputError);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(DeformPart, RefusesAMaterialThatNobodyKnows) {
+    DeformSpec spec;
+    spec.material = "unobtainium";
+    EXPECT_THROW(DeformPart(*small_patient(), spec), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/session/recording.h"
+
+namespace hepatica {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<Command> one_of_each() {
+    const double odd = std::nextafter(0.1, 1.0);  // survives only if every bit does
+    return {GrabPoint{Vec3(odd, -1e-300, 1e300)},
+            GrabVertex{42},
+            MoveGrab{Vec3(1.0 / 3.0, 2, 3)},
+            ReleaseGrab{},
+            InjectDrug{Vec3(1, 2, 3), odd, 0.25, "lipiodol", "published", 1e-3},
+            InjectDrug{},
+            RemoveDrug{},
+            PlayDrug{false},
+            SetDrugTime{odd},
+            SetDrugSpeed{0.5},
+            SetGravity{Vec3(0, 0, -9806.65)},
+            SetTether{odd},
+            SetQuality{odd},
+            SetPaused{true},
+            ResetWorld{},
+            RestoreSnapshot{}};
+}
+
+TEST(Command, SurvivesJsonToTheLastBit) {
+    for (const Command& command : one_of_each()) {
+        const Json json = to_json(command);
+        const Command back = command_from_json(Json::parse(json.dump()));
+        EXPECT_EQ(back.index(), command.index());
+        EXPECT_EQ(to_json(back).dump(), json.dump());
+    }
+    const auto point =
+        std::get<GrabPoint>(command_from_json(Json::parse(to_json(one_of_each().front()).dump())));
+    EXPECT_EQ(point.point_mm, std::get<GrabPoint>(one_of_each().front()).point_mm);
+}
+
+TEST(Command, NamesWhatIsWrong) {
+    for (const char* text :
+         {R"({})", R"([])", R"(3)", R"({"command": 3})", R"({"command": "fly"})",
+          R"({"command": "grab_point"})", R"({"command": "grab_point", "point_mm": [1, 2]})",
+          R"({"command": "set_quality", "quality": "high"})"})
+        EXPECT_THROW(command_from_json(Json::parse(text)), InputError) << text;
+}
+
+TEST(Recording, SurvivesTheDisk) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "session.hrec";
+    Recording recording;
+    recording.patient_path = "some wäy.hep";
+    recording.patient_hash = 0x0123456789abcdefULL;
+    recording.scene = default_scene();
+    recording.steps = {{one_of_each(), 1}, {{}, 0xffffffffffffffffULL}};
+    write_recording(file, recording);
+    const Recording back = read_recording(file);
+    EXPECT_EQ(back.patient_path, recording.patient_path);
+    EXPECT_EQ(back.patient_hash, recording.patient_hash);
+    ASSERT_EQ(back.steps.size(), 2u);
+    EXPECT_EQ(back.steps[0].commands.size(), one_of_each().size());
+    EXPECT_EQ(back.steps[1].state_hash, 0xffffffffffffffffULL);
+
+    std::ofstream(file, std::ios::app) << "{\"hash\": \"12\"}\n";
+    EXPECT_THROW(read_recording(file), InputError);
+    std::ofstream(file) << "a text";
+    EXPECT_THROW(read_recording(file), InputError);
+    std::ofstream(file, std::ios::trunc).close();
+    EXPECT_THROW(read_recording(file), InputError);
+    EXPECT_THROW(read_recording(file.string() + ".missing"), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica

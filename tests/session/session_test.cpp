@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/world.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+using test::middle_of;
+using test::small_patient;
+
+std::unique_ptr<Session> new_session(const SceneSpec& spec = default_scene()) {
+    Job job;
+    return std::make_unique<Session>(small_patient(), spec, job);
+}
+
+SessionStep play(Session& session, int steps) {
+    SessionStep last;
+    for (int i = 0; i < steps; ++i) last = session.step();
+    return last;
+}
+
+// Pulls at a branch for a second, injects at the root, and lets go.
+std::uint64_t play_script(Session& session) {
+    const VesselTree& tree = small_patient()->tree;
+    const Vec3 start = middle_of(tree, 1);
+    session.keep_recording(true);
+    session.post(GrabPoint{start});
+    session.post(InjectDrug{.point_mm = tree.nodes[0].position_mm});
+    for (int i = 0; i < 60; ++i) {
+        session.post(MoveGrab{start + Vec3(0.1 * i, 0.05 * i, 0.0)});
+        session.step();
+    }
+    session.post(ReleaseGrab{});
+    return play(session, 30).state_hash;
+}
+
+TEST(Session, ShowsTheBodyAtRestBeforeTheFirstStep) {
+    const auto session = new_session();
+    ASSERT_TRUE(session->update_frame());
+    const Frame& frame = session->frame();
+    EXPECT_EQ(frame.positions_mm.size(), 3 * small_patient()->mesh.vertices_mm.size());
+    EXPECT_FALSE(frame.surface->empty());
+    EXPECT_EQ(frame.drug.arrival_s, nullptr);
+    EXPECT_FALSE(session->update_frame());
+}
+
+TEST(Session, StaysAtRestWithoutForces) {
+    const auto session = new_session();
+    play(*session, 30);
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
+}
+
+TEST(Session, TheHeldPointFollowsTheHandAndComesBackAfterRelease) {
+    const auto session = new_session();
+    const Vec3 start = middle_of(small_patient()->tree, 0);
+    session->post(GrabPoint{start});
+    const Vec3 target = start + Vec3(6, 0, 0);
+    session->post(MoveGrab{target});
+    play(*session, 120);
+    session->update_frame();
+    ASSERT_TRUE(session->frame().grab.has_value());
+    EXPECT_LT((session->frame().grab->point_mm - target).norm(), 1.5);
+    EXPECT_GT(session->frame().grab->force_un, 0.0);
+
+    session->post(ReleaseGrab{});
+    play(*session, 600);
+    session->update_frame();
+    EXPECT_FALSE(session->frame().grab.has_value());
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 0.1);
+}
+
+TEST(Session, AHandThatJumpsPullsNoHarderThanItsLimit) {
+    const auto session = new_session();
+    const Vec3 start = middle_of(small_patient()->tree, 0);
+    session->post(GrabPoint{start});
+    session->step();
+    session->update_frame();
+    session->post(MoveGrab{start + Vec3(1e5, 0, 0)});
+    play(*session, 60);
+    EXPECT_TRUE(session->world().deform()->plausible());
+    session->update_frame();
+    const double radius = 4.0, modulus = 0.5e6;  // of the root branch, of the default material
+    EXPECT_LE(session->frame().grab->force_un, 0.2 * modulus * M_PI * radius * radius * 1.001);
+}
+
+TEST(Session, FixedEndsStayWhereTheyAre) {
+    const auto session = new_session();
+    session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(20, 0, 0)});
+    play(*session, 60);
+    const VesselTree& tree = small_patient()->tree;
+    const std::vector<int> degrees = node_degrees(tree);
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+        if (degrees[n] != 1) continue;
+        std::size_t tip = 0;
+        for (std::size_t v = 0; v < rest.size(); ++v)
+            if ((rest[v] - tree.nodes[n].position_mm).norm() <
+                (rest[tip] - tree.nodes[n].position_mm).norm())
+                tip = v;
+        EXPECT_EQ(session->world().vertex_mm(static_cast<int>(tip)), rest[tip]);
+    }
+}
+
+TEST(Session, TheDrugReachesTheRootFirstAndRunsWithTheClock) {
+    const auto session = new_session();
+    session->post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm});
+    play(*session, 60);
+    session->update_frame();
+    const DrugView& drug = session->frame().drug;
+    ASSERT_NE(drug.arrival_s, nullptr);
+    EXPECT_NEAR(drug.time_s, 1.0, 1e-9);
+    float least = 1e30F, most = 0.0F;
+    std::size_t first = 0;
+    for (std::size_t v = 0; v < drug.arrival_s->size(); ++v) {
+        const float arrival = (*drug.arrival_s)[v];
+        if (arrival < least) {
+            least = arrival;
+            first = v;
+        }
+        most = std::max(most, arrival);
+    }
+    EXPECT_LT(
+        (small_patient()->mesh.vertices_mm[first] - small_patient()->tree.nodes[0].position_mm)
+            .norm(),
+        6.0);
+    EXPECT_NEAR(most, drug.end_s, 0.1 * drug.end_s);  // the tree is filled from the root
+    session->post(PlayDrug{false});
+    play(*session, 10);
+    session->update_frame();
+    EXPECT_NEAR(session->frame().drug.time_s, 1.0, 1e-9);
+}
+
+TEST(Session, RefusesWhatIsOutOfRangeAndSaysSo) {
+    const auto session = new_session();
+    const auto untouched = new_session();
+    session->keep_recording(true);
+    untouched->keep_recording(true);
+    for (const Command& command :
+         {Command(GrabVertex{-1}), Command(GrabVertex{1 << 30}), Command(SetQuality{2.0}),
+          Command(SetTether{-1.0}), Command(SetDrugTime{-1.0}), Command(SetDrugSpeed{0.0}),
+          Command(InjectDrug{.mass_flow_g_s = -1.0}),
+          Command(InjectDrug{.pressure_model = "nonsense"}),
+          Command(InjectDrug{.void_fraction = 1.0}),
+          Command(MoveGrab{Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)}),
+          Command(SetGravity{Vec3(std::numeric_limits<double>::infinity(), 0, 0)})}) {
+        session->post(command);
+        EXPECT_EQ(session->step().state_hash, untouched->step().state_hash);
+        session->update_frame();
+        EXPECT_FALSE(session->frame().statistics.message.empty());
+    }
+}
+
+TEST(Session, ScenesWithoutAPartRefuseItsCommands) {
+    SceneSpec flow_only;
+    flow_only.deform.reset();
+    const auto session = new_session(flow_only);
+    session->post(GrabPoint{});
+    session->step();
+    session->update_frame();
+    EXPECT_NE(session->frame().statistics.message.find("nothing moves"), std::string::npos);
+    EXPECT_EQ(session->frame().positions_mm.size(),
+              3 * small_patient()->surface.vertices_mm.size());
+}
+
+TEST(Session, PausesAndResets) {
+    const auto session = new_session();
+    session->keep_recording(true);
+    session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
+    const std::uint64_t pulled = play(*session, 20).state_hash;
+    EXPECT_NE(pulled, play(*session, 1).state_hash);
+    session->post(SetPaused{true});
+    const std::uint64_t paused = session->step().state_hash;
+    EXPECT_EQ(play(*session, 5).state_hash, paused);
+    session->post(ResetWorld{});
+    play(*session, 5);
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
+}
+
+TEST(Session, ChangesQualityAndTetherInMidPullWithoutAJump) {
+    const auto session = new_session();
+    session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
+    play(*session, 120);
+    for (const Command& command : {Command(SetQuality{1.0}), Command(SetQuality{0.0}),
+                                   Command(SetTether{1.0}), Command(SetTether{0.0})}) {
+        std::vector<Vec3> before;
+        for (std::size_t v = 0; v < session->world().vertex_count(); ++v)
+            before.push_back(session->world().vertex_mm(static_cast<int>(v)));
+        session->post(command);
+        session->step();
+        for (std::size_t v = 0; v < before.size(); ++v)
+            EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - before[v]).norm(), 0.2);
+    }
+}
+
+TEST(Session, GivesTheSameStatesForAnyNumberOfThreads) {
+    std::uint64_t first = 0;
+    for (const int threads : {1, 2, 4}) {
+        const ThreadLimit limit(threads);
+        const auto session = new_session();
+        const std::uint64_t hash = play_script(*session);
+        if (first == 0) first = hash;
+        EXPECT_EQ(hash, first) << threads << " threads";
+    }
+}
+
+TEST(Session, ReplaysToTheLastBitAndSaysWhereItDiverges) {
+    const auto session = new_session();
+    const std::uint64_t end = play_script(*session);
+    Recording recording = session->recording();
+    Job job;
+    const ReplayResult same = replay(recording, small_patient(), job);
+    EXPECT_EQ(same.steps, 90u);
+    EXPECT_FALSE(same.diverged_at.has_value());
+    EXPECT_EQ(same.state_hash, end);
+
+    recording.steps[39].commands = {MoveGrab{Vec3(1, 2, 3)}};
+    EXPECT_EQ(replay(recording, small_patient(), job).diverged_at, 40u);
+    recording.patient_hash ^= 1;
+    EXPECT_THROW(replay(recording, small_patient(), job), InputError);
+}
+
+TEST(Session, RunsOnItsOwnThreadAtItsRate) {
+    const auto session = new_session();
+    std::uint64_t frames = 0, last = 0;
+    {
+        std::jthread simulation([&](const std::stop_token& stop) { session->run(stop); });
+        const auto start = std::chrono::steady_clock::now();
+        while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(500)) {
+            session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+            if (session->update_frame()) {
+                EXPECT_GE(session->frame().step, last);
+                last = session->frame().step;
+                ++frames;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+    EXPECT_GT(frames, 2u);
+    EXPECT_LE(last, 32u);  // half a second at 60 Hz, never faster
+}
+
+}  // namespace
+}  // namespace hepatica
