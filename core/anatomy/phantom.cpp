@@ -69,26 +69,29 @@ FieldOfView frame_liver(const PhantomOptions& options) {
 VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, double scale,
                         Job& job) {
     job.begin_stage("Growing the vessels");
+    PhantomRandom random(scrambled(options.seed));
+    std::vector<GrowthRequest> requests(static_cast<std::size_t>(options.systems));
+    for (GrowthRequest& request : requests) {
+        request.root = requests.data() == &request ? body.portal_entry() : body.hepatic_outlet();
+        request.low = PhantomBody::liver_low();
+        request.high = PhantomBody::liver_high();
+        request.depth_mm = [&](const Vec3& p) { return -body.liver_distance_mm(p); };
+        request.ends = 1 << options.generations;
+        request.root_radius_mm = options.root_radius_mm;
+        request.murray_exponent = options.murray_exponent;
+    }
     VesselTree tree;
-    for (int system = 0; system < options.systems; ++system) {
-        PhantomRandom random(scrambled(options.seed * 2 + static_cast<std::uint64_t>(system)));
-        GrowthRequest growth;
-        growth.root = system == 0 ? body.portal_entry() : body.hepatic_outlet();
-        growth.low = PhantomBody::liver_low();
-        growth.high = PhantomBody::liver_high();
-        growth.depth_mm = [&](const Vec3& p) { return -body.liver_distance_mm(p); };
-        growth.ends = 1 << options.generations;
-        growth.root_radius_mm = options.root_radius_mm;
-        growth.murray_exponent = options.murray_exponent;
-        growth.obstacles = capsules_of(tree);
-        CentrelineRequest centrelines;
-        centrelines.root_radius_mm = options.root_radius_mm;
-        centrelines.murray_exponent = options.murray_exponent;
-        centrelines.point_spacing_mm = options.spacing_mm.minCoeff() / scale;
-        centrelines.system = system;
-        centrelines.obstacles = growth.obstacles;
-        append_system(tree, grow_tree(growth, random, job), centrelines, random);
-        job.advance((system + 1.0) / options.systems);
+    CentrelineRequest centrelines;
+    centrelines.root_radius_mm = options.root_radius_mm;
+    centrelines.murray_exponent = options.murray_exponent;
+    centrelines.point_spacing_mm = options.spacing_mm.minCoeff() / scale;
+    const std::vector<std::vector<GrownBranch>> grown = grow_trees(requests, random, job);
+    for (std::size_t i = 0; i < grown.size(); ++i) {
+        centrelines.system = static_cast<int>(i);
+        centrelines.obstacles = capsules_of(tree);
+        for (std::size_t later = i + 1; later < grown.size(); ++later)
+            append_chords(centrelines.obstacles, grown[later], centrelines);
+        append_system(tree, grown[i], centrelines, random);
     }
     return tree;
 }

@@ -11,6 +11,7 @@ namespace hepatica {
 
 namespace {
 
+// About the signed distance to an ellipsoid (Quilez): exact on it, the right sign everywhere.
 double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
     const Vec3 q = (p - centre).cwiseQuotient(radii);
     const double k0 = q.norm();
@@ -18,9 +19,20 @@ double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
     return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -radii.minCoeff();
 }
 
+// The same near the organ; further away the distance to its box, which is quicker.
+double organ(const Vec3& p, const Vec3& centre, const Vec3& radii) {
+    constexpr double far_mm = 5.0;
+    const double outside = ((p - centre).cwiseAbs() - radii).maxCoeff();
+    return outside > far_mm ? outside : ellipsoid(p, centre, radii);
+}
+
 // An elliptic column along z.
 double column(const Vec3& p, double x, double y, double radius_x, double radius_y) {
-    return ellipsoid({p[0], p[1], 0.0}, {x, y, 0.0}, {radius_x, radius_y, 1e6});
+    const double dx = (p[0] - x) / radius_x;
+    const double dy = (p[1] - y) / radius_y;
+    const double k0 = std::sqrt(dx * dx + dy * dy);
+    const double k1 = std::sqrt(dx * dx / (radius_x * radius_x) + dy * dy / (radius_y * radius_y));
+    return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(radius_x, radius_y);
 }
 
 double smooth_union(double a, double b, double width) {
@@ -47,6 +59,10 @@ class Brush {
     double scale_;
     double hu_ = -1000.0;
 };
+
+constexpr double push_step_mm = 0.5;
+constexpr double push_reach_mm = 200.0;
+constexpr int push_count = 801;
 
 constexpr double fat_hu = -100.0;
 constexpr double muscle_hu = 58.0;
@@ -88,55 +104,63 @@ void paint_wall(Brush& brush, const Vec3& p, double torso) {
     if (torso > -34.0) paint_ribs(brush, p, torso);
 }
 
-// The lung rests on the diaphragm, 4 mm above the liver and above a tilted plane elsewhere.
+// The lungs rest on the domes of the diaphragm, and on the liver where that rises higher.
 void paint_chest(Brush& brush, const Vec3& p, double torso, double liver) {
-    const double base = 40.0 - 0.25 * p[1] - p[2];
+    const double from_dome = std::abs(p[0]) - 68.0;
+    const double base = 58.0 - (from_dome * from_dome + p[1] * p[1]) / 150.0 - p[2];
     brush.paint(std::max({base - 4.0, torso + 32.0}), muscle_hu);
     brush.paint(std::max({base, torso + 34.0, 4.0 - liver}), lung_hu);
-    brush.paint(ellipsoid(p, {22, -38, 96}, {58, 44, 40}), 130.0);  // heart
-}
-
-void paint_bowel(Brush& brush, const Vec3& p, double torso) {
-    const double loops = std::sin(p[0] / 10.0 + 1.0) * std::sin(p[1] / 9.0) +
-                         std::sin(p[1] / 11.0 + p[2] / 10.0) * std::sin(p[2] / 9.0 + 0.5);
-    const double wall = std::max({8.0 * (0.25 - loops), torso + 38.0, p[2] + 24.0, p[1] - 40.0});
-    brush.paint(wall, 45.0);
-    brush.paint(std::max(wall + 6.0, p[1] + 45.0), -700.0);  // gas rises to the front
+    brush.paint(organ(p, {20, -36, 92}, {56, 46, 44}), 130.0);  // heart
 }
 
 void paint_organs(Brush& brush, const Vec3& p) {
-    brush.paint(ellipsoid(p, {92, 36, 12}, {34, 46, 50}), 122.0);  // spleen
-    const double stomach = ellipsoid(p, {48, -18, 0}, {36, 40, 44});
+    brush.paint(organ(p, {92, 36, 12}, {34, 46, 50}), 122.0);  // spleen
+    const double stomach = organ(p, {48, -18, 0}, {36, 40, 44});
     brush.paint(stomach, 55.0);
     brush.paint(stomach + 3.0, 12.0);
     brush.paint(std::max(stomach + 3.0, p[1] + 38.0), -900.0);
     for (const double side : {-1.0, 1.0}) {
-        const double kidney = ellipsoid(p, {side * 62, 58, -70}, {26, 24, 50});
+        const double kidney = organ(p, {side * 62, 58, -70}, {26, 24, 50});
         brush.paint(kidney, 185.0);
-        brush.paint(ellipsoid(p, {side * 52, 54, -70}, {13, 10, 26}), fat_hu);
+        brush.paint(organ(p, {side * 52, 54, -70}, {13, 10, 26}), fat_hu);
     }
-    brush.paint(column(p, 12, 34, 10.5, 10.5), 155.0);              // aorta
-    brush.paint(column(p, -22, 40, 11.5, 10.0), 132.0);             // inferior vena cava
-    brush.paint(ellipsoid(p, {-48, -24, -62}, {14, 19, 24}), 8.0);  // gallbladder
+    brush.paint(column(p, 12, 34, 10.5, 10.5), 155.0);          // aorta
+    brush.paint(column(p, -22, 40, 11.5, 10.0), 132.0);         // inferior vena cava
+    brush.paint(organ(p, {-48, -24, -62}, {14, 19, 24}), 8.0);  // gallbladder
 }
 
 }  // namespace
 
 PhantomBody::PhantomBody(std::uint64_t seed, double parenchyma_hu) : parenchyma_hu_(parenchyma_hu) {
     PhantomRandom random(scrambled(seed));
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
+    for (std::vector<Vec3>& push : push_) {
+        push.assign(push_count, Vec3::Zero());
+        for (int i = 0; i < 3; ++i) {
             const double wave_length_mm = random.uniform(55.0, 95.0);
-            wave_numbers_(i, j) = 2.0 * std::numbers::pi / wave_length_mm;
-            phases_(i, j) = random.uniform(0.0, 2.0 * std::numbers::pi);
+            const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
+            for (int k = 0; k < push_count; ++k)
+                push[k][i] =
+                    1.4 *
+                    std::sin(2.0 * std::numbers::pi * (k * push_step_mm) / wave_length_mm + phase);
         }
+    }
+    for (int i = 0; i < 34; ++i) {
+        Loop loop;
+        loop.centre = random.point({-110, -75, -110}, {110, 30, -35});
+        loop.radii = random.point({10, 9, 12}, {20, 16, 24});
+        loop.content_hu = random.uniform() < 0.4 ? -800.0 : random.uniform(5.0, 40.0);
+        bowel_.push_back(loop);
+    }
 }
 
 Vec3 PhantomBody::wobble(const Vec3& p) const {
     Vec3 moved = p;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            moved[i] += 1.4 * std::sin(wave_numbers_(i, j) * p[j] + phases_(i, j));
+    for (int j = 0; j < 3; ++j) {
+        const double at =
+            std::clamp((p[j] + push_reach_mm) / push_step_mm, 0.0, push_count - 1.001);
+        const int k = static_cast<int>(at);
+        moved += (k + 1 - at) * push_[j][k] + (at - k) * push_[j][k + 1];
+    }
     return moved;
 }
 
@@ -163,11 +187,16 @@ double PhantomBody::hu(const Vec3& p, double liver_distance_mm, double softness_
     if (torso > softness_mm) return brush.hu();
     paint_wall(brush, p, torso);
     if (torso < -30.0) {
-        paint_bowel(brush, p, torso);
-        if (p[2] > 0.0) paint_chest(brush, p, torso, liver_distance_mm);
+        for (const Loop& loop : bowel_) {
+            const double wall = organ(p, loop.centre, loop.radii);
+            if (wall > softness_mm) continue;
+            brush.paint(wall, 50.0);
+            brush.paint(wall + 2.5, loop.content_hu);
+        }
+        if (p[2] > -10.0) paint_chest(brush, p, torso, liver_distance_mm);
         paint_organs(brush, p);
     }
-    if (p[1] > 20.0) paint_spine(brush, p);
+    if (p[1] > 20.0 && std::abs(p[0]) < 70.0) paint_spine(brush, p);
     brush.paint(liver_distance_mm, parenchyma_hu_);
     return brush.hu();
 }

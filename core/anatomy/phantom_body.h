@@ -4,7 +4,9 @@
 // stomach, kidneys, great vessels, spine, ribs, bowel).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/vector.h"
 
@@ -34,12 +36,19 @@ class PhantomBody {
     Vec3 hepatic_outlet() const;
 
   private:
+    struct Loop {
+        Vec3 centre;
+        Vec3 radii;
+        double content_hu;
+    };
+
     Vec3 wobble(const Vec3& p) const;
     Vec3 first_point_inside(const Vec3& from, const Vec3& to) const;
 
     double parenchyma_hu_;
-    Mat3 wave_numbers_;
-    Mat3 phases_;
+    // By how much the liver is pushed aside at each coordinate of each axis, every half millimetre.
+    std::array<std::vector<Vec3>, 3> push_;
+    std::vector<Loop> bowel_;
 };
 
 }  // namespace hepatica

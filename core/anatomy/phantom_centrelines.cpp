@@ -111,7 +111,9 @@ class SystemBuilder {
   public:
     SystemBuilder(VesselTree& tree, std::span<const GrownBranch> branches,
                   const CentrelineRequest& request)
-        : tree_(tree), branches_(branches), request_(request), segment_of_(branches.size(), -1) {}
+        : tree_(tree), branches_(branches), request_(request), segment_of_(branches.size(), -1) {
+        append_chords(chords_, branches, request);
+    }
 
     void build(PhantomRandom& random) {
         tree_.nodes.push_back({branches_[0].begin, request_.root_radius_mm});
@@ -167,15 +169,10 @@ class SystemBuilder {
         }
     }
 
-    double radius_on_chord(int branch) const {
-        const double share = static_cast<double>(branches_[branch].ends) / branches_[0].ends;
-        return request_.root_radius_mm * std::pow(share, 1.0 / request_.murray_exponent);
-    }
-
     // Can any bent form of the branch come near the capsule? (its ball against the chord's)
     bool in_reach(int branch, const Capsule& other) const {
         const GrownBranch& b = branches_[branch];
-        const double reach = 0.8 * (b.end - b.begin).norm() + radius_on_chord(branch) +
+        const double reach = 0.8 * (b.end - b.begin).norm() + chords_[branch].radius +
                              0.8 * (other.end - other.begin).norm() + other.radius + free_mm;
         return (b.begin + b.end - other.begin - other.end).norm() < 2.0 * reach;
     }
@@ -187,7 +184,7 @@ class SystemBuilder {
             if (in_reach(branch, obstacle)) near.push_back(obstacle);
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const int other = static_cast<int>(i);
-            const Capsule chord{branches_[i].begin, branches_[i].end, radius_on_chord(other)};
+            const Capsule& chord = chords_[i];
             if (other == branch || meet(other, branch) || !in_reach(branch, chord)) continue;
             if (segment_of_[i] >= 0)
                 append_capsules(near, tree_.segments[segment_of_[i]]);
@@ -216,6 +213,7 @@ class SystemBuilder {
     VesselTree& tree_;
     std::span<const GrownBranch> branches_;
     const CentrelineRequest& request_;
+    std::vector<Capsule> chords_;
     std::vector<int> segment_of_;  // of each branch; -1 while it is not drawn
 };
 
@@ -239,6 +237,16 @@ void append_system(VesselTree& tree, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request, PhantomRandom& random) {
     SystemBuilder(tree, branches, request).build(random);
     set_strahler_orders(tree);
+}
+
+void append_chords(std::vector<Capsule>& capsules, std::span<const GrownBranch> branches,
+                   const CentrelineRequest& request) {
+    for (const GrownBranch& branch : branches) {
+        const double share = static_cast<double>(branch.ends) / branches.front().ends;
+        capsules.push_back(
+            {branch.begin, branch.end,
+             request.root_radius_mm * std::pow(share, 1.0 / request.murray_exponent)});
+    }
 }
 
 std::vector<Capsule> capsules_of(const VesselTree& tree) {

@@ -24,6 +24,10 @@ struct CentrelineRequest {
 void append_system(VesselTree& tree, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request, PhantomRandom& random);
 
+// The straight branches with the radii that they will have at most.
+void append_chords(std::vector<Capsule>& capsules, std::span<const GrownBranch> branches,
+                   const CentrelineRequest& request);
+
 // Every piece of every centreline, with the larger of its two radii.
 std::vector<Capsule> capsules_of(const VesselTree& tree);
 

@@ -3,17 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace hepatica {
 
 namespace {
 
-constexpr double gap_mm = 1.5;                   // free tissue between vessels that do not meet
+constexpr double gap_mm = 1.5;  // free tissue between vessels that do not meet
+constexpr double smallest_spread_mm = 2.0;
+constexpr double surface_mm = 4.0;               // ends stay so far below the surface
 constexpr int branches_tried = 24;               // nearest ones, per new end
 constexpr double smallest_sibling_angle = 0.93;  // cosine: 21 degrees
+constexpr double greatest_turn = 0.4;            // cosine: a branch turns back by 24 degrees
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 edge = b - a;
@@ -60,24 +65,33 @@ class Grower {
         : request_(request), random_(random) {
         for (int n = 0; n <= request.ends + 1; ++n)
             relative_radius_.push_back(std::pow(n, 1.0 / request.murray_exponent));
+        spread_mm_ = std::cbrt(domain_volume());
     }
 
-    std::vector<GrownBranch> grow(Job& job) {
-        plant_root();
-        double spread_mm = 0.45 * std::cbrt((request_.high - request_.low).prod());
+    // Adds ends until there are `wanted`, or until no more fit.
+    void grow_to(int wanted, const std::vector<Capsule>& obstacles, Job& job) {
+        obstacles_ = obstacles;
+        if (branches_.empty()) plant_root();
         int failures = 0;
-        for (int ends = 1; ends < request_.ends && spread_mm > 0.5;) {
+        while (branches_.front().ends < wanted && spread_mm_ > smallest_spread_mm) {
             job.throw_if_cancelled();
-            const bool added = try_new_end(spread_mm * std::cbrt(1.0 / ends));
-            if (added) {
-                ++ends;
+            if (try_new_end(spread_mm_ / std::cbrt(branches_.front().ends))) {
                 failures = 0;
-            } else if (++failures == 12) {
-                spread_mm *= 0.93;
+            } else if (++failures == 40) {
+                spread_mm_ *= 0.95;
                 failures = 0;
             }
         }
-        return std::move(branches_);
+        relax();
+    }
+
+    const std::vector<GrownBranch>& branches() const { return branches_; }
+
+    std::vector<Capsule> capsules() const {
+        std::vector<Capsule> capsules;
+        for (const GrownBranch& b : branches_)
+            capsules.push_back({b.begin, b.end, radius_mm(b.ends)});
+        return capsules;
     }
 
   private:
@@ -94,6 +108,23 @@ class Grower {
         return true;
     }
 
+    // By counting random points.
+    double domain_volume() {
+        constexpr int points = 4000;
+        int inside = 0;
+        for (int i = 0; i < points; ++i)
+            inside += request_.depth_mm(random_.point(request_.low, request_.high)) > 0.0 ? 1 : 0;
+        return (request_.high - request_.low).prod() * std::max(inside, 1) / points;
+    }
+
+    // Uniform in the domain, a little below its surface.
+    Vec3 random_end() {
+        for (;;) {
+            const Vec3 p = random_.point(request_.low, request_.high);
+            if (request_.depth_mm(p) > surface_mm) return p;
+        }
+    }
+
     // The first branch ends at the deepest of some random points that is not far from the entry.
     void plant_root() {
         Vec3 best = request_.root;
@@ -103,7 +134,8 @@ class Grower {
             const double distance = (p - request_.root).norm();
             if (distance < 25.0 || distance > 40.0) continue;
             const double depth = request_.depth_mm(p);
-            if (depth > best_depth) {
+            if (depth > best_depth &&
+                clear_of_obstacles({request_.root, p, request_.root_radius_mm})) {
                 best = p;
                 best_depth = depth;
             }
@@ -112,8 +144,7 @@ class Grower {
     }
 
     bool try_new_end(double free_mm) {
-        const Vec3 end = random_.point(request_.low, request_.high);
-        if (request_.depth_mm(end) < 5.0) return false;
+        const Vec3 end = random_end();
         std::vector<std::pair<double, int>> near;
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const double d = distance_to_segment(end, branches_[i].begin, branches_[i].end);
@@ -150,47 +181,85 @@ class Grower {
         return proposal;
     }
 
+    // A bifurcation with its three branches, as it would be.
+    struct Joint {
+        Vec3 begin;
+        Vec3 middle;
+        std::array<Vec3, 2> ends;
+        std::array<int, 2> ends_beyond;
+    };
+
     bool fits(const Proposal& proposal, const Vec3& end) const {
         const GrownBranch& b = branches_[proposal.branch];
-        const Vec3& f = proposal.bifurcation;
-        const double stem = radius_mm(b.ends + 1);
-        const double shortest = std::max(2.0 * stem, 3.0);
-        if ((f - b.begin).norm() < shortest || (b.end - f).norm() < shortest ||
-            (end - f).norm() < shortest)
-            return false;
-        const Vec3 to_old = (b.end - f).normalized();
-        const Vec3 to_new = (end - f).normalized();
-        const Vec3 back = (b.begin - f).normalized();
-        if (to_old.dot(to_new) > smallest_sibling_angle || to_new.dot(back) > 0.5) return false;
-        return inside(b.begin, f, stem) && inside(f, b.end, radius_mm(b.ends)) &&
-               inside(f, end, radius_mm(1)) && clear(proposal, end);
+        const Joint joint{b.begin, proposal.bifurcation, {b.end, end}, {b.ends, 1}};
+        const std::array<int, 1> replaced{proposal.branch};
+        return well_shaped(joint) && clear(joint, replaced);
     }
 
-    // Do the three new stretches keep away from all vessels that they do not meet?
-    bool clear(const Proposal& proposal, const Vec3& end) const {
-        const GrownBranch& old = branches_[proposal.branch];
-        const Vec3& f = proposal.bifurcation;
-        const std::array<Capsule, 3> parts{{{old.begin, f, radius_mm(old.ends + 1)},
-                                            {f, old.end, radius_mm(old.ends)},
-                                            {f, end, radius_mm(1)}}};
-        const auto too_near = [&](const Capsule& part, const Capsule& other) {
-            return distance_between(part.begin, part.end, other.begin, other.end) <
-                   part.radius + other.radius + gap_mm;
-        };
-        for (const Capsule& part : parts)
-            for (const Capsule& obstacle : request_.obstacles)
-                if (too_near(part, obstacle)) return false;
+    bool well_shaped(const Joint& joint) const {
+        const double stem = radius_mm(joint.ends_beyond[0] + joint.ends_beyond[1]);
+        const double shortest = std::max(2.0 * stem, 3.0);
+        const Vec3 back = joint.begin - joint.middle;
+        const Vec3 a = joint.ends[0] - joint.middle;
+        const Vec3 b = joint.ends[1] - joint.middle;
+        if (back.norm() < shortest || a.norm() < shortest || b.norm() < shortest) return false;
+        if (a.normalized().dot(b.normalized()) > smallest_sibling_angle) return false;
+        if (std::max(a.normalized().dot(back.normalized()), b.normalized().dot(back.normalized())) >
+            greatest_turn)
+            return false;
+        return inside(joint.begin, joint.middle, stem) &&
+               inside(joint.middle, joint.ends[0], radius_mm(joint.ends_beyond[0])) &&
+               inside(joint.middle, joint.ends[1], radius_mm(joint.ends_beyond[1]));
+    }
+
+    static bool too_near(const Capsule& a, const Capsule& b) {
+        return distance_between(a.begin, a.end, b.begin, b.end) < a.radius + b.radius + gap_mm;
+    }
+
+    bool clear_of_obstacles(const Capsule& part) const {
+        return std::ranges::none_of(obstacles_,
+                                    [&](const Capsule& other) { return too_near(part, other); });
+    }
+
+    // Do the three branches keep away from all vessels that they do not meet?
+    bool clear(const Joint& joint, std::span<const int> replaced) const {
+        const std::array<Capsule, 3> parts{
+            {{joint.begin, joint.middle, radius_mm(joint.ends_beyond[0] + joint.ends_beyond[1])},
+             {joint.middle, joint.ends[0], radius_mm(joint.ends_beyond[0])},
+             {joint.middle, joint.ends[1], radius_mm(joint.ends_beyond[1])}}};
+        if (!std::ranges::all_of(parts, [&](const Capsule& c) { return clear_of_obstacles(c); }))
+            return false;
         for (std::size_t i = 0; i < branches_.size(); ++i) {
-            if (static_cast<int>(i) == proposal.branch) continue;
+            if (std::ranges::find(replaced, static_cast<int>(i)) != replaced.end()) continue;
             const GrownBranch& b = branches_[i];
             const Capsule other{b.begin, b.end, radius_mm(b.ends)};
-            const bool at_begin = b.end == old.begin || b.begin == old.begin;
-            const bool at_end = b.begin == old.end;
-            if ((!at_begin && too_near(parts[0], other)) ||
-                (!at_end && too_near(parts[1], other)) || too_near(parts[2], other))
+            const bool meets_begin = b.end == joint.begin || b.begin == joint.begin;
+            if ((!meets_begin && too_near(parts[0], other)) ||
+                (b.begin != joint.ends[0] && too_near(parts[1], other)) ||
+                (b.begin != joint.ends[1] && too_near(parts[2], other)))
                 return false;
         }
         return true;
+    }
+
+    // Moves every bifurcation towards the place where its branches hold the least blood.
+    void relax() {
+        for (int sweep = 0; sweep < 8; ++sweep)
+            for (std::size_t i = 0; i < branches_.size(); ++i) {
+                GrownBranch& stem = branches_[i];
+                if (stem.children[0] < 0) continue;
+                GrownBranch& a = branches_[stem.children[0]];
+                GrownBranch& b = branches_[stem.children[1]];
+                const Vec3 best = weighted_median({{{stem.begin, section(stem.ends)},
+                                                    {a.end, section(a.ends)},
+                                                    {b.end, section(b.ends)}}});
+                const Joint moved{
+                    stem.begin, 0.5 * (stem.end + best), {a.end, b.end}, {a.ends, b.ends}};
+                const std::array<int, 3> replaced{static_cast<int>(i), stem.children[0],
+                                                  stem.children[1]};
+                if (well_shaped(moved) && clear(moved, replaced))
+                    stem.end = a.begin = b.begin = moved.middle;
+            }
     }
 
     void attach(const Proposal& proposal, const Vec3& end) {
@@ -212,6 +281,8 @@ class Grower {
     PhantomRandom& random_;
     std::vector<double> relative_radius_;  // n^(1/m): of a branch with n ends beyond it
     std::vector<GrownBranch> branches_;
+    std::vector<Capsule> obstacles_;  // the other trees
+    double spread_mm_ = 0.0;          // new ends keep this over the cube root of their number away
 };
 
 }  // namespace
@@ -231,8 +302,25 @@ double distance_between(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Ve
     return (a0 + s * u - b0 - t * v).norm();
 }
 
-std::vector<GrownBranch> grow_tree(const GrowthRequest& request, PhantomRandom& random, Job& job) {
-    return Grower(request, random).grow(job);
+std::vector<std::vector<GrownBranch>> grow_trees(std::span<const GrowthRequest> requests,
+                                                 PhantomRandom& random, Job& job) {
+    std::vector<Grower> growers;
+    int most_ends = 1;
+    for (const GrowthRequest& request : requests) {
+        growers.emplace_back(request, random);
+        most_ends = std::max(most_ends, request.ends);
+    }
+    for (int ends = 1; ends < 2 * most_ends; ends *= 2)
+        for (std::size_t i = 0; i < growers.size(); ++i) {
+            std::vector<Capsule> obstacles;
+            for (std::size_t j = 0; j < growers.size(); ++j)
+                if (j != i) std::ranges::copy(growers[j].capsules(), std::back_inserter(obstacles));
+            growers[i].grow_to(std::min(ends, requests[i].ends), obstacles, job);
+            job.advance(static_cast<double>(ends) / (2.0 * most_ends));
+        }
+    std::vector<std::vector<GrownBranch>> trees;
+    for (const Grower& grower : growers) trees.push_back(grower.branches());
+    return trees;
 }
 
 }  // namespace hepatica

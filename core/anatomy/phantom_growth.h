@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/anatomy/phantom_random.h"
@@ -43,11 +44,13 @@ struct GrowthRequest {
     int ends = 64;
     double root_radius_mm = 6.0;
     double murray_exponent = 3.0;
-    std::vector<Capsule> obstacles;
 };
 
-// Branch 0 is the root; branches keep clear of each other, of the obstacles and of the surface.
-// May stop short of the wanted number of ends where no more fit.
-std::vector<GrownBranch> grow_tree(const GrowthRequest& request, PhantomRandom& random, Job& job);
+// Grows one tree for each request, all at once, so that they interlace: whenever one has doubled
+// its ends, it is the turn of the next. Branch 0 of each is its root; branches keep clear of each
+// other, of the other trees and of the surface. A tree may stop short of the wanted number of ends
+// where no more fit.
+std::vector<std::vector<GrownBranch>> grow_trees(std::span<const GrowthRequest> requests,
+                                                 PhantomRandom& random, Job& job);
 
 }  // namespace hepatica
