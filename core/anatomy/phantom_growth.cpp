@@ -65,7 +65,6 @@ class Grower {
         : request_(request), random_(random) {
         for (int n = 0; n <= request.ends + 1; ++n)
             relative_radius_.push_back(std::pow(n, 1.0 / request.murray_exponent));
-        spread_mm_ = std::cbrt(domain_volume());
     }
 
     // Adds ends until there are `wanted`, or until no more fit.
@@ -73,6 +72,7 @@ class Grower {
         obstacles_ = obstacles;
         if (branches_.empty()) plant_root();
         int failures = 0;
+        int replanted = 0;
         while (branches_.front().ends < wanted && spread_mm_ > smallest_spread_mm) {
             job.throw_if_cancelled();
             if (try_new_end(spread_mm_ / std::cbrt(branches_.front().ends))) {
@@ -81,6 +81,9 @@ class Grower {
                 spread_mm_ *= 0.95;
                 failures = 0;
             }
+            // A trunk that cannot branch leads into a corner.
+            if (spread_mm_ <= smallest_spread_mm && branches_.front().ends == 1 && ++replanted < 50)
+                plant_root();
         }
         relax();
     }
@@ -95,16 +98,21 @@ class Grower {
     }
 
   private:
+    // Once one more end is there.
     double radius_mm(int ends) const {
         return request_.root_radius_mm * relative_radius_[ends] /
-               relative_radius_[branches_.front().ends];
+               relative_radius_[branches_.front().ends + 1];
     }
     double section(int ends) const { return relative_radius_[ends] * relative_radius_[ends]; }
 
     bool inside(const Vec3& a, const Vec3& b, double radius) const {
         const int samples = std::max(2, static_cast<int>((b - a).norm() / 4.0));
-        for (int i = 1; i <= samples; ++i)
-            if (request_.depth_mm(a + (b - a) * i / samples) < radius + gap_mm) return false;
+        for (int i = 1; i <= samples; ++i) {
+            const Vec3 p = a + (b - a) * i / samples;
+            // A trunk comes in through the surface.
+            if ((p - request_.root).norm() < 3.0 * request_.root_radius_mm) continue;
+            if (request_.depth_mm(p) < radius + gap_mm) return false;
+        }
         return true;
     }
 
@@ -125,19 +133,23 @@ class Grower {
         }
     }
 
-    // The first branch ends at the deepest of some random points that is not far from the entry.
+    // The first branch ends at the deepest of some random points that are not far from the entry.
     void plant_root() {
-        Vec3 best = request_.root;
+        branches_.clear();
+        spread_mm_ = std::cbrt(domain_volume());
+        Vec3 best = 0.5 * (request_.low + request_.high);
         double best_depth = -std::numeric_limits<double>::infinity();
-        for (int i = 0; i < 400; ++i) {
+        int candidates = 0;
+        for (int i = 0; i < 5000 && candidates < 12; ++i) {
             const Vec3 p = random_.point(request_.low, request_.high);
             const double distance = (p - request_.root).norm();
-            if (distance < 25.0 || distance > 40.0) continue;
-            const double depth = request_.depth_mm(p);
-            if (depth > best_depth &&
-                clear_of_obstacles({request_.root, p, request_.root_radius_mm})) {
+            if (distance < 25.0 || distance > 40.0 ||
+                !clear_of_obstacles({request_.root, p, request_.root_radius_mm}))
+                continue;
+            ++candidates;
+            if (request_.depth_mm(p) > best_depth) {
                 best = p;
-                best_depth = depth;
+                best_depth = request_.depth_mm(p);
             }
         }
         branches_.push_back({-1, {-1, -1}, request_.root, best, 1});
@@ -198,7 +210,7 @@ class Grower {
 
     bool well_shaped(const Joint& joint) const {
         const double stem = radius_mm(joint.ends_beyond[0] + joint.ends_beyond[1]);
-        const double shortest = std::max(2.0 * stem, 3.0);
+        const double shortest = std::max(1.5 * stem, 3.0);
         const Vec3 back = joint.begin - joint.middle;
         const Vec3 a = joint.ends[0] - joint.middle;
         const Vec3 b = joint.ends[1] - joint.middle;
