@@ -13,6 +13,7 @@ void add_all_verbs(CommandLine& line) {
     add_bench_iterations(line);
     add_bench_peers(line);
     add_diagnose(line);
+    add_extremes(line);
 }
 
 }  // namespace hepatica

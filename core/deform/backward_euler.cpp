@@ -11,6 +11,8 @@ constexpr double armijo = 1e-4;          // share of the predicted decrease that
 constexpr double shortest_share = 1e-3;  // of a Newton step before the search gives up
 constexpr double rounding = 1e-13;       // relative size of a change of energy that means nothing
 constexpr int most_halvings = 4;
+// Iterates added to a linearly implicit step that had to be shortened, until one is taken whole.
+constexpr int rescue_iterates = 8;
 
 double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double sum = 0.0;
@@ -61,6 +63,7 @@ struct BackwardEuler::Step {
     double value = 0.0;           // of the potential at w
     double damping_form = 0.0;    // w^T K_n w beta, while w is a multiple of the first direction
     int iterate = 0;
+    double share = 1.0;  // of the last direction that was taken
     bool whole = false;  // one iterate, taken whole: the linearised equations hold
     // What the linearised step did, from the slots of its start.
     double linear_elastic_work = 0.0, linear_external_work = 0.0, residual_work = 0.0;
@@ -85,25 +88,32 @@ void BackwardEuler::evaluate(const std::vector<Vec3>& positions_mm) {
     assembly_.gather_forces(elastic_force_);
 }
 
-// A = (1 + dt alpha) M + (dt^2 + dt beta) K + dt^2 K_external, with K at the present iterate and
-// beta K at the start.
+// A = (1 + dt alpha) M + dt beta K_n + dt^2 K + dt^2 K_external, with K at the present iterate and
+// K_n at the start.
 void BackwardEuler::assemble(const Step& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
-    const bool keep = settings_.iterations > 1 && beta > 0.0;
-    if (step.iterate == 0) {
-        assembly_.gather_stiffness(dt * dt + dt * beta, matrix_);
-        if (keep) assembly_.gather_stiffness(beta, damping_);
-    } else {
-        assembly_.gather_stiffness(dt * dt, matrix_);
-        if (keep)
-            for (std::size_t k = 0; k < matrix_.block.size(); ++k)
-                matrix_.block[k] += dt * damping_.block[k];
-    }
+    assembly_.gather_stiffness(step.iterate == 0 ? dt * dt + dt * beta : dt * dt, matrix_);
+    if (step.iterate > 0 && beta > 0.0)
+        for (std::size_t k = 0; k < matrix_.block.size(); ++k)
+            matrix_.block[k] += dt * damping_.block[k];
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
     for (int i = 0; i < matrix_.rows(); ++i)
         matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
     step.forces.add_stiffness(step.x, dt * dt, matrix_);
     decouple_fixed(body_, matrix_);
+}
+
+// Takes beta K_n back out of the first iterate's matrix, before that is overwritten. Fixed vertices
+// do not move, so that it does not matter that they were cut out of it.
+void BackwardEuler::keep_damping(const Step& step) {
+    const double dt = step.dt_s, beta = body_.damping.beta_s;
+    damping_ = matrix_;
+    const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
+    for (int i = 0; i < damping_.rows(); ++i)
+        damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
+    step.forces.add_stiffness(step.start.positions_mm, -dt * dt, damping_);
+    const double scale = beta / (dt * dt + dt * beta);
+    for (Mat3& block : damping_.block) block *= scale;
 }
 
 // -dt times the gradient of the potential at the present iterate:
@@ -116,7 +126,7 @@ void BackwardEuler::right_hand_side(const Step& step) {
         residual_[i] =
             body_.mass_g[i] * (step.start.velocities_mm_per_s[i] - (1.0 + dt * alpha) * step.w[i]) +
             dt * force_[i];
-    if (step.iterate > 0 && body_.damping.beta_s > 0.0 && !damping_.block.empty()) {
+    if (step.iterate > 0 && body_.damping.beta_s > 0.0) {
         multiply(damping_, step.w, product_);
         for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] -= dt * product_[i];
     }
@@ -184,16 +194,13 @@ bool BackwardEuler::try_share(Step& step, double share, double slope) {
 }
 
 // False where no share of the direction lowers the potential; the iterate is then as before.
-bool BackwardEuler::search_line(Step& step, StepReport& report) {
+bool BackwardEuler::search_line(Step& step) {
     const double slope = -dot(steepest_, step.direction);  // of the potential, along the direction
     double share = 1.0;
     while (share > shortest_share) {
         if (try_share(step, share, slope)) {
+            step.share = share;
             step.whole = step.iterate == 0 && share == 1.0;
-            if (share < 1.0 && report.message.empty() && settings_.iterations == 1) {
-                report.degraded = true;
-                report.message = "the step was shortened: it would have made energy";
-            }
             return true;
         }
         share *= 0.5;
@@ -246,11 +253,11 @@ void BackwardEuler::book(const Step& step, StepReport& report) {
     double residual_work = step.residual_work;
     const double gravity = gravity_work(body_, step.forces.gravity_mm_per_s2(), dx);
     if (!step.whole) {
+        if (step.iterate == 0 && body_.damping.beta_s > 0.0) keep_damping(step);
         Step end = step;
         end.iterate = 1;
         right_hand_side(end);
         residual_work = -dot(step.w, residual_);
-        if (damping_.block.empty()) residual_work += dt * step.damping_form;
         elastic_work = dot(dx, elastic_force_);
         external_work = dot(dx, force_) - elastic_work - gravity;
     }
@@ -275,6 +282,7 @@ StepReport BackwardEuler::advance(BodyState& state, double dt_s, const ExternalF
 }
 
 bool BackwardEuler::iterate(Step& step, StepReport& report) {
+    if (step.iterate == 1 && body_.damping.beta_s > 0.0) keep_damping(step);
     right_hand_side(step);
     assemble(step);
     steepest_ = residual_;
@@ -286,7 +294,29 @@ bool BackwardEuler::iterate(Step& step, StepReport& report) {
             step.direction[i] += step.start.velocities_mm_per_s[i];
         book_linearised(step);
     }
-    return search_line(step, report);
+    return search_line(step);
+}
+
+// Iterates as settings say, and further where a single iterate had to be shortened. False where not
+// even the first could lower the potential.
+bool BackwardEuler::find_velocity(Step& step, StepReport& report) {
+    int most = settings_.iterations;
+    for (;; ++step.iterate) {
+        if (!iterate(step, report)) {
+            if (step.iterate == 0) return false;
+            break;
+        }
+        double longest = 0.0;
+        for (const Vec3& d : step.direction) longest = std::max(longest, step.dt_s * d.norm());
+        if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
+        if (settings_.iterations == 1) most = step.share < 1.0 ? 1 + rescue_iterates : 1;
+        if (step.iterate + 1 >= most) break;
+    }
+    if (step.share < 1.0) {
+        report.degraded = true;
+        report.message = "the step was shortened: it would have made energy";
+    }
+    return true;
 }
 
 StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
@@ -305,16 +335,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
               .x = state.positions_mm,
               .direction = {}};
     step.value = potential(step);
-    bool stuck = false;
-    for (; step.iterate < settings_.iterations; ++step.iterate) {
-        if (!iterate(step, report)) {
-            stuck = step.iterate == 0;
-            break;
-        }
-        double longest = 0.0;
-        for (const Vec3& d : step.direction) longest = std::max(longest, dt_s * d.norm());
-        if (longest <= settings_.tolerance * body_.mean_edge_mm) break;
-    }
+    const bool stuck = !find_velocity(step, report);
     if (stuck && halvings_left > 0) {
         const StepReport first = advance_in_parts(state, 0.5 * dt_s, forces, halvings_left - 1);
         report = in_sequence(first, advance_in_parts(state, 0.5 * dt_s, forces, halvings_left - 1));

@@ -24,7 +24,7 @@ struct NewtonSettings {
     double tolerance = 1e-6;
     // Without it a single iterate is taken whole, as published, whatever it does to the energy.
     bool line_search = true;
-    SolveLimits linear;
+    SolveLimits linear{};
 };
 
 struct BodyState {
@@ -58,7 +58,9 @@ class BackwardEuler {
     void right_hand_side(const Step& step);
     void solve(const Step& step, StepReport& report);
     bool iterate(Step& step, StepReport& report);
-    bool search_line(Step& step, StepReport& report);
+    bool search_line(Step& step);
+    bool find_velocity(Step& step, StepReport& report);
+    void keep_damping(const Step& step);
     bool try_share(Step& step, double share, double slope);
     double potential(const Step& step) const;
     void limit_energy(Step& step, StepReport& report) const;
@@ -71,7 +73,7 @@ class BackwardEuler {
     Assembly assembly_;
     small::Tangent tangent_;
     BlockMatrix matrix_;
-    BlockMatrix damping_;   // beta K at the start of the step; only kept for further iterates
+    BlockMatrix damping_;   // beta K at the start of the step; for further iterates
     bool current_ = false;  // slots, elastic_ and elastic_force_ belong to the state
     double elastic_ = 0.0;
     std::vector<Vec3> elastic_force_, force_, residual_, steepest_, change_, product_;

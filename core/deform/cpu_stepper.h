@@ -15,7 +15,7 @@ struct StepperOptions {
     ElementModel model = ElementModel::corotated;
     ElementOrder order = ElementOrder::linear;
     LinearSolverKind solver = LinearSolverKind::automatic;
-    SolveLimits linear;              // of each linear solve
+    SolveLimits linear{};            // of each linear solve
     int newton_iterations = 1;       // 1: the linearly implicit step of eq. (12)
     double newton_tolerance = 1e-6;  // largest move of an iterate that ends them, in mean edges
     int substeps = 1;                // each step() is cut into so many

@@ -98,6 +98,7 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
     parent_gradients(centre, d);
     const Matrix3<T> centre_jacobian = jacobian(relative, d);
     const Matrix3<T> centre_cofactors = cofactor(centre_jacobian);
+    const T local_lambda = smaller(lambda, T(4) * mu);
     T k[33][33];
     for (auto& row : k)
         for (T& value : row) value = T(0);
@@ -122,7 +123,7 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         for (int i = 0; i < 3; ++i) g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
         for (int a = 0; a < 11; ++a)
             for (int b = 0; b < 11; ++b) {
-                const Matrix3<T> block = det * hooke_block(g[a], g[b], lambda, mu);
+                const Matrix3<T> block = det * hooke_block(g[a], g[b], local_lambda, mu);
                 for (int r = 0; r < 3; ++r)
                     for (int c = 0; c < 3; ++c) k[3 * a + r][3 * b + c] += block(r, c);
             }
@@ -141,8 +142,12 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         rest.mass_share[a] /= rest.volume;
     }
     condense_modes(k);
+    // What exceeds 4 mu resists the mean dilatation, in which the modes have no share.
+    const T bulk = (lambda - local_lambda) * rest.volume;
     for (int i = 0; i < 24; ++i)
-        for (int j = 0; j < 24; ++j) rest.stiffness[i][j] = T(0.5) * (k[i][j] + k[j][i]);
+        for (int j = 0; j < 24; ++j)
+            rest.stiffness[i][j] = T(0.5) * (k[i][j] + k[j][i]) +
+                                   bulk * rest.gradient[i / 3][i % 3] * rest.gradient[j / 3][j % 3];
 }
 
 // As evaluate_tetrahedron, with the `rotated` stiffness. The force is the exact gradient of the

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+
+#include "app/verbs/verbs.h"
+#include "core/study/extremes.h"
+
+namespace hepatica {
+
+namespace {
+
+Json json_of(const ExtremeRow& row) {
+    Json json{{"name", row.name},
+              {"survived", row.survived},
+              {"refused", row.refused},
+              {"energy_made", row.energy_made},
+              {"degraded_steps", row.degraded_steps}};
+    if (!row.reference.empty()) {
+        json["error"] = row.error;
+        json["reference"] = row.reference;
+    }
+    if (!row.note.empty()) json["note"] = row.note;
+    return json;
+}
+
+}  // namespace
+
+void add_extremes(CommandLine& line) {
+    const auto filter = std::make_shared<std::string>();
+    CLI::App& verb = line.add_verb(
+        "extremes", "The stability suite: bodies and scenes at the edge, a row each",
+        [filter](Job& job) {
+            Json rows = Json::array(), failed = Json::array();
+            int survived = 0;
+            for (const ExtremeRow& row : run_extremes(*filter, job)) {
+                rows.push_back(json_of(row));
+                survived += row.survived;
+                if (!row.survived) failed.push_back({{"name", row.name}, {"note", row.note}});
+            }
+            return Json{{"cases", rows.size()},
+                        {"survived", survived},
+                        {"failed", failed},
+                        {"rows", rows}};
+        });
+    verb.add_option("--filter", *filter, "Only rows whose name contains this");
+}
+
+}  // namespace hepatica

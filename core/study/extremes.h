@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stability suite: bodies and scenes at the edge of what can be asked, a row each. A row passes
+// if everything stayed finite, no energy was made, the body came back when released, and, where an
+// independent answer exists (beam theory, free fall, conservation), the error against it is small;
+// or if what cannot be simulated was refused with an InputError.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+
+namespace hepatica {
+
+struct ExtremeRow {
+    std::string name;  // "beam corotated-10 E=1e6 dt=0.1 nu=0.3"
+    bool survived = false;
+    bool refused = false;      // by name, and rightly
+    std::string note;          // what went wrong, or the words of the refusal
+    double energy_made = 0.0;  // largest, relative to what went in; rounding if physical
+    int degraded_steps = 0;    // steps that the stepper itself shortened or braked, and said so
+    double error = std::numeric_limits<double>::quiet_NaN();  // relative to the reference
+    std::string reference;  // what the error is measured against; empty: nothing independent
+};
+
+struct ExtremeCase {
+    std::string name;
+    std::function<ExtremeRow()> run;
+};
+
+// All of them, more than 200, in a fixed order.
+std::vector<ExtremeCase> extreme_cases();
+
+// Runs those whose name contains `filter` (all where it is empty).
+std::vector<ExtremeRow> run_extremes(const std::string& filter, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps a body and watches what no body may do: leave the finite numbers, or make energy.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/deform/stepper.h"
+#include "core/study/extremes.h"
+
+namespace hepatica {
+
+class Trial {
+  public:
+    Trial(Stepper& stepper, ExtremeRow& row) : stepper_(stepper), row_(row) {}
+
+    // Steps; false as soon as something is wrong, which the row then says.
+    bool run(int steps, double dt_s);
+
+    // Fails the row unless `good`.
+    bool require(bool good, const std::string& what);
+    // Books the error and fails the row where it is larger than allowed or not a number.
+    bool require_close(double value, double expected, double allowed, const std::string& reference);
+
+    // No element of the mesh turned inside out.
+    bool require_positive_volumes(const std::vector<std::array<int, 4>>& tetrahedra);
+    // No vertex further from its place than allowed.
+    bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
+
+  private:
+    Stepper& stepper_;
+    ExtremeRow& row_;
+    double put_in_ = 0.0;   // work of gravity and tools so far
+    double handled_ = 0.0;  // sum of the sizes of all energies and works so far
+    double start_ = 0.0;
+    bool started_ = false;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The quick rows of the stability suite; `hepatica-cli extremes` runs all of them.
+#include "core/study/extremes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace hepatica {
+namespace {
+
+TEST(Extremes, HasTwoHundredRowsOfDifferentNames) {
+    std::set<std::string> names;
+    const auto cases = extreme_cases();
+    for (const ExtremeCase& extreme : cases) names.insert(extreme.name);
+    EXPECT_GE(cases.size(), 200u);
+    EXPECT_EQ(names.size(), cases.size());
+}
+
+class QuickExtremes : public testing::TestWithParam<const char*> {};
+
+TEST_P(QuickExtremes, Survive) {
+    Job job;
+    const auto rows = run_extremes(GetParam(), job);
+    ASSERT_FALSE(rows.empty());
+    for (const ExtremeRow& row : rows) EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, QuickExtremes,
+                         testing::Values("refuse", "overflow", "falls", "everything fixed",
+                                         "beam corotated-10 E=1e+06 dt=0.1",
+                                         "contrast density 1:1e6, heavy tip hexahedron",
+                                         "sliver corotated-10 angle=0.01"));
+
+}  // namespace
+}  // namespace hepatica
