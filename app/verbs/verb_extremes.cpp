@@ -37,10 +37,8 @@ void add_extremes(CommandLine& line) {
                 survived += row.survived;
                 if (!row.survived) failed.push_back({{"name", row.name}, {"note", row.note}});
             }
-            return Json{{"cases", rows.size()},
-                        {"survived", survived},
-                        {"failed", failed},
-                        {"rows", rows}};
+            return Json{
+                {"cases", rows.size()}, {"survived", survived}, {"failed", failed}, {"rows", rows}};
         });
     verb.add_option("--filter", *filter, "Only rows whose name contains this");
 }

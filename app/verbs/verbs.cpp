@@ -14,6 +14,7 @@ void add_all_verbs(CommandLine& line) {
     add_bench_peers(line);
     add_diagnose(line);
     add_extremes(line);
+    add_tradeoff(line);
 }
 
 }  // namespace hepatica

@@ -16,6 +16,7 @@ void add_bench_iterations(CommandLine& line);
 void add_bench_peers(CommandLine& line);
 void add_diagnose(CommandLine& line);
 void add_extremes(CommandLine& line);
+void add_tradeoff(CommandLine& line);
 
 // All of them, in the order in which --help lists them.
 void add_all_verbs(CommandLine& line);

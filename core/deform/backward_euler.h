@@ -11,6 +11,7 @@
 
 #include "core/deform/assembly.h"
 #include "core/deform/body.h"
+#include "core/deform/body_state.h"
 #include "core/deform/energy_ledger.h"
 #include "core/deform/external_forces.h"
 #include "core/deform/linear_solver.h"
@@ -25,11 +26,6 @@ struct NewtonSettings {
     // Without it a single iterate is taken whole, as published, whatever it does to the energy.
     bool line_search = true;
     SolveLimits linear{};
-};
-
-struct BodyState {
-    std::vector<Vec3> positions_mm;
-    std::vector<Vec3> velocities_mm_per_s;
 };
 
 // Advances one body. Keeps a reference to the body. Not thread-safe.

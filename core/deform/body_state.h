@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the nodes of a body are and how fast they move.
+#pragma once
+
+#include <vector>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// One entry per node of a Body each.
+struct BodyState {
+    std::vector<Vec3> positions_mm;
+    std::vector<Vec3> velocities_mm_per_s;
+};
+
+}  // namespace hepatica

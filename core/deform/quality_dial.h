@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dial: speed against accuracy as measured, not guessed. From settings with their measured cost
+// and error it keeps the Pareto front and picks from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/deform/cpu_stepper.h"
+
+namespace hepatica {
+
+// One setting and what it was measured to cost and to miss.
+struct QualityPoint {
+    StepperOptions options;
+    double frame_ms = 0.0;        // wall time for 1/60 s of simulated time, > 0
+    double error_relative = 0.0;  // of the displacement at rest, >= 0
+    std::string reference;        // what that error was measured against
+};
+
+// Thread safety: const access only.
+class QualityDial {
+  public:
+    // Throws InputError where nothing was measured or a value is not finite.
+    explicit QualityDial(std::vector<QualityPoint> measured);
+
+    // The points that no other beats in both cost and error, cheapest first: error falls along it.
+    std::span<const QualityPoint> front() const { return front_; }
+
+    // The most accurate point whose frame fits the budget; the cheapest where none does.
+    const QualityPoint& within(double frame_budget_ms) const;
+
+    // quality 0: the cheapest point; 1: the most accurate; in between by the logarithm of the cost.
+    // Values outside are clamped.
+    const QualityPoint& at(double quality) const;
+
+    // The quality at which `at` returns front()[index].
+    double quality_of(std::size_t index) const;
+
+  private:
+    std::vector<QualityPoint> front_;
+};
+
+// Indices of the Pareto front of (cost, error), cheapest first; of equals the first.
+std::vector<std::size_t> pareto_front(std::span<const double> cost, std::span<const double> error);
+
+// Error of positions against a reference, root mean square over the vertices, relative to how far
+// the reference has moved from rest.
+double displacement_error(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
+                          std::span<const Vec3> rest_mm);
+
+// Measures settings on a body of one's own: each is run for `frames` of 1/60 s under gravity from
+// rest; cost is the median frame, error is that of the last frame against the same mesh run to rest
+// in quadratic order (linear where the model has none) with converged Newton and linear solves.
+// Throws InputError where nothing of the body is fixed: it would never rest.
+std::vector<QualityPoint> measure_quality(const BodyDescription& body,
+                                          std::span<const StepperOptions> settings, int frames,
+                                          const Vec3& gravity_mm_per_s2);
+
+}  // namespace hepatica

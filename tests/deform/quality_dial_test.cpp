@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/quality_dial.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+namespace {
+
+QualityPoint point(double frame_ms, double error) {
+    return {{}, frame_ms, error, "a table"};
+}
+
+TEST(QualityDial, KeepsOnlyWhatNothingBeats) {
+    const QualityDial dial({point(8, 0.02), point(1, 0.3), point(2, 0.4), point(4, 0.02),
+                            point(16, 0.001), point(20, 0.05)});
+    ASSERT_EQ(dial.front().size(), 3u);
+    EXPECT_EQ(dial.front()[0].frame_ms, 1);
+    EXPECT_EQ(dial.front()[1].frame_ms, 4);
+    EXPECT_EQ(dial.front()[2].frame_ms, 16);
+}
+
+TEST(QualityDial, PicksTheMostAccurateThatFits) {
+    const QualityDial dial({point(1, 0.3), point(4, 0.02), point(16, 0.001)});
+    EXPECT_EQ(dial.within(10).frame_ms, 4);
+    EXPECT_EQ(dial.within(16).frame_ms, 16);
+    EXPECT_EQ(dial.within(1000).frame_ms, 16);
+    EXPECT_EQ(dial.within(0.5).frame_ms, 1);
+}
+
+TEST(QualityDial, TurnsFromCheapestToMostAccurate) {
+    const QualityDial dial({point(1, 0.3), point(4, 0.02), point(16, 0.001)});
+    EXPECT_EQ(dial.at(0.0).frame_ms, 1);
+    EXPECT_EQ(dial.at(0.5).frame_ms, 4);
+    EXPECT_EQ(dial.at(1.0).frame_ms, 16);
+    EXPECT_EQ(dial.at(7.0).frame_ms, 16);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(dial.at(dial.quality_of(i)).frame_ms, dial.front()[i].frame_ms);
+}
+
+TEST(QualityDial, RefusesAnEmptyTable) {
+    EXPECT_THROW(QualityDial({}), InputError);
+    EXPECT_THROW(QualityDial({point(0, 0.1)}), InputError);
+}
+
+// Linear tetrahedra on this mesh are far too stiff, quadratic ones converged; both are told so.
+TEST(QualityDial, MeasuresABodyOfOnesOwn) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(60, 8, 8), {10, 2, 2});
+    body.material.damping_ratio = 1.0;
+    EXPECT_THROW(measure_quality(body, {}, 1, Vec3::Zero()), InputError);
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x[0] == 0.0);
+    StepperOptions linear, quadratic;
+    quadratic.order = ElementOrder::quadratic;
+    const auto points =
+        measure_quality(body, std::vector{linear, quadratic}, 120, Vec3(0, 0, -9810));
+    EXPECT_GT(points[0].error_relative, 0.1);
+    EXPECT_LT(points[0].error_relative, 0.6);
+    EXPECT_LT(points[1].error_relative, 0.01);
+    EXPECT_GT(points[1].frame_ms, points[0].frame_ms);
+}
+
+}  // namespace
+}  // namespace hepatica
