@@ -17,10 +17,11 @@ namespace {
 
 constexpr double least_contrast_hu = 15.0;  // below this the CT says nothing about a lumen
 
-// Lumens from this radius on show their full contrast in their middle; where there are fewer such
-// stations than these, the widest stand in for them.
-constexpr double wide_voxels = 2.5;
-constexpr std::size_t least_stations = 8;
+// Lumens of these radii show their full contrast in their middle and are not yet the great vessels,
+// where blood of several sources mixes. Where there are too few such stations the widest stand in.
+constexpr double wide_voxels = 3.5;
+constexpr double very_wide_voxels = 7.0;
+constexpr std::size_t enough_stations = 40;
 
 struct Stations {
     std::vector<CrossSection> sections;  // one per point of the link
@@ -157,14 +158,28 @@ class Measurement {
                     radius_of_area(section.mask_area_mm2),
                     section.centre_hu - section.background_hu);
             }
-        for (auto& [system, pairs] : seen) {
-            std::ranges::sort(pairs, std::greater<>());
-            std::vector<double> of_wide;
-            for (const auto& [radius, contrast] : pairs)
-                if (radius >= wide_voxels * voxel_mm_ || of_wide.size() < least_stations)
-                    of_wide.push_back(contrast);
-            contrast_hu_[system] = median(of_wide);
-        }
+        for (auto& [system, pairs] : seen) contrast_hu_[system] = contrast_of_wide(pairs);
+    }
+
+    double contrast_of_wide(std::vector<std::pair<double, double>>& radii_and_contrasts) const {
+        std::ranges::sort(radii_and_contrasts, std::greater<>());
+        std::vector<double> wide;
+        for (const auto& [radius, contrast] : radii_and_contrasts)
+            if (radius >= wide_voxels * voxel_mm_ && radius <= very_wide_voxels * voxel_mm_)
+                wide.push_back(contrast);
+        if (wide.size() >= enough_stations) return median(wide);
+        wide.clear();
+        for (std::size_t i = 0; i < std::min(enough_stations, radii_and_contrasts.size()); ++i)
+            wide.push_back(radii_and_contrasts[i].second);
+        return median(wide);
+    }
+
+    // Very wide vessels show their own contrast, others that of their system.
+    double contrast_at(const CrossSection& section, double of_system) const {
+        const double own = section.centre_hu - section.background_hu;
+        const double voxels = radius_of_area(section.mask_area_mm2) / voxel_mm_;
+        const double share = std::clamp(voxels - very_wide_voxels + 1.0, 0.0, 1.0);
+        return own >= least_contrast_hu ? of_system + share * (own - of_system) : of_system;
     }
 
     void set_radii(std::size_t id) {
@@ -184,7 +199,8 @@ class Measurement {
             double area = section.mask_area_mm2;
             if (by_ct && shows_lumen(section)) {
                 const double excess = section.intensity - backgrounds[i] * section.covered_area_mm2;
-                area = std::clamp(excess / contrast->second, 0.3 * area, 3.0 * area);
+                const double full_hu = contrast_at(section, contrast->second);
+                area = std::clamp(excess / full_hu, 0.3 * area, 3.0 * area);
             }
             radii.push_back(section.inside ? radius_of_area(area) : link.radii_mm[i]);
         }
