@@ -169,7 +169,8 @@ class Bridging {
         const auto at_node = links_of_nodes(graph_);
         std::vector<int> ends;
         for (std::size_t n = 0; n < at_node.size(); ++n)
-            if (at_node[n].size() == 1) ends.push_back(static_cast<int>(n));
+            if (at_node[n].size() == 1 && others_in_reach(static_cast<int>(n)))
+                ends.push_back(static_cast<int>(n));
         std::vector<std::vector<Candidate>> found(ends.size());
         const GapSearch search{&grid_, [&](std::size_t p) { return pieces_.of_voxel(p); },
                                [&](const Vec3& p) { return brightness_.at(p); },
@@ -187,6 +188,18 @@ class Bridging {
         std::vector<Candidate> all;
         for (auto& list : found) std::ranges::move(list, std::back_inserter(all));
         return all;
+    }
+
+    // Whether any other piece's wall can lie within the longest gap from a node.
+    bool others_in_reach(int node) const {
+        for (const VesselLink& link : graph_.links) {
+            if (pieces_.of_node(link.from) == pieces_.of_node(node)) continue;
+            for (std::size_t i = 0; i < link.points_mm.size(); ++i)
+                if ((link.points_mm[i] - graph_.nodes[node].position_mm).norm() <=
+                    options_.longest_gap_mm + 2.0 * link.radii_mm[i])
+                    return true;
+        }
+        return false;
     }
 
     Candidate judged(int node, int piece, int link_id, const GapPath& path) const {

@@ -12,6 +12,7 @@ namespace hepatica {
 namespace {
 
 constexpr double darkest = 0.1;           // a dark millimetre costs as much as ten bright ones
+constexpr double own_reach_mm = 4.0;      // how far back into its own piece a path may lead
 constexpr double longest_cost_mm = 40.0;  // four millimetres of darkness
 
 struct Reached {
@@ -28,6 +29,7 @@ class Search {
     std::vector<GapPath> run(const Index3& start) {
         const Grid& grid = *search_.grid;
         const std::size_t first = grid.offset(start[0], start[1], start[2]);
+        start_mm_ = grid.to_mm(start[0], start[1], start[2]);
         reached_[first] = {0.0, 0.0, first, false};
         open_.emplace(0.0, first);
         std::vector<GapPath> paths;
@@ -66,10 +68,12 @@ class Search {
     void visit(std::size_t here, const Reached& entry, std::size_t next, double step_mm) {
         const int piece = search_.piece_of(next);
         const bool outside = piece < 0;
+        const auto [x, y, z] = search_.grid->index_of(next);
+        const Vec3 place = search_.grid->to_mm(x, y, z);
+        if (piece == own_ && (place - start_mm_).norm() > own_reach_mm) return;
         double price = 1.0;
         if (outside) {
-            const auto [x, y, z] = search_.grid->index_of(next);
-            const double b = search_.brightness(search_.grid->to_mm(x, y, z));
+            const double b = search_.brightness(place);
             price = 1.0 / (darkest + (1.0 - darkest) * b * b);
         }
         const double cost = entry.cost_mm + price * step_mm;
@@ -102,6 +106,7 @@ class Search {
 
     const GapSearch& search_;
     int own_;
+    Vec3 start_mm_ = Vec3::Zero();
     using Open = std::tuple<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
     std::unordered_map<std::size_t, Reached> reached_;  // looked up, never iterated over

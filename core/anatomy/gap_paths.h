@@ -21,7 +21,8 @@ struct GapPath {
 
 struct GapSearch {
     const Grid* grid = nullptr;
-    // Piece whose mask a voxel belongs to, -1 for none. Voxels of the own piece cost nothing extra.
+    // Piece whose mask a voxel belongs to, -1 for none. Paths may lead a little way
+    // back into the piece they start from, as through a bulge of its mask.
     std::function<int(std::size_t offset)> piece_of;
     // 0 where it is as dark as parenchyma, 1 where it is as bright as a vessel.
     std::function<double(const Vec3& position_mm)> brightness;

@@ -16,7 +16,7 @@ class InscribedRadius {
 
     // Distance in mm from a voxel's centre to the mask's surface, taken half a voxel before the
     // nearest background voxel's centre. The space outside the grid is background. At least a
-    // quarter of the smallest spacing.
+    // quarter of the smallest spacing. Cheapest where a voxel lies near the one asked before.
     double at(const Index3& voxel);
 
   private:
@@ -28,6 +28,8 @@ class InscribedRadius {
     void look_further();
 
     const Mask& mask_;
+    Index3 last_voxel_{0, 0, 0};
+    double last_distance_mm_ = 0.0;  // from the voxel asked last to the nearest background
     double reach_mm_;
     std::vector<Offset> offsets_;  // by distance, all within reach_mm_
 };
