@@ -46,6 +46,8 @@ constexpr std::array table{
     ActionSpec{view_inferior, "&View", "&Inferior", "I", "Look from the feet"},
     ActionSpec{toggle_annotations, "&View", "Le&gend and scale", "G",
                "Show legend, scale bar and orientation", true},
+    ActionSpec{toggle_plots, "&View", "&Curves", "F8", "Show the curves of the last injection",
+               true},
     ActionSpec{toggle_panels, "&View", "Pa&nels", "F9", "Show the panels beside the view", true},
     ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},

@@ -37,6 +37,7 @@ enum class ActionId {
     view_superior,
     view_inferior,
     toggle_annotations,
+    toggle_plots,
     toggle_panels,
     cheat_sheet,
     about,

@@ -22,16 +22,16 @@ constexpr int slider_steps = 1000;
 
 struct Preset {
     const char* name;
+    const char* second_phase;
     double void_fraction;
-    double viscosity_mpa_s;
     const char* source;
 };
 
 constexpr std::array<Preset, 3> presets{{
-    {"Water-soluble carrier", 0.0, 3.5, "Same flow properties as blood: 3.5 mPa s, 1060 kg/m³."},
-    {"Lipiodol", 0.0, 25.0,
-     "Iodised oil at 37 °C: 25 mPa s. The usual choice in chemoembolization."},
-    {"Gas, as in the paper", 0.40, 3.5,
+    {"Water-soluble carrier", "carrier", 0.0, "Flows like blood: 3.5 mPa s, 1060 kg/m³."},
+    {"Lipiodol emulsion, 2 to 1", "lipiodol", 0.67,
+     "Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization."},
+    {"Gas, as in the paper", "gas", 0.40,
      "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus."},
 }};
 
@@ -78,10 +78,11 @@ QWidget* InjectPanel::make_settings() {
     form->addRow("Mass flow", mass_flow_);
     void_fraction_ = new DecimalSpinBox(0.0, 0.999, 0.0, 3, "", box);
     void_fraction_->setSingleStep(0.05);
-    void_fraction_->setToolTip("Share of the volume that is gas");
+    void_fraction_->setToolTip("Share of the volume that the second phase (gas, oil) takes");
     form->addRow("Void fraction", void_fraction_);
-    viscosity_ = new DecimalSpinBox(0.1, 1000.0, 3.5, 1, "mPa s", box);
-    viscosity_->setToolTip("Viscosity of the injected liquid");
+    viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", box);
+    viscosity_->setSpecialValueText("of the mixture");
+    viscosity_->setToolTip("Viscosity of what is injected; 0 takes that of the mixture");
     form->addRow("Viscosity", viscosity_);
     model_ = new QComboBox(box);
     for (const auto& [name, description] : models) {
@@ -124,7 +125,6 @@ QWidget* InjectPanel::make_clock() {
 void InjectPanel::choose_preset(int index) {
     const Preset& preset = presets.at(static_cast<std::size_t>(index));
     void_fraction_->setValue(preset.void_fraction);
-    viscosity_->setValue(preset.viscosity_mpa_s);
     source_->setText(QString::fromUtf8(preset.source));
 }
 
@@ -134,7 +134,9 @@ InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
     injection.mass_flow_g_s = mass_flow_->value();
     injection.void_fraction = void_fraction_->value();
     injection.pressure_model = model_->currentText().toStdString();
-    injection.drug_viscosity_pa_s = 1e-3 * viscosity_->value();
+    injection.second_phase =
+        presets.at(static_cast<std::size_t>(preset_->currentIndex())).second_phase;
+    if (viscosity_->value() > 0.0) injection.drug_viscosity_pa_s = 1e-3 * viscosity_->value();
     return injection;
 }
 

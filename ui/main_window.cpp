@@ -24,9 +24,11 @@
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
+#include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/quality_panel.h"
 #include "ui/status_line.h"
+#include "ui/vessel_flow.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 
@@ -94,7 +96,7 @@ void MainWindow::build_view() {
     messages_ = new MessageBar(centre);
     progress_ = new ProgressStrip([this] { cancel_job(); }, centre);
     view_ = new VtkWidget({[this](Command command) { post(std::move(command)); },
-                           [this](const Vec3& point) { post(inject_->injection_at(point)); },
+                           [this](const SurfacePick& pick) { inject(pick); },
                            [this](const SurfacePick& pick) { show_hover(pick); }},
                           centre);
     view_->on_painted([this](double ms) { picture_painted(ms); });
@@ -110,6 +112,14 @@ void MainWindow::build_panels() {
     quality_ = new QualityPanel([this](Command command) { post(std::move(command)); });
     make_dock(*this, "Injection", inject_);
     make_dock(*this, "Simulation", quality_);
+    plots_ = new PlotPanel;
+    plots_->on_save = [this](bool picture) { save_plots(picture); };
+    plots_dock_ = new QDockWidget("Curves", this);
+    plots_dock_->setObjectName("Curves");
+    plots_dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    plots_dock_->setWidget(plots_);
+    addDockWidget(Qt::BottomDockWidgetArea, plots_dock_);
+    plots_dock_->hide();
 }
 
 void MainWindow::build_tool_bar() {
@@ -179,10 +189,16 @@ void MainWindow::connect_views() {
         view_->scene().set_annotations_visible(annotations.isChecked());
         view_->draw_again();
     });
+    QAction& plots = (*actions_)[ActionId::toggle_plots];
+    actions_->on(ActionId::toggle_plots,
+                 [this, &plots] { plots_dock_->setVisible(plots.isChecked()); });
+    connect(plots_dock_, &QDockWidget::visibilityChanged, &plots, &QAction::setChecked);
     QAction& panels = (*actions_)[ActionId::toggle_panels];
     panels.setChecked(true);
     actions_->on(ActionId::toggle_panels, [this, &panels] {
-        for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setVisible(panels.isChecked());
+        for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+            if (dock != plots_dock_) dock->setVisible(panels.isChecked());
+        }
     });
     actions_->on(ActionId::cheat_sheet, [this] {
         QMessageBox::information(this, "Keys and mouse", Actions::cheat_sheet());
@@ -249,6 +265,8 @@ void MainWindow::cancel_job() {
 }
 
 void MainWindow::show_patient(LoadedPatient patient) {
+    plot_job_.reset();
+    plots_->clear();
     patient_ = std::move(patient);
     hovered_segment_ = -1;
     welcome_->hide();
@@ -283,6 +301,8 @@ void MainWindow::show_figures() {
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
     inject_->show_drug(frame.drug);
+    const bool injected = frame.drug.arrival_s != nullptr;
+    plots_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     if (frame.statistics.message != last_message_) {
         last_message_ = frame.statistics.message;
         if (!last_message_.empty()) messages_->show_notice(QString::fromStdString(last_message_));
@@ -294,9 +314,43 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     const TreePoint point = patient_->anatomy.tree_point(pick.nearest_vertex);
     if (point.segment == hovered_segment_) return;
     hovered_segment_ = point.segment;
-    inject_->show_hover(QString::fromStdString(patient_->anatomy.describe(point)));
+    inject_->show_hover(
+        QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
     view_->draw_again();
+}
+
+void MainWindow::inject(const SurfacePick& pick) {
+    if (!patient_) return;
+    const InjectDrug injection = inject_->injection_at(pick.position_mm);
+    post(injection);
+    plot_injection(patient_->anatomy.tree_point(pick.nearest_vertex), injection);
+}
+
+void MainWindow::plot_injection(const TreePoint& tip, const InjectDrug& injection) {
+    if (tip.segment < 0) return;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [](const JobProgress&) {};
+    callbacks.failed = [this](const Failure& failure) { messages_->show_failure(failure); };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] { plot_job_.reset(); };
+    plot_job_ = std::make_unique<BackgroundJob>(
+        [this, tip, injection, patient = patient_->patient](Job& job) -> std::function<void()> {
+            const auto curves = injection_curves(patient->tree, tip, injection, job);
+            return [this, curves] {
+                plots_->set_charts(curves.pressure, curves.delivery);
+                plots_dock_->show();
+            };
+        },
+        std::move(callbacks));
+}
+
+void MainWindow::save_plots(bool picture) {
+    const QString file = QFileDialog::getSaveFileName(
+        this, "Save curves", settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
+        picture ? "PNG (*.png)" : "Tables (*.csv)");
+    if (file.isEmpty()) return;
+    attempt([&] { picture ? plots_->save_picture(file) : plots_->save_table(file); });
 }
 
 void MainWindow::picture_painted(double ms) {
@@ -384,6 +438,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings_.set_window(saveGeometry(), saveState());
     frame_timer_->stop();
     job_.reset();
+    plot_job_.reset();
     patient_.reset();
     QMainWindow::closeEvent(event);
 }

@@ -14,6 +14,7 @@
 #include "ui/patient_loader.h"
 #include "ui/settings.h"
 
+class QDockWidget;
 class QMenu;
 class QTimer;
 
@@ -21,6 +22,7 @@ namespace hepatica {
 
 class InjectPanel;
 class MessageBar;
+class PlotPanel;
 class ProgressStrip;
 class QualityPanel;
 class StatusLine;
@@ -75,6 +77,9 @@ class MainWindow : public QMainWindow {
     void show_newest_frame();
     void show_figures();
     void show_hover(const SurfacePick& pick);
+    void inject(const SurfacePick& pick);
+    void plot_injection(const TreePoint& tip, const InjectDrug& injection);
+    void save_plots(bool picture);
     void picture_painted(double ms);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
@@ -93,6 +98,8 @@ class MainWindow : public QMainWindow {
     ProgressStrip* progress_ = nullptr;
     InjectPanel* inject_ = nullptr;
     QualityPanel* quality_ = nullptr;
+    PlotPanel* plots_ = nullptr;
+    QDockWidget* plots_dock_ = nullptr;
     QMenu* recent_menu_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* frame_timer_ = nullptr;
@@ -102,7 +109,8 @@ class MainWindow : public QMainWindow {
     double picture_ms_ = 0.0;
     std::string last_message_;
     std::function<void()> first_picture_;
-    std::unique_ptr<BackgroundJob> job_;
+    std::unique_ptr<BackgroundJob> job_;       // opens or saves
+    std::unique_ptr<BackgroundJob> plot_job_;  // computes the curves of the last injection
 };
 
 }  // namespace hepatica

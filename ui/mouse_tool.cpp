@@ -77,7 +77,7 @@ void MouseTool::cancel() {
 
 void MouseTool::inject_at(const Pixel& at) {
     const SurfacePick pick = view_.pick(at);
-    if (pick.triangle >= 0) callbacks_.inject(pick.position_mm);
+    if (pick.triangle >= 0) callbacks_.inject(pick);
 }
 
 }  // namespace hepatica

@@ -27,9 +27,9 @@ struct MouseModifiers {
 class MouseTool {
   public:
     struct Callbacks {
-        std::function<void(Command)> post;                   // to the simulation
-        std::function<void(const Vec3& point_mm)> inject;    // the user chose this point
-        std::function<void(const SurfacePick& pick)> hover;  // triangle -1: beside the vessels
+        std::function<void(Command)> post;                    // to the simulation
+        std::function<void(const SurfacePick& pick)> inject;  // the user chose this point
+        std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 

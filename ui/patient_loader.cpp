@@ -11,6 +11,7 @@
 #include "core/mesh/tetrahedralize.h"
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
+#include "ui/vessel_flow.h"
 
 namespace hepatica {
 namespace {
@@ -37,7 +38,7 @@ PatientCase built_in_patient(Job& job) {
 
 bool is_tree_file(const fs::path& path) {
     const std::string extension = path.extension().string();
-    return extension == ".vtp";
+    return extension == ".vtp" || extension == ".swc" || extension == ".json";
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
             loaded.on_disk = true;
         } else if (is_tree_file(path)) {
             job.begin_stage("read tree");
-            patient = patient_of(read_tree_vtp(path), job);
+            patient = patient_of(read_tree(path), job);
         } else {
             Reconstruction made = reconstruct(request.reconstruct, job);
             patient = std::move(made.patient);
@@ -69,6 +70,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     }
     job.begin_stage("prepare");
     loaded.anatomy = SurfaceAnatomy(patient.tree, patient.mesh.vertices_mm, job);
+    loaded.flow_shares = flow_shares(patient.tree);
     loaded.patient = std::make_shared<const PatientCase>(std::move(patient));
     loaded.simulation = std::make_unique<SimulationThread>(
         std::make_unique<Session>(loaded.patient, default_scene(), job));

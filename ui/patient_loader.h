@@ -24,6 +24,7 @@ struct LoadedPatient {
     std::string title;
     std::shared_ptr<const PatientCase> patient;
     SurfaceAnatomy anatomy;
+    std::vector<double> flow_shares;         // per segment, see vessel_flow.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running
     std::vector<std::string> warnings;
     bool on_disk = false;  // opened from a case folder: nothing to save

@@ -14,7 +14,8 @@
 namespace hepatica {
 namespace {
 
-constexpr double tissue_pa_per_mm = 100.0;  // soft parenchyma around a vessel
+// A parenchyma of some kilopascal, spread over the section of a vessel of 2 to 3 mm radius.
+constexpr double tissue_pa_per_mm2 = 100.0;
 
 }  // namespace
 
@@ -56,7 +57,7 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     connect(gravity_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetGravity{Vec3(0, on ? units::standard_gravity : 0.0, 0)}); });
     connect(tether_, &QCheckBox::toggled, this,
-            [this](bool on) { post_(SetTether{on ? tissue_pa_per_mm : 0.0}); });
+            [this](bool on) { post_(SetTether{on ? tissue_pa_per_mm2 : 0.0}); });
     body_column->addWidget(gravity_);
     body_column->addWidget(tether_);
     column->addWidget(body_box);

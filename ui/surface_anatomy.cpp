@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 #include "core/base/parallel.h"
 
@@ -80,11 +83,19 @@ int SurfaceAnatomy::ends_in_system_of(int segment) const {
     return sum;
 }
 
-std::string SurfaceAnatomy::describe(const TreePoint& point) const {
+std::string SurfaceAnatomy::describe(const TreePoint& point,
+                                     std::span<const double> flow_shares) const {
     if (point.segment < 0) return {};
-    return "Branch " + std::to_string(point.segment) + ": " +
-           std::to_string(ends_downstream_of(point.segment)) + " of " +
-           std::to_string(ends_in_system_of(point.segment)) + " ends lie downstream";
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "Branch " << point.segment << ": " << ends_downstream_of(point.segment) << " of "
+         << ends_in_system_of(point.segment) << " ends lie downstream";
+    if (static_cast<std::size_t>(point.segment) < flow_shares.size()) {
+        const double percent = 100.0 * flow_shares[static_cast<std::size_t>(point.segment)];
+        text << std::fixed << std::setprecision(percent < 10.0 ? 1 : 0) << "; they get " << percent
+             << " % of the flow";
+    }
+    return text.str();
 }
 
 int SurfaceAnatomy::system_of(int segment) const {

@@ -35,8 +35,9 @@ class SurfaceAnatomy {
 
     int system_of(int segment) const;
 
-    // For the user: what lies downstream of a point. Empty for segment -1.
-    std::string describe(const TreePoint& point) const;
+    // For the user: what lies downstream of a point, and its share of the flow (per segment; may be
+    // empty). Empty for segment -1.
+    std::string describe(const TreePoint& point, std::span<const double> flow_shares) const;
 
   private:
     std::vector<TreePoint> points_;  // per vertex

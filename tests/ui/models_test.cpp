@@ -117,8 +117,9 @@ TEST(SurfaceAnatomy, knows_what_lies_downstream) {
         }
     }
     EXPECT_TRUE(anatomy.downstream_of(TreePoint{}).empty());
-    EXPECT_TRUE(anatomy.describe(TreePoint{}).empty());
-    EXPECT_NE(anatomy.describe({1, 0.0, 0.0}).find("1 of 2"), std::string::npos);
+    EXPECT_TRUE(anatomy.describe(TreePoint{}, {}).empty());
+    EXPECT_NE(anatomy.describe({1, 0.0, 0.0}, patient.flow_shares).find("1 of 2"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot_panel.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+const QColor ink(0xc9, 0xd0, 0xd8);
+const QColor grid_line(0x33, 0x3c, 0x47);
+const QColor marker_line(0xff, 0xc4, 0x66);
+
+double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
+    double largest = 0.0;
+    for (const Curve& curve : chart.curves) {
+        for (const double value : curve.*values) {
+            if (std::isfinite(value)) largest = std::max(largest, value);
+        }
+    }
+    return largest > 0.0 ? largest : 1.0;
+}
+
+}  // namespace
+
+std::vector<double> axis_ticks(double largest) {
+    const double rough = largest / 5.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double leading = rough / power;
+    const double step = power * (leading <= 1.0   ? 1.0
+                                 : leading <= 2.0 ? 2.0
+                                 : leading <= 5.0 ? 5.0
+                                                  : 10.0);
+    std::vector<double> ticks{0.0};
+    for (int i = 1; ticks.back() < largest * (1.0 - 1e-9); ++i) ticks.push_back(step * i);
+    return ticks;
+}
+
+PlotView::PlotView(QWidget* parent) : QWidget(parent) {
+    setMinimumSize(220, 140);
+}
+
+void PlotView::set_chart(const Chart& chart) {
+    chart_ = chart;
+    x_end_ = axis_ticks(largest_of(chart, &Curve::x)).back();
+    y_end_ = axis_ticks(largest_of(chart, &Curve::y)).back();
+    update();
+}
+
+void PlotView::set_marker(std::optional<double> x) {
+    if (x == marker_) return;
+    marker_ = x;
+    update();
+}
+
+QRectF PlotView::frame() const {
+    return QRectF(58, 26, width() - 74.0, height() - 64.0);
+}
+
+QPointF PlotView::place(double x, double y) const {
+    const QRectF area = frame();
+    return {area.left() + area.width() * x / x_end_, area.bottom() - area.height() * y / y_end_};
+}
+
+void PlotView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().base());
+    paint_axes(painter);
+    if (!chart_.curves.empty()) paint_curves(painter);
+}
+
+void PlotView::paint_axes(QPainter& painter) const {
+    const QRectF area = frame();
+    for (const double x : axis_ticks(x_end_)) {
+        const QPointF foot = place(x, 0);
+        painter.setPen(grid_line);
+        painter.drawLine(foot, QPointF(foot.x(), area.top()));
+        painter.setPen(ink);
+        painter.drawText(QRectF(foot.x() - 30, foot.y() + 3, 60, 16), Qt::AlignCenter,
+                         QString::number(x));
+    }
+    for (const double y : axis_ticks(y_end_)) {
+        const QPointF foot = place(0, y);
+        painter.setPen(grid_line);
+        painter.drawLine(foot, QPointF(area.right(), foot.y()));
+        painter.setPen(ink);
+        painter.drawText(QRectF(0, foot.y() - 8, area.left() - 6, 16),
+                         Qt::AlignRight | Qt::AlignVCenter, QString::number(y));
+    }
+    painter.drawText(QRectF(area.left(), 4, area.width(), 18), Qt::AlignLeft,
+                     QString::fromStdString(chart_.title + ", " + chart_.y_label));
+    painter.drawText(QRectF(area.left(), height() - 20.0, area.width(), 16), Qt::AlignCenter,
+                     QString::fromStdString(chart_.x_label));
+}
+
+void PlotView::paint_curves(QPainter& painter) const {
+    for (std::size_t c = 0; c < chart_.curves.size(); ++c) {
+        const Curve& curve = chart_.curves[c];
+        QPainterPath path;
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (!std::isfinite(curve.y[i])) continue;
+            const QPointF point = place(curve.x[i], curve.y[i]);
+            path.elementCount() == 0 ? path.moveTo(point) : path.lineTo(point);
+        }
+        // Okabe and Ito's sky blue and orange stand out on a dark ground.
+        const Colour colour = curve_colour(c + 4);
+        painter.setPen(
+            QPen(QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                                  static_cast<float>(colour[2])),
+                 2.0));
+        painter.drawPath(path);
+    }
+    if (!marker_ || *marker_ < 0.0 || *marker_ > x_end_) return;
+    painter.setPen(QPen(marker_line, 1.5));
+    painter.drawLine(place(*marker_, 0), place(*marker_, y_end_));
+}
+
+PlotPanel::PlotPanel(QWidget* parent)
+    : QWidget(parent),
+      left_(new PlotView(this)),
+      right_(new PlotView(this)),
+      save_picture_(new QPushButton("Save picture…", this)),
+      save_table_(new QPushButton("Save table…", this)) {
+    auto* row = new QHBoxLayout(this);
+    row->addWidget(left_, 1);
+    row->addWidget(right_, 1);
+    auto* buttons = new QVBoxLayout;
+    buttons->addWidget(save_picture_);
+    buttons->addWidget(save_table_);
+    buttons->addStretch(1);
+    row->addLayout(buttons);
+    connect(save_picture_, &QPushButton::clicked, this, [this] { on_save(true); });
+    connect(save_table_, &QPushButton::clicked, this, [this] { on_save(false); });
+    clear();
+}
+
+void PlotPanel::set_charts(const Chart& left, const Chart& right) {
+    left_->set_chart(left);
+    right_->set_chart(right);
+    save_picture_->setEnabled(true);
+    save_table_->setEnabled(true);
+}
+
+void PlotPanel::clear() {
+    left_->set_chart({"Pressure at the catheter", "Time (s)", "Pressure (Pa)", {}});
+    right_->set_chart({"Delivery", "Time (s)", "Share (%)", {}});
+    set_time({});
+    save_picture_->setEnabled(false);
+    save_table_->setEnabled(false);
+}
+
+void PlotPanel::set_time(std::optional<double> time_s) {
+    left_->set_marker(time_s);
+    right_->set_marker(time_s);
+}
+
+void PlotPanel::save_picture(const QString& file) {
+    constexpr double scale = 3.0;  // fit for print
+    const QRect both = left_->geometry().united(right_->geometry());
+    QImage picture(both.size() * scale, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(scale);
+    render(&picture, QPoint(), QRegion(both));
+    write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
+        if (!picture.save(to_text(temporary), "PNG")) {
+            throw InputError("the plots cannot be written", file.toStdString(),
+                             "choose a folder you may write to, on a disk with room");
+        }
+    });
+}
+
+void PlotPanel::save_table(const QString& file) {
+    write_text_atomically(to_path(file), to_csv(left_->chart()) + to_csv(right_->chart()));
+}
+
+}  // namespace hepatica
