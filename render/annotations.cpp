@@ -107,9 +107,12 @@ Annotations::Annotations(vtkRenderer& renderer)
     marker_ = quads_actor(marker_points_, 1, nullptr, renderer);
     bar_ = quads_actor(bar_points_, 3, nullptr, renderer);
     legend_title_ = text_actor(renderer);
-    legend_start_ = text_actor(renderer);
-    legend_end_ = text_actor(renderer);
-    legend_end_->GetTextProperty()->SetJustificationToRight();
+    for (auto& tick : legend_ticks_) {
+        tick = text_actor(renderer);
+        tick->GetTextProperty()->SetJustificationToCentered();
+    }
+    legend_ticks_.front()->GetTextProperty()->SetJustificationToLeft();
+    legend_ticks_.back()->GetTextProperty()->SetJustificationToRight();
     bar_label_ = text_actor(renderer);
     bar_label_->GetTextProperty()->SetJustificationToCentered();
     caption_ = text_actor(renderer);
@@ -142,7 +145,7 @@ void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
                  x + width * (c + 1) / legend_cells, y + height);
     }
     legend_points_->Modified();
-    const double now = shown ? std::clamp(drug.time_s / drug.end_s, 0.0, 1.0) : 0.0;
+    const double now = shown ? std::sqrt(std::clamp(drug.time_s / drug.end_s, 0.0, 1.0)) : 0.0;
     const double at = x + width * now;
     set_quad(*marker_points_, 0, at - 1.2 * r, y - 3.0 * r, at + 1.2 * r, y + height + 3.0 * r);
     marker_points_->Modified();
@@ -151,10 +154,12 @@ void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
         "Drug arrival (s)   now " + formatted(std::min(drug.time_s, 1e6), decimals) + " s";
     place_text(*legend_title_, shown ? title : "", x, y + height + 7.0 * r, 11.5 * r,
                palette::text);
-    place_text(*legend_start_, shown ? "0" : "", x, margin_pt * r - 2.0 * r, 11.0 * r,
-               palette::faint_text);
-    place_text(*legend_end_, shown ? formatted(drug.end_s, decimals) : "", x + width,
-               margin_pt * r - 2.0 * r, 11.0 * r, palette::faint_text);
+    for (std::size_t t = 0; t < legend_ticks_.size(); ++t) {
+        const double place = static_cast<double>(t) / static_cast<double>(legend_ticks_.size() - 1);
+        const std::string label = formatted(drug.end_s * place * place, t == 0 ? 0 : decimals);
+        place_text(*legend_ticks_[t], shown ? label : "", x + width * place,
+                   margin_pt * r - 2.0 * r, 11.0 * r, palette::faint_text);
+    }
 }
 
 void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {

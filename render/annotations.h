@@ -5,6 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 
 #include "core/scene/frame.h"
@@ -46,8 +47,7 @@ class Annotations {
     vtkSmartPointer<vtkPoints> marker_points_;
     vtkSmartPointer<vtkActor2D> marker_;
     vtkSmartPointer<vtkTextActor> legend_title_;
-    vtkSmartPointer<vtkTextActor> legend_start_;
-    vtkSmartPointer<vtkTextActor> legend_end_;
+    std::array<vtkSmartPointer<vtkTextActor>, 5> legend_ticks_;
     vtkSmartPointer<vtkPoints> bar_points_;
     vtkSmartPointer<vtkActor2D> bar_;
     vtkSmartPointer<vtkTextActor> bar_label_;

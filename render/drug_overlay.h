@@ -10,6 +10,8 @@ namespace hepatica {
 
 struct DrugView;
 
+// Colours rise with the square root of the arrival time, since the first moments, in which the
+// large vessels fill, are a small part of all.
 namespace drug_overlay {
 
 // Point data array that holds the arrival time in seconds of each vertex.

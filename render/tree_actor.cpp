@@ -87,12 +87,13 @@ void TreeActor::set_fade(double near_mm, double far_mm) {
 }
 
 void TreeActor::upload_topology() {
+    rounded_.set_topology(surface_.triangles(), surface_.frame_vertices().size());
     vtkNew<vtkCellArray> cells;
-    cells->AllocateExact(static_cast<vtkIdType>(surface_.triangles().size()),
-                         static_cast<vtkIdType>(3 * surface_.triangles().size()));
-    for (const auto& [a, b, c] : surface_.triangles()) cells->InsertNextCell({a, b, c});
+    cells->AllocateExact(static_cast<vtkIdType>(rounded_.triangles().size()),
+                         static_cast<vtkIdType>(3 * rounded_.triangles().size()));
+    for (const auto& [a, b, c] : rounded_.triangles()) cells->InsertNextCell({a, b, c});
     polydata_->SetPolys(cells);
-    const auto count = static_cast<vtkIdType>(surface_.frame_vertices().size());
+    const auto count = static_cast<vtkIdType>(rounded_.vertex_count());
     positions_->SetNumberOfTuples(count);
     normals_->SetNumberOfTuples(count);
     arrival_->SetNumberOfTuples(count);
@@ -100,9 +101,10 @@ void TreeActor::upload_topology() {
 }
 
 void TreeActor::upload_positions() {
-    std::copy(surface_.positions_mm().begin(), surface_.positions_mm().end(),
+    rounded_.update(surface_);
+    std::copy(rounded_.positions_mm().begin(), rounded_.positions_mm().end(),
               positions_->GetPointer(0));
-    std::copy(surface_.normals().begin(), surface_.normals().end(), normals_->GetPointer(0));
+    std::copy(rounded_.normals().begin(), rounded_.normals().end(), normals_->GetPointer(0));
     positions_->Modified();
     normals_->Modified();
     polydata_->GetPoints()->Modified();
@@ -110,15 +112,19 @@ void TreeActor::upload_positions() {
 }
 
 void TreeActor::upload_colours() {
-    const auto& vertices = surface_.frame_vertices();
-    unsigned char* out = colours_->GetPointer(0);
-    for (const int vertex : vertices) {
+    unsigned char* const colours = colours_->GetPointer(0);
+    unsigned char* out = colours;
+    for (const int vertex : surface_.frame_vertices()) {
         const auto v = static_cast<std::size_t>(vertex);
-        Colour colour = palette::vessel_system(v < systems_.size() ? systems_[v] : 0);
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
-        for (double channel : colour) {
+        for (double channel : palette::vessel_system(v < systems_.size() ? systems_[v] : 0)) {
             if (lit) channel = 0.45 * channel + 0.55;
             *out++ = static_cast<unsigned char>(std::lround(255.0 * channel));
+        }
+    }
+    for (const auto& [a, b] : rounded_.edges()) {
+        for (int c = 0; c < 3; ++c) {
+            *out++ = static_cast<unsigned char>((colours[3 * a + c] + colours[3 * b + c]) / 2);
         }
     }
     colours_->Modified();
@@ -127,13 +133,15 @@ void TreeActor::upload_colours() {
 void TreeActor::upload_arrival(const DrugView& drug) {
     drug_version_ = drug.version;
     drug_source_ = drug.arrival_s.get();
-    float* out = arrival_->GetPointer(0);
+    float* const arrivals = arrival_->GetPointer(0);
+    float* out = arrivals;
     for (const int vertex : surface_.frame_vertices()) {
         const auto v = static_cast<std::size_t>(vertex);
         const bool known = drug.arrival_s && v < drug.arrival_s->size();
         const float arrival = known ? (*drug.arrival_s)[v] : drug_overlay::never_s;
         *out++ = std::isfinite(arrival) ? arrival : drug_overlay::never_s;
     }
+    for (const auto& [a, b] : rounded_.edges()) *out++ = 0.5f * (arrivals[a] + arrivals[b]);
     arrival_->Modified();
 }
 

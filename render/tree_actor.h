@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/scene/frame.h"
+#include "render/rounded_surface.h"
 #include "render/surface_geometry.h"
 
 class vtkActor;
@@ -46,6 +47,7 @@ class TreeActor {
     void upload_arrival(const DrugView& drug);
 
     SurfaceGeometry surface_;
+    RoundedSurface rounded_;
     std::vector<int> systems_;
     std::vector<std::uint8_t> highlight_;
     std::uint64_t drug_version_ = 0;

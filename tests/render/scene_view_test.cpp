@@ -48,7 +48,7 @@ TEST_F(SceneViewPicture, of_a_tree_from_the_left) {
 TEST_F(SceneViewPicture, of_a_running_drug_on_a_moving_vessel) {
     view_.show(fake_frame(0.0, 0.5));
     const Picture early = picture();
-    view_.show(fake_frame(0.3, 2.0));
+    view_.show(fake_frame(1.0, 2.0));
     expect_matches_baseline(picture(), "drug_on_bent_tree");
     EXPECT_NE(early.rgb, picture().rgb);
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/rounded_surface.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace hepatica {
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+// The middle of a chord lies twice as far below its ends' tangent planes as below the arc, so that a
+// half puts the new vertex onto a sphere or a tube to second order.
+constexpr float roundness = 0.5f;
+
+struct EdgeUse {
+    std::array<int, 2> edge;  // lower vertex first
+    int triangle;
+    int side;
+};
+
+Eigen::Map<const Vec3f> at(const std::vector<float>& values, int index) {
+    return Eigen::Map<const Vec3f>(values.data() + 3 * static_cast<std::size_t>(index));
+}
+
+}  // namespace
+
+void RoundedSurface::set_topology(const std::vector<std::array<int, 3>>& triangles,
+                                  std::size_t vertex_count) {
+    corner_count_ = vertex_count;
+    std::vector<EdgeUse> uses;
+    uses.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (int side = 0; side < 3; ++side) {
+            const int a = triangles[t][static_cast<std::size_t>(side)];
+            const int b = triangles[t][static_cast<std::size_t>((side + 1) % 3)];
+            uses.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(t), side});
+        }
+    }
+    std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
+    });
+    edges_.clear();
+    std::vector<std::array<int, 3>> middles(triangles.size());
+    for (const EdgeUse& use : uses) {
+        if (edges_.empty() || edges_.back() != use.edge) edges_.push_back(use.edge);
+        middles[static_cast<std::size_t>(use.triangle)][static_cast<std::size_t>(use.side)] =
+            static_cast<int>(corner_count_ + edges_.size()) - 1;
+    }
+    triangles_.clear();
+    triangles_.reserve(4 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto& [a, b, c] = triangles[t];
+        const auto& [ab, bc, ca] = middles[t];
+        triangles_.insert(triangles_.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    positions_mm_.assign(3 * this->vertex_count(), 0.0f);
+    normals_.assign(3 * this->vertex_count(), 0.0f);
+}
+
+void RoundedSurface::update(const SurfaceGeometry& surface) {
+    std::copy(surface.positions_mm().begin(), surface.positions_mm().end(), positions_mm_.begin());
+    std::copy(surface.normals().begin(), surface.normals().end(), normals_.begin());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        const auto& [a, b] = edges_[e];
+        const Vec3f middle = 0.5f * (at(positions_mm_, a) + at(positions_mm_, b));
+        const Vec3f above_a = at(normals_, a) * at(normals_, a).dot(middle - at(positions_mm_, a));
+        const Vec3f above_b = at(normals_, b) * at(normals_, b).dot(middle - at(positions_mm_, b));
+        Vec3f normal = at(normals_, a) + at(normals_, b);
+        const float length = normal.norm();
+        normal = length > 0.0f ? Vec3f(normal / length) : Vec3f(at(normals_, a));
+        const std::size_t place = 3 * (corner_count_ + e);
+        Eigen::Map<Vec3f>(positions_mm_.data() + place) =
+            middle - roundness * 0.5f * (above_a + above_b);
+        Eigen::Map<Vec3f>(normals_.data() + place) = normal;
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rounder picture of a coarse surface: every triangle becomes four, and the new vertices in the
+// middle of the edges are moved onto the curved surface that the normals describe (Phong
+// tessellation, Boubekeur and Alexa 2008). The body itself stays as it is. No toolkit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/surface_geometry.h"
+
+namespace hepatica {
+
+// The first vertices are those of the surface; one per edge follows. Not thread-safe.
+class RoundedSurface {
+  public:
+    void set_topology(const std::vector<std::array<int, 3>>& triangles, std::size_t vertex_count);
+    // Positions and normals of the surface, as many as set_topology() was told.
+    void update(const SurfaceGeometry& surface);
+
+    std::size_t vertex_count() const { return corner_count_ + edges_.size(); }
+    const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+    const std::vector<float>& positions_mm() const { return positions_mm_; }
+    const std::vector<float>& normals() const { return normals_; }
+    // The two surface vertices between which each new vertex lies.
+    const std::vector<std::array<int, 2>>& edges() const { return edges_; }
+
+  private:
+    std::size_t corner_count_ = 0;
+    std::vector<std::array<int, 2>> edges_;
+    std::vector<std::array<int, 3>> triangles_;
+    std::vector<float> positions_mm_;
+    std::vector<float> normals_;
+};
+
+}  // namespace hepatica
