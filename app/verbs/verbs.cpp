@@ -9,6 +9,9 @@ void add_all_verbs(CommandLine& line) {
     add_compare(line);
     add_simulate(line);
     add_replay(line);
+#ifdef HEPATICA_HAS_RENDER
+    add_render(line);
+#endif
     add_scene(line);
     add_bench_iterations(line);
     add_bench_peers(line);

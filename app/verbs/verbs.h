@@ -11,6 +11,7 @@ void add_reconstruct(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_simulate(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_render(CommandLine& line);  // only where the window is built
 void add_scene(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_peers(CommandLine& line);

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/world.h"
+#include "core/session/recording.h"
+#include "core/session/session.h"
+#include "render/offscreen_picture.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Options {
+    std::filesystem::path patient;
+    std::filesystem::path recording;
+    std::filesystem::path out;
+    std::optional<double> time_s;
+    std::string at_mm;
+    double mass_flow_g_s = 2.0;
+    std::string view = "anterior";
+    std::string size = "1280,960";
+    double turn_right_deg = 0.0;
+    double turn_up_deg = 0.0;
+    double zoom = 1.0;
+    bool bare = false;
+};
+
+PictureOptions picture_options(const Options& options) {
+    PictureOptions picture;
+    const std::optional<ViewDirection> view = view_direction_named(options.view);
+    if (!view)
+        throw UsageError("there is no view \"" + options.view + "\"", "--view",
+                         "choose anterior, posterior, left, right, superior or inferior");
+    picture.view = *view;
+    const std::size_t comma = options.size.find_first_of(",x");
+    try {
+        picture.width = std::stoi(options.size.substr(0, comma));
+        picture.height = std::stoi(options.size.substr(comma + 1));
+    } catch (const std::logic_error&) {
+        throw UsageError("\"" + options.size + "\" is no size", "--size",
+                         "write width,height in pixels, as 1280,960");
+    }
+    if (!(options.zoom > 0.0))
+        throw UsageError("the zoom is not above 0", "--zoom", "1 shows all of the tree");
+    picture.turn_right_deg = options.turn_right_deg;
+    picture.turn_up_deg = options.turn_up_deg;
+    picture.zoom = options.zoom;
+    picture.annotations = !options.bare;
+    return picture;
+}
+
+// Where the drug goes in: the place asked for, else the root of the first system.
+Vec3 injection_point(const Options& options, const VesselTree& tree) {
+    if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
+    const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
+    return {x, y, z};
+}
+
+// The case at rest, with the drug as far as it has come after time_s.
+std::unique_ptr<Session> still_life(const Options& options,
+                                    const std::shared_ptr<const PatientCase>& patient, Job& job) {
+    SceneSpec scene = default_scene();
+    scene.deform.reset();
+    auto session = std::make_unique<Session>(patient, scene, job);
+    if (options.time_s) {
+        InjectDrug injection;
+        injection.point_mm = injection_point(options, patient->tree);
+        injection.mass_flow_g_s = options.mass_flow_g_s;
+        session->post(injection);
+        session->post(PlayDrug{false});
+        session->post(SetDrugTime{*options.time_s});
+    }
+    session->step();
+    return session;
+}
+
+// A recorded play up to time_s, or to its end.
+std::unique_ptr<Session> played(const Options& options, const Recording& recording,
+                                const std::shared_ptr<const PatientCase>& patient, Job& job) {
+    if (hash_of(*patient) != recording.patient_hash)
+        throw InputError("the recording was made on another patient", options.recording.string(),
+                         "give the case that it was made on");
+    auto session = std::make_unique<Session>(patient, recording.scene, job);
+    const double end_s = options.time_s.value_or(std::numeric_limits<double>::infinity());
+    for (const RecordedStep& step : recording.steps) {
+        if (session->world().time_s() >= end_s) break;
+        job.throw_if_cancelled();
+        for (const Command& command : step.commands) session->post(command);
+        session->step();
+    }
+    return session;
+}
+
+std::vector<int> vertex_systems(const World& world, const VesselTree& tree) {
+    std::vector<int> systems(world.vertex_count(), 0);
+    for (std::size_t v = 0; v < systems.size(); ++v) {
+        const TreePoint place = nearest_point(tree, world.rest_positions_mm()[v]);
+        systems[v] = tree.segments[static_cast<std::size_t>(place.segment)].system;
+    }
+    return systems;
+}
+
+Json run(const Options& options, Job& job) {
+    PictureOptions picture = picture_options(options);
+    require_writable(options.out);
+    job.begin_stage("Reading the case");
+    auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
+    const std::unique_ptr<Session> session =
+        options.recording.empty()
+            ? still_life(options, patient, job)
+            : played(options, read_recording(options.recording), patient, job);
+    session->update_frame();
+    const Frame& frame = session->frame();
+    if (!frame.statistics.message.empty())
+        throw InputError(frame.statistics.message, options.patient.string(),
+                         "check the options of the injection");
+    job.begin_stage("Drawing");
+    picture.vertex_systems = vertex_systems(session->world(), patient->tree);
+    picture.caption = options.patient.stem().string();
+    const OffscreenPicture drawn = draw_frame(frame, picture);
+    write_png(options.out, drawn.picture);
+    return {{"renderer", drawn.renderer},
+            {"file", options.out.string()},
+            {"size", {drawn.picture.width, drawn.picture.height}}};
+}
+
+}  // namespace
+
+void add_render(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb("render", "A picture of a case, without any display",
+                                   [options](Job& job) { return run(*options, job); });
+    verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
+    verb.add_option("--out", options->out, "PNG file to write")->required();
+    verb.add_option("--recording", options->recording, "Show this recorded play");
+    verb.add_option("--time-s", options->time_s,
+                    "Time: of the drug since its injection, or of the recorded play [s]");
+    verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root");
+    verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Of the injection [g/s]");
+    verb.add_option("--view", options->view,
+                    "anterior, posterior, left, right, superior or inferior");
+    verb.add_option("--turn-right-deg", options->turn_right_deg, "Turned away from the view");
+    verb.add_option("--turn-up-deg", options->turn_up_deg, "Turned away from the view");
+    verb.add_option("--zoom", options->zoom, "1: all of the tree fits");
+    verb.add_option("--size", options->size, "WIDTH,HEIGHT in pixels");
+    verb.add_flag("--bare", options->bare, "Without legend, scale bar and orientation");
+}
+
+}  // namespace hepatica
