@@ -17,6 +17,22 @@
 
 namespace hepatica {
 
+namespace {
+
+void add_seeds(const QLineEdit& edit, const std::string& field, std::uint8_t system,
+               std::vector<VesselSeed>& seeds) {
+    const std::vector<double> numbers = numbers_in(edit.text(), field);
+    if (numbers.size() % 3 != 0) {
+        throw InputError("a seed is three numbers", field,
+                         "write x y z in mm for each seed, or leave it empty");
+    }
+    for (std::size_t i = 0; i < numbers.size(); i += 3) {
+        seeds.push_back({Vec3(numbers[i], numbers[i + 1], numbers[i + 2]), system});
+    }
+}
+
+}  // namespace
+
 std::vector<double> numbers_in(const QString& text, const std::string& field) {
     std::vector<double> numbers;
     const QRegularExpression separators("[\\s;]+");
@@ -46,9 +62,12 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     window_ = new QLineEdit(this);
     window_->setPlaceholderText("optional: lowest and highest HU of the vessels, as 140 260");
     form->addRow("Window (HU)", window_);
-    seeds_ = new QLineEdit(this);
-    seeds_->setPlaceholderText("optional: x y z in mm; next seed after a semicolon");
-    form->addRow("Seeds (LPS mm)", seeds_);
+    for (const auto& [seeds, label] : {std::pair(&portal_seeds_, "Portal vein seeds"),
+                                       std::pair(&hepatic_seeds_, "Hepatic vein seeds")}) {
+        *seeds = new QLineEdit(this);
+        (*seeds)->setPlaceholderText("optional: x y z in LPS mm; next seed after a semicolon");
+        form->addRow(label, *seeds);
+    }
     column->addLayout(form);
     problem_->setWordWrap(true);
     problem_->setStyleSheet("color: #f0a090");
@@ -109,14 +128,8 @@ ReconstructOptions PatientWizard::options() const {
         throw InputError("a window is two numbers, the lower one first", "Window",
                          "write for example 140 260, or leave it empty");
     }
-    const std::vector<double> seeds = numbers_in(seeds_->text(), "Seeds");
-    if (seeds.size() % 3 != 0) {
-        throw InputError("a seed is three numbers", "Seeds",
-                         "write x y z in mm for each seed, or leave it empty");
-    }
-    for (std::size_t i = 0; i < seeds.size(); i += 3) {
-        options.seeds.push_back({Vec3(seeds[i], seeds[i + 1], seeds[i + 2])});
-    }
+    add_seeds(*portal_seeds_, "Portal vein seeds", 1, options.seeds);
+    add_seeds(*hepatic_seeds_, "Hepatic vein seeds", 2, options.seeds);
     return options;
 }
 

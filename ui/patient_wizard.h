@@ -30,7 +30,8 @@ class PatientWizard : public QDialog {
     QLineEdit* liver_mask_;
     QLineEdit* vessel_mask_;
     QLineEdit* window_;
-    QLineEdit* seeds_;
+    QLineEdit* portal_seeds_;
+    QLineEdit* hepatic_seeds_;
     QLabel* problem_;
 };
 
