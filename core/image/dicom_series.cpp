@@ -2,7 +2,9 @@
 #include "core/image/dicom_series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numbers>
 #include <string>
@@ -27,10 +29,14 @@ const std::string remedy = "Export the series again, complete, as axial slices o
     throw InputError(what, slice.file.string(), remedy);
 }
 
-std::string millimetres(double value) {
+std::string short_text(double value) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g mm", value);
+    std::snprintf(text.data(), text.size(), "%.4g", value);
     return text.data();
+}
+
+std::string millimetres(double value) {
+    return short_text(value) + " mm";
 }
 
 using SeriesMap = std::map<std::string, std::vector<DicomSlice>>;
@@ -87,8 +93,7 @@ void require_straight_stack(const std::vector<DicomSlice>& slices) {
     const double pixel_mm = std::min(first.row_spacing_mm, first.column_spacing_mm);
     const double drift_mm = sideways_mm(slices.back(), first.position_mm, first.normal());
     if (degrees > tilt_tolerance_degrees && drift_mm > pixel_mm)
-        throw InputError("its slices are stacked aslant by " +
-                             std::to_string(static_cast<int>(std::lround(degrees * 10)) / 10) +
+        throw InputError("its slices are stacked aslant by " + short_text(degrees) +
                              " degrees (a tilted gantry)",
                          first.file.parent_path().string(),
                          "Ask for the series reformatted to straight axial slices");

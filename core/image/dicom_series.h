@@ -18,15 +18,16 @@ std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices,
                                       const std::filesystem::path& member,
                                       const std::filesystem::path& folder, ReadRemarks& remarks);
 
-// The slices from the first to the last along their normal. Slices in the same place are moved to
-// the end of `repeated`, as pairs that the caller compares (kept, repeated). Throws InputError
-// where sizes, spacings or orientations differ, the series is sheared by a tilted gantry, slices
-// are missing or gaps uneven.
 struct OrderedSeries {
-    std::vector<DicomSlice> slices;
-    std::vector<std::pair<std::size_t, DicomSlice>> repeated;  // index of the slice it repeats
+    std::vector<DicomSlice> slices;  // from the first to the last along their normal
+    // Slices that lie where another one does, with the index in `slices` of that one. Whether they
+    // show the same is for the caller to see.
+    std::vector<std::pair<std::size_t, DicomSlice>> repeated;
     double slice_spacing_mm = 0.0;
 };
+
+// Throws InputError where sizes, spacings or orientations differ, the series is sheared by a tilted
+// gantry, slices are missing or gaps uneven.
 OrderedSeries order_slices(std::vector<DicomSlice> series);
 
 }  // namespace hepatica

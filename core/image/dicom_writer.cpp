@@ -119,6 +119,7 @@ void describe_series(gdcm::DataSet& data, const DicomSeriesInfo& info, const Uid
     set(data, 0x0020, 0x000e, gdcm::VR::UI, uids.make(Uid::series));
     set(data, 0x0020, 0x0011, gdcm::VR::IS, "1");
     set(data, 0x0008, 0x103e, gdcm::VR::LO, info.series_description);
+    set(data, 0x0018, 0x0015, gdcm::VR::CS, "ABDOMEN");
     set(data, 0x0018, 0x5100, gdcm::VR::CS, "HFS");
     set(data, 0x0020, 0x0052, gdcm::VR::UI, uids.make(Uid::frame_of_reference));
     set(data, 0x0020, 0x1040, gdcm::VR::LO, "");

@@ -57,6 +57,36 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     return volume;
 }
 
+bool is_dicom(const fs::path& path) {
+    return fs::is_directory(path) || lower_case(path.filename().string()) == "dicomdir" ||
+           is_dicom_file(path);
+}
+
+Volume read_dicom_at(const fs::path& path, Job& job, ReadRemarks& remarks) {
+    if (fs::is_directory(path)) return read_dicom(path, {}, job, remarks);
+    const fs::path file = fs::absolute(path);
+    return read_dicom(file.parent_path(), is_dicom_file(file) ? file : fs::path(), job, remarks);
+}
+
+// Which values belong to a mask.
+class Wanted {
+  public:
+    explicit Wanted(std::span<const int> labels) : labels_(labels) {}
+    bool operator()(double value) const {
+        if (labels_.empty()) return value != 0.0 && !std::isnan(value);
+        return std::ranges::find(labels_, value) != labels_.end();
+    }
+
+  private:
+    std::span<const int> labels_;
+};
+
+void require_object(const Mask& mask, const fs::path& path) {
+    if (std::ranges::any_of(mask.voxels, [](std::uint8_t v) { return v != 0; })) return;
+    throw InputError("marks no voxel", path.string(),
+                     "Choose a mask that is not empty, or another label of it");
+}
+
 void require_whole_label(double value, const fs::path& file) {
     if (value >= 0.0 && value <= 65535.0 && value == std::floor(value)) return;
     throw InputError("holds the value " + std::to_string(value) + ", which is no label",
@@ -70,11 +100,7 @@ Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks) {
     job.begin_stage("Reading the images");
     ReadRemarks unheard;
     ReadRemarks& heard = remarks != nullptr ? *remarks : unheard;
-    if (fs::is_directory(path)) return read_dicom(path, {}, job, heard);
-    if (lower_case(path.filename().string()) == "dicomdir")
-        return read_dicom(fs::absolute(path).parent_path(), {}, job, heard);
-    if (is_dicom_file(path))
-        return read_dicom(fs::absolute(path).parent_path(), fs::absolute(path), job, heard);
+    if (is_dicom(path)) return read_dicom_at(path, job, heard);
     return read_volume_file(path, job, heard);
 }
 
@@ -101,27 +127,31 @@ LabelMap read_label_map(const fs::path& path, Job& job) {
 Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     require_existing(path);
     job.begin_stage("Reading the mask");
-    const VoxelFile file = read_header(path);
-    require_affordable(file, sizeof(std::uint8_t));
-    const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
-    Mask mask(placed.grid);
-    bool any = false;
-    read_values(
-        file, placed,
-        [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
-            for (const double value : values) {
-                const bool inside = labels.empty()
-                                        ? value != 0.0 && !std::isnan(value)
-                                        : std::ranges::find(labels, value) != labels.end();
-                any = any || inside;
-                mask.voxels[at] = inside ? 1 : 0;
-                at += step;
-            }
-        },
-        job);
-    if (!any)
-        throw InputError("marks no voxel", path.string(),
-                         "Choose a mask that is not empty, or another label of it");
+    const Wanted wanted(labels);
+    Mask mask;
+    if (is_dicom(path)) {
+        ReadRemarks unheard;
+        const Volume volume = read_dicom_at(path, job, unheard);
+        mask = Mask(volume.grid);
+        std::ranges::transform(volume.voxels, mask.voxels.begin(), [&](std::int16_t value) {
+            return static_cast<std::uint8_t>(wanted(value) ? 1 : 0);
+        });
+    } else {
+        const VoxelFile file = read_header(path);
+        require_affordable(file, sizeof(std::uint8_t));
+        const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
+        mask = Mask(placed.grid);
+        read_values(
+            file, placed,
+            [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
+                for (const double value : values) {
+                    mask.voxels[at] = wanted(value) ? 1 : 0;
+                    at += step;
+                }
+            },
+            job);
+    }
+    require_object(mask, path);
     return mask;
 }
 

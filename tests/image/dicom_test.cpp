@@ -222,6 +222,20 @@ TEST(Dicom, ReadsASliceThatStandsThereTwiceOnce) {
     EXPECT_NE(remarks[0].find("twice"), std::string::npos);
 }
 
+// As 3D-IRCADb hands out its experts' masks.
+TEST(Dicom, ServesAsAMask) {
+    Volume drawn(small_grid());
+    for (std::size_t i = 0; i < drawn.voxels.size(); i += 5) drawn.voxels[i] = 255;
+    const DicomFolder folder(drawn);
+    Job job;
+    const Mask mask = read_mask(folder.path(), job);
+    EXPECT_TRUE(same_grid(mask.grid, drawn.grid));
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        ASSERT_EQ(mask.voxels[i], i % 5 == 0 ? 1 : 0);
+    const std::vector<int> other{7};
+    EXPECT_NE(refusal([&] { read_mask(folder.path(), job, other); }), "");
+}
+
 TEST(BadDicom, WithTwoPhasesInOnePlaceIsRefused) {
     const DicomFolder folder;
     fs::copy_file(folder.slice(5), folder.path() / "again.dcm");
