@@ -232,7 +232,7 @@ class SvZeroDModel {
 
 }  // namespace
 
-void write_series_csv(const std::filesystem::path& file, const Injection& injection) {
+void write_series_csv(const std::filesystem::path& file, const InjectionResult& injection) {
     std::string text =
         "time_s,inlet_pressure_pa,inlet_flow_g_s,injected_g,inside_g,delivered_g,"
         "delivered_fraction,filled_fraction";
@@ -252,7 +252,7 @@ void write_series_csv(const std::filesystem::path& file, const Injection& inject
     write_text_atomically(file, text);
 }
 
-void write_filled_lengths_csv(const std::filesystem::path& file, const Injection& injection) {
+void write_filled_lengths_csv(const std::filesystem::path& file, const InjectionResult& injection) {
     if (injection.series.empty() || injection.series.front().filled_length_mm.empty())
         throw InputError("the filled lengths were not recorded", file.string(),
                          "Ask for them before the injection");

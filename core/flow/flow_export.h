@@ -16,11 +16,11 @@ namespace hepatica {
 
 // One row per sample: time, inlet pressure and flow, masses injected, inside and delivered, filled
 // and delivered fraction, then one column per territory and per outlet.
-void write_series_csv(const std::filesystem::path& file, const Injection& injection);
+void write_series_csv(const std::filesystem::path& file, const InjectionResult& injection);
 
 // The paper's "partial length of each segment filled at each time step": one row per sample, one
 // column per segment, in mm. Needs InjectionOptions::record_filled_lengths.
-void write_filled_lengths_csv(const std::filesystem::path& file, const Injection& injection);
+void write_filled_lengths_csv(const std::filesystem::path& file, const InjectionResult& injection);
 
 // One row per batch of beads.
 void write_series_csv(const std::filesystem::path& file, const Embolization& embolization);

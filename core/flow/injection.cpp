@@ -34,7 +34,7 @@ void validate_options(const InjectionOptions& options) {
 }
 
 // Puts the catheter in place and states what drives the flow. The drug is inlet 0.
-void prepare(const VesselTree& tree, const InjectionOptions& options, Injection& injection) {
+void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionResult& injection) {
     const TreePoint tip = options.tip ? *options.tip : main_root(tree);
     injection.network = network_of(tree, options.shape);
     if (tip.segment < 0 || tip.segment >= static_cast<int>(tree.segments.size()))
@@ -65,7 +65,7 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, Injection&
     }
 }
 
-double territory_mass_g(const Injection& injection, const DrugFront& front,
+double territory_mass_g(const InjectionResult& injection, const DrugFront& front,
                         const Territory& territory) {
     double mass = 0.0;
     for (std::size_t i = 0; i < territory.passed_share.size(); ++i)
@@ -77,7 +77,7 @@ double territory_mass_g(const Injection& injection, const DrugFront& front,
     return mass;
 }
 
-InjectionSample sample(const Injection& injection, const DrugFront& front, double tree_mm3,
+InjectionSample sample(const InjectionResult& injection, const DrugFront& front, double tree_mm3,
                        std::size_t tree_segments, bool filled_lengths) {
     const double density = injection.drug.density_g_mm3;
     const DrugBalance balance = front.balance();
@@ -128,10 +128,10 @@ TreePoint main_root(const VesselTree& tree) {
     return {std::max(best, 0), 0.0, 0.0};
 }
 
-Injection inject(const VesselTree& tree, const InjectionOptions& options, Job& job) {
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job) {
     job.begin_stage("injection");
     validate_options(options);
-    Injection injection;
+    InjectionResult injection;
     prepare(tree, options, injection);
     FrontOptions front_options = options.front;
     front_options.injection_end_s = options.injection_s;
@@ -172,7 +172,7 @@ Injection inject(const VesselTree& tree, const InjectionOptions& options, Job& j
     return injection;
 }
 
-double end_flow_g_s(const Injection& injection, int tree_segment) {
+double end_flow_g_s(const InjectionResult& injection, int tree_segment) {
     double flow = injection.end.mass_flow_g_s[tree_segment];
     for (std::size_t i = injection.network.segments.size(); i-- > 0;) {
         const FlowSegment& s = injection.network.segments[i];
@@ -184,7 +184,7 @@ double end_flow_g_s(const Injection& injection, int tree_segment) {
     return flow;
 }
 
-double first_arrival_s(const Injection& injection, int tree_segment) {
+double first_arrival_s(const InjectionResult& injection, int tree_segment) {
     double first = injection.arrival.first_s(tree_segment);
     for (std::size_t i = injection.network.segments.size(); i-- > 0;) {
         const FlowSegment& s = injection.network.segments[i];

@@ -62,7 +62,7 @@ struct InjectionSample {
     std::vector<float> filled_length_mm;   // per segment of the vessel tree; empty if not recorded
 };
 
-struct Injection {
+struct InjectionResult {
     FlowNetwork network;  // with the catheter in place
     FlowConditions conditions;
     int tip_node = -1;
@@ -80,7 +80,7 @@ struct Injection {
 // stepped front, and equal the closed form where the drug has the blood's properties. Begins one
 // stage of the job. Throws InputError where an option is out of range or nothing can flow,
 // Cancelled.
-Injection inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);
@@ -91,8 +91,8 @@ TreePoint main_root(const VesselTree& tree);
 
 // Mass flow of a tree's segment at the end, g/s from proximal to distal: of the stretch that
 // carries most, where the catheter or a tear divides the segment.
-double end_flow_g_s(const Injection& injection, int tree_segment);
+double end_flow_g_s(const InjectionResult& injection, int tree_segment);
 // When any of a tree's segment is first reached; infinity: never.
-double first_arrival_s(const Injection& injection, int tree_segment);
+double first_arrival_s(const InjectionResult& injection, int tree_segment);
 
 }  // namespace hepatica

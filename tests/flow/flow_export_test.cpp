@@ -167,7 +167,7 @@ TEST(FlowCsv, HoldsOneRowPerSampleAndComesBackToTheBit) {
     InjectionOptions options;
     options.record_filled_lengths = true;
     options.territories = {{0, 5.0, 0.0}};
-    const Injection injection = inject(tree, options, job);
+    const InjectionResult injection = inject(tree, options, job);
     const auto folder = std::filesystem::temp_directory_path() / "hepatica_flow_csv_test";
     std::filesystem::create_directories(folder);
     write_series_csv(folder / "series.csv", injection);

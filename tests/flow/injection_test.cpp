@@ -55,7 +55,7 @@ TEST(Injection, FillsTheTreeAndLosesNothing) {
         InjectionOptions options;
         options.void_fraction = void_fraction;
         options.record_filled_lengths = true;
-        const Injection injection = inject(tree, options, job);
+        const InjectionResult injection = inject(tree, options, job);
         EXPECT_LE(injection.balance.error_relative(), 1e-12);
         EXPECT_NEAR(injection.series.back().filled_fraction, 1.0, 1e-9);
         EXPECT_EQ(injection.series.front().filled_fraction, 0.0);
@@ -84,7 +84,7 @@ TEST(Injection, FillsTheTreeAndLosesNothing) {
 TEST(Injection, OfBloodMeetsTheClosedForm) {
     const VesselTree tree = make_tree(62, 5);
     Job job;
-    const Injection injection = inject(tree, {}, job);
+    const InjectionResult injection = inject(tree, {}, job);
     const ArrivalTimes exact = arrival_times(injection.network, injection.begin, {0});
     for (int s = 0; s < static_cast<int>(tree.segments.size()); ++s)
         EXPECT_NEAR(injection.arrival.arrival_s(s, 1.0), exact.arrival_s(s, 1.0), 1e-9);
@@ -96,7 +96,7 @@ TEST(Injection, ReachesItsFinalPressureWhenAllIsFilled) {
     Job job;
     InjectionOptions options;
     options.void_fraction = 0.4;
-    const Injection injection = inject(tree, options, job);
+    const InjectionResult injection = inject(tree, options, job);
     FlowConditions filled = injection.conditions;
     filled.resident = injection.drug;
     const double steady = solve_flow(injection.network, filled).inlet_pressure_pa[0];
@@ -113,7 +113,7 @@ TEST(Injection, FollowsTheDrugOfATerritory) {
         if (tree.segments[i].parent == 0 && i != 1)
             options.territories.push_back({static_cast<int>(i), 0.0, 0.0});
     ASSERT_EQ(options.territories.size(), 3u);
-    const Injection injection = inject(tree, options, job);
+    const InjectionResult injection = inject(tree, options, job);
     const double trunk_g = volume_mm3(injection.network, 0) * 1.06e-3;
     for (const InjectionSample& s : injection.series) {
         EXPECT_NEAR(s.territory_mass_g[0], s.injected_g, 1e-9);
@@ -128,7 +128,7 @@ TEST(Injection, ByAWedgedCatheterStaysDownstream) {
     InjectionOptions options;
     options.tip = TreePoint{1, 0.5 * length_mm(tree.segments[1]), 0.0};
     options.mass_flow_g_s = 0.1;
-    const Injection injection = inject(tree, options, job);
+    const InjectionResult injection = inject(tree, options, job);
     EXPECT_TRUE(std::isinf(first_arrival_s(injection, 0)));
     EXPECT_EQ(first_arrival_s(injection, 1), 0.0);
     EXPECT_EQ(end_flow_g_s(injection, 0), 0.0);
@@ -145,7 +145,7 @@ TEST(Injection, AShortOneFollowedByBloodIsDeliveredInFull) {
     options.mass_flow_g_s = 0.5;
     options.void_fraction = 0.3;
     options.injection_s = 1.0;
-    const Injection injection = inject(tree, options, job);
+    const InjectionResult injection = inject(tree, options, job);
     const InjectionSample& end = injection.series.back();
     EXPECT_NEAR(end.injected_g, 0.5, 1e-9);
     EXPECT_NEAR(end.delivered_g, 0.5, 1e-6);
@@ -160,7 +160,7 @@ TEST(Injection, SamplesDoNotChangeTheSolution) {
     std::vector<double> delivered;
     for (const double step_s : {0.5, 0.01}) {
         options.step_s = step_s;
-        const Injection injection = inject(tree, options, job);
+        const InjectionResult injection = inject(tree, options, job);
         EXPECT_EQ(injection.series.back().time_s, 1.0);
         delivered.push_back(injection.series.back().inside_g);
     }
@@ -203,7 +203,7 @@ TEST(Injection, BeginsInTheLargestSystem) {
     }
     EXPECT_EQ(main_root(tree).segment, segments);
     Job job;
-    const Injection injection = inject(tree, {}, job);
+    const InjectionResult injection = inject(tree, {}, job);
     EXPECT_TRUE(std::isinf(first_arrival_s(injection, 0)));
     EXPECT_EQ(first_arrival_s(injection, segments), 0.0);
 }
