@@ -7,6 +7,10 @@ void add_all_verbs(CommandLine& line) {
     add_phantom(line);
     add_reconstruct(line);
     add_compare(line);
+    add_pressure_drop(line);
+    add_inject(line);
+    add_embolize(line);
+    add_flow_curves(line);
     add_simulate(line);
     add_replay(line);
 #ifdef HEPATICA_HAS_RENDER

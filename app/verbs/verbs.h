@@ -9,6 +9,10 @@ namespace hepatica {
 void add_phantom(CommandLine& line);
 void add_reconstruct(CommandLine& line);
 void add_compare(CommandLine& line);
+void add_pressure_drop(CommandLine& line);
+void add_inject(CommandLine& line);
+void add_embolize(CommandLine& line);
+void add_flow_curves(CommandLine& line);
 void add_simulate(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_render(CommandLine& line);  // only where the window is built

@@ -44,7 +44,7 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
     injection.tip_node = place_catheter(network, tip, options.wedged);
     FlowConditions& conditions = injection.conditions;
     conditions.law = options.law;
-    conditions.resident = pure(blood());
+    conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
     conditions.bifurcation_loss_coefficient = options.bifurcation_loss_coefficient;
     if (options.terminal_resistance_pa_s_mm3 > 0.0)
@@ -104,7 +104,7 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }  // namespace
 
 Fluid drug_of(const InjectionOptions& options) {
-    Fluid drug = mixture(blood(), options.second_phase, options.void_fraction);
+    Fluid drug = mixture(options.liquid, options.second_phase, options.void_fraction);
     if (options.drug_viscosity_pa_s) drug.viscosity_pa_s = *options.drug_viscosity_pa_s;
     validate(drug);
     return drug;

@@ -25,7 +25,9 @@ struct InjectionOptions {
     double mass_flow_g_s = 2.0;               // of the injected fluid
     std::optional<double> inlet_pressure_pa;  // total pressure at the tip, instead of the mass flow
     PressureLaw law = PressureLaw::regime;
-    // The injected fluid: blood with this share of a second phase; 0 is blood itself.
+    // Fills the vessels before.
+    Phase liquid = blood();
+    // The injected fluid: that liquid with this share of a second phase; 0 is the liquid itself.
     Phase second_phase = lipiodol();
     double void_fraction = 0.0;
     std::optional<double> drug_viscosity_pa_s;  // instead of (9)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verbs/flow_options.h"
+
+#include "core/anatomy/tree_io.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+void FluidOptions::add_to(CLI::App& verb) {
+    verb.add_option("--model", model,
+                    "Pressure law: published, consistent or regime (default regime)");
+    verb.add_option("--void-fraction", void_fraction,
+                    "Share of the second phase by volume, 0 to below 1 (default 0; 0.40 with "
+                    "--model published)");
+    verb.add_option("--phase", phase,
+                    "Second phase: gas, lipiodol or carrier (default lipiodol; gas with --model "
+                    "published)");
+    verb.add_option("--liquid-density-kg-m3", liquid_density_kg_m3, "Density of the liquid")
+        ->capture_default_str();
+    verb.add_option("--liquid-viscosity-pa-s", liquid_viscosity_pa_s, "Viscosity of the liquid")
+        ->capture_default_str();
+    verb.add_option("--phase-density-kg-m3", phase_density_kg_m3, "Density of the second phase");
+    verb.add_option("--phase-viscosity-pa-s", phase_viscosity_pa_s,
+                    "Viscosity of the second phase");
+}
+
+double FluidOptions::share() const {
+    const double otherwise = law() == PressureLaw::published ? published_void_fraction : 0.0;
+    return void_fraction.value_or(otherwise);
+}
+
+Phase FluidOptions::second() const {
+    const char* otherwise = law() == PressureLaw::published ? "gas" : "lipiodol";
+    Phase second = second_phase(phase.empty() ? otherwise : phase);
+    if (phase_density_kg_m3)
+        second.density_g_mm3 = *phase_density_kg_m3 * units::kilogram_per_cubic_metre;
+    if (phase_viscosity_pa_s) second.viscosity_pa_s = *phase_viscosity_pa_s;
+    if (phase_density_kg_m3 || phase_viscosity_pa_s) second.source = "as given";
+    return second;
+}
+
+Phase FluidOptions::liquid() const {
+    Phase liquid = blood();
+    const double density = liquid_density_kg_m3 * units::kilogram_per_cubic_metre;
+    if (density != liquid.density_g_mm3 || liquid_viscosity_pa_s != liquid.viscosity_pa_s)
+        liquid.source = "as given";
+    liquid.density_g_mm3 = density;
+    liquid.viscosity_pa_s = liquid_viscosity_pa_s;
+    return liquid;
+}
+
+Json to_json(const Fluid& fluid) {
+    return {{"density_kg_m3", fluid.density_g_mm3 / units::kilogram_per_cubic_metre},
+            {"viscosity_pa_s", fluid.viscosity_pa_s},
+            {"void_fraction", fluid.void_fraction}};
+}
+
+VesselTree read_any_tree(const std::filesystem::path& place) {
+    if (!std::filesystem::exists(place))
+        throw InputError("does not exist", place.string(),
+                         "Name a case's folder, or a tree in a .vtp, .swc or .json file");
+    if (std::filesystem::is_directory(place)) return read_case_without_voxels(place).tree;
+    return read_tree(place);
+}
+
+TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree) {
+    const auto [x, y, z] = parse_triple(option, text);
+    return nearest_point(tree, Vec3(x, y, z));
+}
+
+}  // namespace hepatica

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options that the verbs about flow share: the tree they run on, the fluids, the pressure law.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/command_line.h"
+#include "core/anatomy/vessel_tree.h"
+#include "core/flow/pressure_drop.h"
+
+namespace hepatica {
+
+// --model, --void-fraction, --phase and the properties of both phases.
+struct FluidOptions {
+    std::string model = "regime";
+    std::optional<double> void_fraction;
+    std::string phase;
+    double liquid_density_kg_m3 = 1060.0;
+    double liquid_viscosity_pa_s = 3.5e-3;
+    std::optional<double> phase_density_kg_m3;
+    std::optional<double> phase_viscosity_pa_s;
+
+    void add_to(CLI::App& verb);
+    PressureLaw law() const { return pressure_law(model); }
+    // What was given, else 0.40 under `published` (the paper's figure) and 0 else.
+    double share() const;
+    // What was given, else gas under `published` (the paper's) and lipiodol else.
+    Phase second() const;
+    Phase liquid() const;
+    Fluid fluid() const { return mixture(liquid(), second(), share()); }
+};
+
+Json to_json(const Fluid& fluid);
+
+// A case's folder, or a tree of its own in a file (.vtp, .swc, .json). Throws InputError.
+VesselTree read_any_tree(const std::filesystem::path& place);
+
+// The point of the tree nearest to "X,Y,Z" (mm, LPS) given to `option`.
+TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree);
+
+}  // namespace hepatica
