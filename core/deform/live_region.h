@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stretches of a vessel tree a scene has to compute: those near the tool and those that move.
+// The rest is frozen where it is. Counted in skeleton nodes; a vertex belongs to one of them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/frame_skeleton.h"
+
+namespace hepatica {
+
+struct LiveRegionOptions {
+    // A frozen stretch wakes when the live one beside it, half a diameter away, has moved by this
+    // share of its radius since the region last changed: a change of strain at the border.
+    double wake_radii = 1e-4;
+    // A live node that is slower than this share of its radius a second ...
+    double still_radii_per_s = 5e-4;
+    // ... for this long may freeze.
+    double still_s = 0.5;
+    // Nodes around whatever wakes or is held that wake, too: two of them are a diameter.
+    int reach_nodes = 8;
+};
+
+class LiveRegion {
+  public:
+    // Everything is live at first. Throws InputError for an empty or broken skeleton.
+    LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
+               const LiveRegionOptions& options = {});
+
+    // The vertices share an element: where one moves, the others feel it. To be called for every
+    // element that joins stretches which are no neighbours on the skeleton (or simply for all).
+    void connect(std::span<const int> vertices);
+
+    void wake_all();
+    // Wakes the surroundings of these vertices and keeps them live until the next call.
+    // Returns whether anything woke.
+    bool hold(std::span<const int> vertices);
+    // Takes a step's outcome (of all vertices). Returns whether the region changed: it grows at
+    // once, and shrinks when a quarter of it has been still for long enough.
+    bool watch(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
+               double dt_s);
+
+    bool live(int vertex) const { return live_[node_of_[vertex]] != 0; }
+    const std::vector<char>& live_nodes() const { return live_; }
+    int live_count() const;
+
+  private:
+    bool wake_around(std::span<const int> nodes);
+
+    FrameSkeleton skeleton_;
+    LiveRegionOptions options_;
+    std::vector<int> node_of_;                   // of each vertex
+    std::vector<std::vector<int>> vertices_of_;  // of each node
+    std::vector<std::vector<int>> neighbours_;   // nodes that share an edge or an element
+    std::vector<char> live_;
+    std::vector<double> still_s_;
+    std::vector<int> held_;           // nodes
+    std::vector<Vec3> reference_mm_;  // where vertices were when the region last changed
+};
+
+}  // namespace hepatica
