@@ -19,6 +19,7 @@ void add_render(CommandLine& line);  // only where the window is built
 void add_scene(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_peers(CommandLine& line);
+void add_bench_region(CommandLine& line);
 void add_diagnose(CommandLine& line);
 void add_extremes(CommandLine& line);
 void add_tradeoff(CommandLine& line);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "app/verbs/verbs.h"
+#include "core/study/region_study.h"
+
+namespace hepatica {
+
+void add_bench_region(CommandLine& line) {
+    const auto options = std::make_shared<RegionStudyOptions>();
+    CLI::App& verb = line.add_verb(
+        "bench", "Benchmarks", "region",
+        "A frame's cost in a small and a large patient with the same twig held",
+        [options](Job& job) {
+            const std::vector<RegionRow> measured = study_region(*options, job);
+            Json rows = Json::array();
+            for (const RegionRow& row : measured) {
+                rows.push_back({{"tetrahedra", row.tetrahedra},
+                                {"live_tetrahedra", row.live_tetrahedra},
+                                {"whole_ms", row.whole_ms},
+                                {"live_ms", row.live_ms},
+                                {"live_longest_ms", row.live_longest_ms},
+                                {"difference_mm", row.difference_mm}});
+            }
+            return Json{{"rows", rows},
+                        {"cost_ratio", measured.back().live_ms / measured.front().live_ms}};
+        });
+    verb.add_option("--frames", options->frames, "Frames of 1/60 s")->check(CLI::Range(1, 100000));
+    verb.add_option("--tether-pa-per-mm2", options->tether_pa_per_mm2,
+                    "Pull of the surrounding tissue");
+}
+
+}  // namespace hepatica
