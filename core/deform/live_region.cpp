@@ -107,6 +107,8 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
         }
     }
     if (wake_around(waking)) {
+        // Growing costs a rebuild: past half of the body the rest comes along at once.
+        if (2 * live_count() > static_cast<int>(live_.size())) wake_all();
         reference_mm_.assign(positions_mm.begin(), positions_mm.end());
         return true;
     }

@@ -84,11 +84,7 @@ Part live_part(const BodyDescription& whole, const LiveRegion& region) {
     return part;
 }
 
-StepperOptions checked(StepperOptions options) {
-    if (options.order == ElementOrder::quadratic) {
-        throw InputError("quadratic elements cannot be frozen in part", "live region",
-                         "Choose linear elements, or compute the whole body");
-    }
+StepperOptions without_sleep(StepperOptions options) {
     options.sleeping = false;  // the region sleeps
     return options;
 }
@@ -98,7 +94,8 @@ class PartStepper final : public LiveStepper {
     PartStepper(const BodyDescription& body, const StepperOptions& options,
                 const LiveRegionOptions& region)
         : body_(with_skeleton(body)),
-          options_(checked(options)),
+          whole_(options.order == ElementOrder::quadratic),
+          options_(whole_ ? options : without_sleep(options)),
           region_(body_.skeleton, body_.mesh.vertices_mm, region),
           positions_mm_(body_.mesh.vertices_mm),
           velocities_mm_per_s_(positions_mm_.size(), Vec3::Zero()) {
@@ -120,7 +117,7 @@ class PartStepper final : public LiveStepper {
                 if (v >= 0) held.push_back(v);
             }
         }
-        if (region_.hold(held)) {
+        if (!whole_ && region_.hold(held)) {
             rebuild();
         } else {
             hand_over_grabs();
@@ -130,6 +127,10 @@ class PartStepper final : public LiveStepper {
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
         if (gravity_mm_per_s2 == gravity_mm_per_s2_) return;
         gravity_mm_per_s2_ = gravity_mm_per_s2;
+        if (whole_) {
+            stepper_->set_gravity(gravity_mm_per_s2);
+            return;
+        }
         region_.wake_all();
         rebuild();
     }
@@ -167,6 +168,7 @@ class PartStepper final : public LiveStepper {
     void hand_over_grabs();
 
     BodyDescription body_;
+    bool whole_;  // nothing ever freezes
     StepperOptions options_;
     LiveRegion region_;
     Part part_;
@@ -218,7 +220,7 @@ StepReport PartStepper::step(double dt_s) {
         positions_mm_[part_.vertex[i]] = positions[i];
         velocities_mm_per_s_[part_.vertex[i]] = velocities[i];
     }
-    if (region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) rebuild();
+    if (!whole_ && region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) rebuild();
     return report;
 }
 

@@ -25,8 +25,8 @@ class LiveStepper : public Stepper {
 };
 
 // As make_cpu_stepper. A body without skeleton gets one from its mesh. Energies in the report are
-// those of the live part. Quadratic elements are not supported: their middles are not part of the
-// state that is handed over. Throws InputError as make_cpu_stepper does, and for quadratic order.
+// those of the live part. With quadratic elements everything is live: their middles are not part of
+// the state that is handed over. Throws InputError as make_cpu_stepper does.
 std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,
                                                const StepperOptions& options,
                                                const LiveRegionOptions& region = {});
