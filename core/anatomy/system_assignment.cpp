@@ -2,8 +2,11 @@
 #include "core/anatomy/system_assignment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
+#include <set>
 #include <tuple>
 
 #include "core/anatomy/centreline.h"
@@ -129,7 +132,70 @@ void join_nearest_system(VesselGraph& graph) {
         if (link.system == nobody) link.system = choices[component[link.from]].system;
 }
 
+// Value of the mask at each point of a link; 0 where a point lies outside of it.
+std::vector<int> labels_along(const VesselLink& link, const Mask& labels) {
+    std::vector<int> found;
+    for (const Vec3& p : link.points_mm) {
+        const Vec3 index = labels.grid.to_index(p);
+        const auto x = static_cast<int>(std::lround(index.x()));
+        const auto y = static_cast<int>(std::lround(index.y()));
+        const auto z = static_cast<int>(std::lround(index.z()));
+        found.push_back(labels.grid.contains(x, y, z) ? labels.at(x, y, z) : 0);
+    }
+    return found;
+}
+
+int most_frequent(const std::vector<int>& values) {
+    std::map<int, int> counts;
+    for (const int v : values)
+        if (v != 0) ++counts[v];
+    int best = 0;
+    for (const auto& [value, count] : counts)
+        if (best == 0 || count > counts[best]) best = value;
+    return best;
+}
+
+// Index at which a link parts best into two stretches of one label each; 0 where neither stretch
+// would be long enough to be more than the edge of the other.
+std::size_t label_change(const std::vector<int>& values) {
+    constexpr std::size_t least_points = 4;
+    std::size_t best = 0, most_right = 0;
+    for (std::size_t cut = least_points; cut + least_points <= values.size(); ++cut) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(cut);
+        const int left = most_frequent({values.begin(), middle});
+        const int right = most_frequent({middle, values.end()});
+        if (left == right || left == 0 || right == 0) continue;
+        const auto hits = static_cast<std::size_t>(std::count(values.begin(), middle, left) +
+                                                   std::count(middle, values.end(), right));
+        if (hits <= most_right) continue;
+        most_right = hits;
+        best = cut;
+    }
+    return best;
+}
+
 }  // namespace
+
+bool assign_systems_by_labels(VesselGraph& graph, const Mask& labels) {
+    std::set<int> seen;
+    for (const VesselLink& link : graph.links)
+        for (const int label : labels_along(link, labels))
+            if (label != 0) seen.insert(label);
+    if (seen.size() < 2) return false;
+    for (std::size_t id = 0; id < graph.links.size(); ++id) {  // grows while links are split
+        const std::vector<int> values = labels_along(graph.links[id], labels);
+        if (const std::size_t cut = label_change(values); cut > 0) {
+            const double at_mm = arclengths_mm(graph.links[id].points_mm)[cut];
+            split_link(graph, static_cast<int>(id), at_mm, 0.0);
+            graph.links[id].system =
+                most_frequent({values.begin(), values.begin() + static_cast<std::ptrdiff_t>(cut)});
+            continue;
+        }
+        const int label = most_frequent(values);
+        graph.links[id].system = label != 0 ? label : *seen.begin();
+    }
+    return true;
+}
 
 void assign_systems(VesselGraph& graph, const std::vector<SystemSeed>& seeds) {
     if (seeds.empty() || graph.links.empty()) return;

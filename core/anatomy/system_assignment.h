@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/anatomy/vessel_graph.h"
+#include "core/image/volume.h"
 
 namespace hepatica {
 
@@ -15,6 +16,11 @@ struct SystemSeed {
     Vec3 position_mm = Vec3::Zero();
     int system = 0;
 };
+
+// Where the mask names systems itself (several nonzero values): gives each link the system whose
+// voxels most of its points lie in, split where a long stretch lies in another. Returns false, and
+// does nothing, where the points of all links lie in one value.
+bool assign_systems_by_labels(VesselGraph& graph, const Mask& labels);
 
 // Sets the system of every link. From the links nearest to the seeds each system spreads over the
 // widest links first. Components without a seed join the system whose centreline is nearest.

@@ -45,7 +45,7 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     job.advance(0.7);
     result.bridges = bridge_gaps(graph, vessels, ct, options.bridging, job);
     remove_short_components(graph, options.minimum_component_mm);
-    assign_systems(graph, options.seeds);
+    if (!assign_systems_by_labels(graph, vessels)) assign_systems(graph, options.seeds);
     std::vector<RootWish> wishes;
     for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
     result.tree = directed(std::move(graph), wishes);

@@ -54,6 +54,26 @@ TEST(SystemAssignment, PiecesWithoutSeedJoinTheNearestSystem) {
     EXPECT_EQ(graph.links[2].system, 4);
 }
 
+//   one link whose right half lies in voxels of another system
+TEST(SystemAssignment, LabelsOfTheMaskPartALink) {
+    Mask labels;
+    labels.grid.dims = {41, 5, 5};
+    labels.grid.origin_mm = Vec3(0, -2, -2);
+    labels.voxels.resize(labels.grid.count());
+    for (std::size_t i = 0; i < labels.voxels.size(); ++i)
+        labels.voxels[i] = labels.grid.index_of(i)[0] < 22 ? 1 : 2;
+    VesselGraph graph;
+    graph.nodes = {{Vec3(0, 0, 0), 2.0}, {Vec3(40, 0, 0), 2.0}};
+    graph.links = {straight_link(graph, 0, 1, 2.0, 2.0)};
+    EXPECT_TRUE(assign_systems_by_labels(graph, labels));
+    ASSERT_EQ(graph.links.size(), 2u);
+    EXPECT_EQ(graph.links[0].system, 1);
+    EXPECT_EQ(graph.links[1].system, 2);
+    EXPECT_EQ(roots(directed(graph)).size(), 2u);
+    for (auto& voxel : labels.voxels) voxel = 1;
+    EXPECT_FALSE(assign_systems_by_labels(graph, labels));
+}
+
 // Whatever the seeds, every link gets one of their systems and the directed tree is valid.
 TEST(SystemAssignment, RandomSeedsAlwaysGiveAValidForest) {
     std::mt19937_64 random(1);
