@@ -2,6 +2,8 @@
 // How long the flow through a tree takes: build/release/bin/flow_bench. Linear in segments.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "core/flow/arrival_times.h"
 #include "core/flow/drug_front.h"
 #include "core/flow/flow_solution.h"
@@ -87,6 +89,37 @@ void whole_injection(benchmark::State& state) {
     state.SetLabel(std::to_string(steps) + " steps");
 }
 BENCHMARK(whole_injection)->Unit(benchmark::kMillisecond);
+
+// The trade of accuracy for speed: the largest error of any segment's arrival time, as a share of
+// the time in which the tree is filled, against the tolerance of a step. The yardstick is a run
+// with a hundredth of the finest tolerance.
+void step_tolerance(benchmark::State& state) {
+    Random random(6);
+    const FlowNetwork network = random_tree(random, 500);
+    FlowConditions conditions = injected(0, 2.0);
+    conditions.inlets[0].fluid = pure(lipiodol());
+    const double filling_s = volume_mm3(network) / (2.0 / conditions.inlets[0].fluid.density_g_mm3);
+    const auto arrivals = [&](double tolerance, std::uint64_t& steps) {
+        FrontOptions options;
+        options.step_tolerance = tolerance;
+        DrugFront front(network, conditions, 0, options);
+        while (!front.at_rest()) front.step(1e3);
+        steps = front.steps();
+        return front.arrival_times();
+    };
+    std::uint64_t steps = 0;
+    static const ArrivalTimes exact = arrivals(1e-5, steps);
+    const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+    ArrivalTimes times;
+    for (auto _ : state) times = arrivals(tolerance, steps);
+    double error = 0.0;
+    for (int i = 0; i < 500; ++i)
+        error = std::max(error, std::abs(times.first_s(i) - exact.first_s(i)) / filling_s);
+    state.counters["error"] = error;
+    state.counters["steps"] = static_cast<double>(steps);
+    state.SetLabel("tolerance 1e-" + std::to_string(state.range(0)));
+}
+BENCHMARK(step_tolerance)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 // What hovering over a patient's tree costs.
 void hover(benchmark::State& state) {

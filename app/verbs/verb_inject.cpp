@@ -22,6 +22,7 @@ struct Options {
     FluidOptions fluid;
     std::string at_mm;
     std::vector<std::string> territories_mm;
+    std::vector<std::string> tears_mm;
     bool free_tip = false;
     std::string shape = "one-cone";
     std::filesystem::path csv;
@@ -88,6 +89,7 @@ Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& 
         std::max(result.begin.mass_error_relative, result.end.mass_error_relative);
     answer["injected_g"] = end.injected_g;
     answer["delivered_g"] = end.delivered_g;
+    answer["bled_g"] = result.balance.bled_mm3 * result.drug.density_g_mm3;
     answer["delivered_fraction"] = end.injected_g > 0.0 ? end.delivered_g / end.injected_g : 0.0;
     answer["end_s"] = end.time_s;
     answer["steps"] = result.steps;
@@ -124,6 +126,8 @@ Json run(Options options, Job& job) {
     injection.tip = tip;
     for (const std::string& point : options.territories_mm)
         injection.territories.push_back(parse_point("--territory-mm", point, tree));
+    for (const std::string& point : options.tears_mm)
+        injection.tears.push_back(parse_point("--tear-mm", point, tree));
     injection.wedged = !options.free_tip;
     injection.law = options.fluid.law();
     injection.liquid = options.fluid.liquid();
@@ -162,9 +166,17 @@ void add_inject(CommandLine& line) {
                     "Blood that enters at the root, with --free");
     verb.add_option("--drug-viscosity-pa-s", injection.drug_viscosity_pa_s,
                     "Viscosity of the injected fluid, instead of the mixture's");
+    verb.add_option("--close", injection.closed_segments,
+                    "Number of a segment that is clamped or plugged; may be repeated");
+    verb.add_option("--tear-mm", options->tears_mm,
+                    "X,Y,Z where a vessel is torn through; may be repeated");
     verb.add_option("--injection-s", injection.injection_s, "Then nothing more is injected");
     verb.add_option("--until-s", injection.until_s, "End; default: until nothing changes any more");
     verb.add_option("--step-s", injection.step_s, "Time between two rows of the series");
+    verb.add_option("--step-tolerance", injection.front.step_tolerance,
+                    "Change of flow allowed within one step, where the fluids differ: smaller is "
+                    "more accurate and slower")
+        ->capture_default_str();
     verb.add_option("--outlet-pressure-pa", injection.outlet_pressure_pa, "Beyond every outlet");
     verb.add_option("--terminal-resistance", injection.terminal_resistance_pa_s_mm3,
                     "Of all vessels too small to see, in Pa s/mm3, shared by Murray's law");

@@ -65,10 +65,10 @@ struct Bed {
     double present_resistance() const { return open_share > 0.0 ? resistance / open_share : never; }
 };
 
-class Bombardment {
+class BeadTransport {
   public:
-    Bombardment(const FlowNetwork& network, const FlowConditions& conditions, int inlet,
-                const EmbolizationOptions& options)
+    BeadTransport(const FlowNetwork& network, const FlowConditions& conditions, int inlet,
+                  const EmbolizationOptions& options)
         : options_(options), conditions_(conditions), inlet_(inlet), dice_(options.seed) {
         result_.network = network;
         if (inlet < 0 || inlet >= static_cast<int>(conditions.inlets.size()) ||
@@ -297,13 +297,13 @@ Embolization embolize(const FlowNetwork& network, const FlowConditions& conditio
                       const EmbolizationOptions& options, Job& job) {
     job.begin_stage("embolization");
     validate_options(options);
-    Bombardment bombardment(network, conditions, bead_inlet, options);
+    BeadTransport transport(network, conditions, bead_inlet, options);
     int sent = 0;
-    while (bombardment.inject_batch()) {
+    while (transport.inject_batch()) {
         sent += options.batch;
         job.advance(std::min(1.0, sent / std::max(1.0, static_cast<double>(options.bead_count))));
     }
-    return bombardment.take();
+    return transport.take();
 }
 
 }  // namespace hepatica

@@ -41,6 +41,13 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
         throw InputError("there is no segment " + std::to_string(tip.segment), "injection",
                          "Choose a point on the vessel tree");
     FlowNetwork& network = injection.network;
+    for (const int closed : options.closed_segments) {
+        if (closed < 0 || closed >= static_cast<int>(tree.segments.size()))
+            throw InputError("there is no segment " + std::to_string(closed), "injection",
+                             "Close a segment of the vessel tree");
+        set_open(network, closed, false);
+    }
+    for (const TreePoint& point : options.tears) tear(network, point);
     injection.tip_node = place_catheter(network, tip, options.wedged);
     FlowConditions& conditions = injection.conditions;
     conditions.law = options.law;

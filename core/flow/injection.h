@@ -38,6 +38,9 @@ struct InjectionOptions {
     double terminal_resistance_pa_s_mm3 = 0.0;
     double bifurcation_loss_coefficient = 0.0;
 
+    std::vector<int> closed_segments;  // of the tree: clamped, plugged
+    std::vector<TreePoint> tears;      // through which both stumps bleed
+
     double injection_s = std::numeric_limits<double>::infinity();  // then the catheter is closed
     // Until then; none: until nothing changes any more, at most ten times as long as it takes to
     // inject the volume of the tree.

@@ -152,6 +152,26 @@ TEST(Injection, AShortOneFollowedByBloodIsDeliveredInFull) {
     EXPECT_LE(injection.balance.error_relative(), 1e-12);
 }
 
+TEST(Injection, FeelsAClosedAndATornVessel) {
+    const VesselTree tree = make_tree(71, 4);
+    InjectionOptions options;
+    Job job;
+    options.closed_segments = {1};
+    const InjectionResult closed = inject(tree, options, job);
+    EXPECT_TRUE(std::isinf(first_arrival_s(closed, 1)));
+    EXPECT_EQ(end_flow_g_s(closed, 1), 0.0);
+    EXPECT_GT(closed.series.front().inlet_pressure_pa,
+              inject(tree, {}, job).series.front().inlet_pressure_pa);
+    options.closed_segments.clear();
+    options.tears = {{1, 0.5 * length_mm(tree.segments[1]), 0.0}};
+    const InjectionResult torn = inject(tree, options, job);
+    EXPECT_GT(torn.balance.bled_mm3, 0.0);
+    EXPECT_LE(torn.balance.error_relative(), 1e-12);
+    EXPECT_TRUE(std::isinf(first_arrival_s(torn, 2)));  // beyond the tear
+    options.closed_segments = {999};
+    EXPECT_THROW(inject(tree, options, job), InputError);
+}
+
 TEST(Injection, SamplesDoNotChangeTheSolution) {
     const VesselTree tree = make_tree(67, 4);
     Job job;
