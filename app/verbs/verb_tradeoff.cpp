@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "app/verbs/verbs.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/deform_part.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -11,6 +13,7 @@ namespace hepatica {
 namespace {
 
 struct Options {
+    std::filesystem::path patient;
     std::filesystem::path out;
     bool quick = false;
 };
@@ -33,14 +36,21 @@ Json json_of(const TradeoffPoint& point) {
     return json;
 }
 
+Tradeoff measure(const Options& options, Job& job) {
+    if (options.patient.empty()) return measure_beam_tradeoff(options.quick, job);
+    const DeformPart part(read_case_without_voxels(options.patient), DeformSpec{});
+    return measure_body_tradeoff(part.body(), job);
+}
+
 }  // namespace
 
 void add_tradeoff(CommandLine& line) {
     const auto options = std::make_shared<Options>();
     CLI::App& verb = line.add_verb(
-        "tradeoff", "Error against cost over the dial, on a beam whose answer is known",
+        "tradeoff",
+        "Error against cost over the dial, on a beam whose answer is known or on a patient",
         [options](Job& job) {
-            const Tradeoff tradeoff = measure_beam_tradeoff(options->quick, job);
+            const Tradeoff tradeoff = measure(*options, job);
             write_tradeoff(tradeoff, options->out);
             Json points = Json::array(), front = Json::array();
             for (const TradeoffPoint& point : tradeoff.points) {
@@ -57,6 +67,7 @@ void add_tradeoff(CommandLine& line) {
                         {"points", points},
                         {"pareto", front}};
         });
+    verb.add_option("CASE", options->patient, "A patient's case; without it the clamped beam");
     verb.add_option("--out", options->out, "Folder for tradeoff.csv and tradeoff.svg")->required();
     verb.add_flag("--quick", options->quick, "Leave out the large meshes");
 }

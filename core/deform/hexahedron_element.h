@@ -16,6 +16,7 @@ struct HexahedronRest {
     Vector3<T> gradient[8];  // of the shape functions, averaged over the element
     T stiffness[24][24];     // uN/mm, at rest, condensed
     T volume;                // mm3
+    T guard;                 // Pa, against being crushed
     T mass_share[8];         // of the element's mass; sum 1
 };
 
@@ -141,6 +142,7 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         rest.gradient[a] = (T(1) / rest.volume) * rest.gradient[a];
         rest.mass_share[a] /= rest.volume;
     }
+    rest.guard = local_lambda + T(2) * mu;
     condense_modes(k);
     // What exceeds 4 mu resists the mean dilatation, in which the modes have no share.
     const T bulk = (lambda - local_lambda) * rest.volume;
@@ -175,6 +177,11 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
         energy += T(0.5) * dot(d[a], pull[a]);
         torque = torque + cross(y[a], pull[a]);
     }
+    // The rotated frame alone cannot tell a face turned over from one in place: below three tenths
+    // of its volume the element also resists as a whole.
+    const Matrix3<T> cofactors = cofactor(f);
+    const T crushed = detail::smaller(determinant(f) - T(0.3), T(0));
+    energy += T(0.5) * rest.guard * rest.volume * crushed * crushed;
     if (force) {
         // delta theta = G^-1 sum grad N x R^T delta x, with G = trace(S) - S and S = R^T F.
         const Matrix3<T> s = transpose(r) * f;
@@ -190,7 +197,12 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
                 Matrix3<T> k;
                 for (int i = 0; i < 3; ++i)
                     for (int j = 0; j < 3; ++j) k(i, j) = rest.stiffness[3 * a + i][3 * b + j];
-                blocks[pair_index<8>(a, b)] = r * times_transposed(k, r);
+                Matrix3<T>& block = blocks[pair_index<8>(a, b)];
+                block = r * times_transposed(k, r);
+                if (crushed < T(0))
+                    block =
+                        block + (rest.guard * rest.volume) * outer(cofactors * rest.gradient[a],
+                                                                   cofactors * rest.gradient[b]);
             }
     }
     return energy;

@@ -12,6 +12,7 @@ namespace hepatica {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
+constexpr double rest_damping_ratio = 0.5;  // or more, so that a body comes to rest within a second
 
 double median(std::vector<double> values) {
     std::ranges::nth_element(values, values.begin() + values.size() / 2);
@@ -88,9 +89,11 @@ double displacement_error(std::span<const Vec3> positions_mm, std::span<const Ve
     return std::sqrt(missed / moved);
 }
 
-std::vector<QualityPoint> measure_quality(const BodyDescription& body,
+std::vector<QualityPoint> measure_quality(const BodyDescription& description,
                                           std::span<const StepperOptions> settings, int frames,
                                           const Vec3& gravity_mm_per_s2) {
+    BodyDescription body = description;
+    body.material.damping_ratio = std::max(body.material.damping_ratio, rest_damping_ratio);
     if (std::ranges::none_of(body.fixed, [](std::uint8_t f) { return f != 0; }))
         throw InputError("nothing of the body is fixed", "the dial", "Fix the ends of the tree");
     const std::vector<Vec3> reference = reference_at_rest(body, gravity_mm_per_s2);

@@ -51,9 +51,10 @@ double displacement_error(std::span<const Vec3> positions_mm, std::span<const Ve
                           std::span<const Vec3> rest_mm);
 
 // Measures settings on a body of one's own: each is run for `frames` of 1/60 s under gravity from
-// rest; cost is the median frame, error is that of the last frame against the same mesh run to rest
-// in quadratic order (linear where the model has none) with converged Newton and linear solves.
-// Throws InputError where nothing of the body is fixed: it would never rest.
+// rest, damped enough to come to rest; cost is the median frame, error is that of the last frame
+// against the same mesh run to rest in quadratic order (linear where the model has none) with
+// converged Newton and linear solves. Throws InputError where nothing of the body is fixed: it
+// would never rest.
 std::vector<QualityPoint> measure_quality(const BodyDescription& body,
                                           std::span<const StepperOptions> settings, int frames,
                                           const Vec3& gravity_mm_per_s2);

@@ -49,6 +49,7 @@ class DeformPart {
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
     const std::vector<Vec3>& rest_positions_mm() const { return body_.mesh.vertices_mm; }
+    const BodyDescription& body() const { return body_; }  // as built from the case
     DeformState state() const;
     void set_state(const DeformState& state);
 
