@@ -21,6 +21,9 @@ constexpr double good_residual = 1e-8;
 constexpr double per_factor_entry = 7.0;
 constexpr double per_matrix_entry = 4.0;
 
+// What was too much change to iterate over is raised by this much with each factorisation.
+constexpr double forgetting = 1.02;
+
 double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
@@ -50,21 +53,29 @@ void CholeskySolver::plan(const BlockMatrix& pattern) {
     iteration_.forget();
 }
 
-std::vector<int> CholeskySolver::changed_vertices() const {
+CholeskySolver::Change CholeskySolver::change() const {
     const BlockMatrix& a = *matrix_;
-    std::vector<char> changed(static_cast<std::size_t>(a.rows()), 0);
-    parallel_blocks(changed.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> size(static_cast<std::size_t>(a.rows()), 0.0);
+    parallel_blocks(size.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            changed[i] =
-                !std::equal(a.block.begin() + a.row_begin[i], a.block.begin() + a.row_begin[i + 1],
-                            factored_.block.begin() + a.row_begin[i]);
+            double largest = 0.0;
+            for (int k = a.row_begin[i]; k < a.row_begin[i + 1]; ++k) {
+                const double difference = (a.block[k] - factored_.block[k]).squaredNorm();
+                // Written so that NaN counts as a change.
+                if (!(difference <= largest)) largest = difference;
+            }
+            if (largest == 0.0) continue;
+            const double scale = factored_.block[a.diagonal[i]].squaredNorm();
+            size[i] = scale > 0.0 ? std::sqrt(largest / scale) : 1.0;
         }
     });
-    std::vector<int> list;
-    for (std::size_t i = 0; i < changed.size(); ++i) {
-        if (changed[i]) list.push_back(static_cast<int>(i));
+    Change change;
+    for (std::size_t i = 0; i < size.size(); ++i) {
+        if (size[i] == 0.0) continue;
+        change.vertices.push_back(static_cast<int>(i));
+        change.size = std::max(change.size, size[i]);
     }
-    return list;
+    return change;
 }
 
 void CholeskySolver::factor_anew() {
@@ -79,19 +90,22 @@ void CholeskySolver::prepare(const BlockMatrix& matrix, std::span<const Vec3>) {
     matrix_ = &matrix;
     plan(matrix);
     if (!factored_once_) return factor_anew();
-    const std::vector<int> changed = changed_vertices();
-    exact_ = changed.empty();
+    const Change found = change();
+    exact_ = found.vertices.empty();
     if (exact_) return;
-    const double cost = factor_->refactor_multiplications(changed);
-    if (!settings_.exact && spent_ < cost) return;
-    for (const int v : changed) {
+    change_ = found.size;
+    catch_up_ = factor_->refactor_multiplications(found.vertices);
+    const bool known_to_be_dear = too_much_ > 0.0 && !(change_ < too_much_);
+    if (!settings_.exact && !known_to_be_dear && spent_ < catch_up_) return;
+    for (const int v : found.vertices) {
         std::copy(matrix.block.begin() + matrix.row_begin[v],
                   matrix.block.begin() + matrix.row_begin[v + 1],
                   factored_.block.begin() + matrix.row_begin[v]);
     }
-    factor_->refactor(factored_, changed, 0.0);
+    factor_->refactor(factored_, found.vertices, 0.0);
     exact_ = true;
     spent_ = 0.0;
+    too_much_ *= forgetting;  // tried again now and then: the motion may be another one
 }
 
 double CholeskySolver::iteration_cost() const {
@@ -131,10 +145,14 @@ SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     const double cost = iteration_cost();
     const double affordable = factor_->tree().multiplications / cost;
     SolveLimits lagged = limits;
-    lagged.max_iterations = std::min(limits.max_iterations, 4 + static_cast<int>(affordable));
+    lagged.max_iterations = std::min(limits.max_iterations, 3 + static_cast<int>(affordable));
     SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, lagged);
     report.method = name();
-    spent_ += std::max(0, report.iterations - 1) * cost;
+    const double extra = std::max(0, report.iterations - 1) * cost;
+    spent_ += extra;
+    if (!exact_ && extra > catch_up_) {
+        too_much_ = too_much_ > 0.0 ? std::min(too_much_, change_) : change_;
+    }
     if (report.converged || report.iterations >= limits.max_iterations || exact_) return report;
     const int iterations = report.iterations;
     factor_anew();

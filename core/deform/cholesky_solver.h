@@ -35,7 +35,11 @@ class CholeskySolver final : public LinearSolver {
     const TreeCholesky& factor() const { return *factor_; }
 
   private:
-    std::vector<int> changed_vertices() const;
+    struct Change {
+        std::vector<int> vertices;
+        double size = 0.0;  // largest, relative to the diagonal blocks
+    };
+    Change change() const;
     void factor_anew();
     double iteration_cost() const;
     SolveReport solve_directly(std::span<const Vec3> rhs, std::span<Vec3> x);
@@ -47,8 +51,12 @@ class CholeskySolver final : public LinearSolver {
     std::optional<TreeCholesky> factor_;
     BlockMatrix factored_;  // the matrix as the factor knows it
     bool factored_once_ = false;
-    bool exact_ = false;  // factor_ is that of *matrix_
-    double spent_ = 0.0;  // on iterations that a fresh factor would have saved
+    bool exact_ = false;   // factor_ is that of *matrix_
+    double spent_ = 0.0;   // on iterations that a fresh factor would have saved
+    double change_ = 0.0;  // since the factorisation, and what it would cost to catch up
+    double catch_up_ = 0.0;
+    // Least change under which iterating was found to cost more than catching up; 0: none yet.
+    double too_much_ = 0.0;
     ConjugateGradient iteration_;
     std::vector<Vec3> residual_;
 };

@@ -53,7 +53,7 @@ TEST(CholeskySolver, KeepsTheErrorWhileTheBodyTurnsUnderAnOldFactor) {
     const Motion motion;
     const std::vector<Vec3> load = test::make_load(motion.body, {});
     CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
-    int direct = 0, most = 0;
+    int most = 0;
     for (int frame = 0; frame < 20; ++frame) {
         const auto positions = motion.positions(0.02 * frame + 1e-3, 80.0);
         const BlockMatrix matrix = test::assemble(motion.body, positions, {});
@@ -62,11 +62,9 @@ TEST(CholeskySolver, KeepsTheErrorWhileTheBodyTurnsUnderAnOldFactor) {
         const SolveReport report = solver.solve(load, x, {.energy_tolerance = 1e-2});
         EXPECT_TRUE(report.converged);
         EXPECT_LE(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
-        direct += report.iterations == 0 ? 1 : 0;
         most = std::max(most, report.iterations);
     }
     EXPECT_LE(most, 30);
-    EXPECT_LE(direct, 10);
 }
 
 TEST(CholeskySolver, ExactSettingRefactorsOnlyTheBranchThatTurned) {
