@@ -14,6 +14,7 @@ void add_all_verbs(CommandLine& line) {
     add_simulate(line);
     add_replay(line);
 #ifdef HEPATICA_HAS_RENDER
+    add_play(line);
     add_render(line);
 #endif
     add_scene(line);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tour that a trainee would make at the window, played without one: look, pull a vessel, let
+// go, inject, watch the front. Leaves pictures, curves and the facts behind a report.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+struct PlayedPicture {
+    std::filesystem::path file;  // relative to the folder played into
+    std::string caption;
+};
+
+struct HeadlessPlay {
+    std::vector<PlayedPicture> pictures;
+    nlohmann::ordered_json simulation;  // steps, times, forces
+    nlohmann::ordered_json injection;   // pressure, volumes, arrival
+};
+
+// Plays on the patient and writes the pictures and curves into `folder`, which must exist.
+// Throws InputError (a folder that cannot be written, a case without a body), Cancelled.
+HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
+                           const std::filesystem::path& folder, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A self-contained page of pictures and tables that any browser opens: what a headless session
+// leaves behind for a person to look at.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hepatica {
+
+class HtmlReport {
+  public:
+    explicit HtmlReport(std::string title) : title_(std::move(title)) {}
+
+    void add_heading(const std::string& text);
+    void add_paragraph(const std::string& text);
+    // `file` is named relative to the page and not copied.
+    void add_picture(const std::filesystem::path& file, const std::string& caption);
+    // An object becomes rows of key and value; an array of objects a table with a column per key.
+    void add_table(const nlohmann::ordered_json& facts);
+
+    // Throws InputError where the page cannot be written.
+    void write(const std::filesystem::path& file) const;
+
+  private:
+    std::string title_;
+    std::string body_;
+};
+
+}  // namespace hepatica

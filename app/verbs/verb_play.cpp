@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "app/headless_play.h"
+#include "app/html_report.h"
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/anatomy/accuracy.h"
+#include "core/anatomy/phantom.h"
+#include "core/base/atomic_write.h"
+#include "core/image/volume_writer.h"
+#include "core/patient/patient_case.h"
+#include "core/patient/reconstruct.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    fs::path patient;  // CT or case; empty: the built-in patient
+    fs::path out = "out";
+};
+
+// What there is to play with, and what is known of how it was made.
+struct Opened {
+    PatientCase patient;
+    std::string title;
+    Json stages = Json::array();
+    Json accuracy;  // null unless the truth is known
+};
+
+Json facts_of(const VesselTree& tree, const TetMesh& mesh) {
+    return {{"segments", tree.segments.size()},
+            {"bifurcations", bifurcation_count(tree)},
+            {"ends", end_count(tree)},
+            {"length_mm", length_mm(tree)},
+            {"tetrahedra", mesh.tetrahedra.size()}};
+}
+
+Opened reconstructed(const fs::path& ct, const fs::path& case_folder, Job& job) {
+    ReconstructOptions options;
+    options.ct = ct;
+    Opened opened;
+    opened.patient = reconstruct(options, job).patient;
+    write_case(case_folder, opened.patient);
+    for (const StageTime& stage : job.stage_times())
+        opened.stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
+    return opened;
+}
+
+Opened built_in(const fs::path& out, Job& job) {
+    const Phantom phantom = make_phantom(PhantomOptions{}, job);
+    const fs::path ct = out / "built_in_patient.nii.gz";
+    write_nifti(ct, phantom.ct);
+    Opened opened = reconstructed(ct, out / "built_in_patient.hep", job);
+    const Accuracy found = compare(opened.patient.tree, opened.patient.mask, phantom.tree,
+                                   phantom.vessels, AccuracyOptions{}, job);
+    opened.accuracy = {{"dice", found.dice},
+                       {"cldice", found.cldice},
+                       {"centreline_mean_mm", found.centreline_mean_mm},
+                       {"radius_mae_mm", found.radius_mae_mm},
+                       {"bifurcation_recall", found.bifurcation_recall},
+                       {"bifurcation_precision", found.bifurcation_precision}};
+    opened.title = "the built-in patient";
+    return opened;
+}
+
+Opened open(const Options& options, Job& job) {
+    if (options.patient.empty()) return built_in(options.out, job);
+    Opened opened;
+    if (is_case(options.patient)) {
+        opened.patient = read_case_without_voxels(options.patient);
+    } else {
+        const fs::path named = options.patient.has_filename()
+                                   ? options.patient.filename()
+                                   : options.patient.parent_path().filename();
+        opened = reconstructed(options.patient, options.out / (named.string() + ".hep"), job);
+    }
+    opened.title = options.patient.string();
+    return opened;
+}
+
+void write_report(const fs::path& file, const Opened& opened, const HeadlessPlay& played) {
+    HtmlReport report("Hepatica: a session on " + opened.title);
+    report.add_paragraph(
+        "No display was found, so the session was played without one. The pictures are what the "
+        "window would have shown.");
+    for (const PlayedPicture& picture : played.pictures)
+        report.add_picture(picture.file, picture.caption);
+    report.add_heading("The tree and its body");
+    report.add_table(facts_of(opened.patient.tree, opened.patient.mesh));
+    if (!opened.accuracy.is_null()) {
+        report.add_heading("Against the known truth");
+        report.add_table(opened.accuracy);
+    }
+    if (!opened.stages.empty()) {
+        report.add_heading("Time of each stage");
+        report.add_table(opened.stages);
+    }
+    report.add_heading("Pulling");
+    report.add_table(played.simulation);
+    report.add_heading("Injecting");
+    report.add_table(played.injection);
+    report.write(file);
+}
+
+Json run(const Options& options, Job& job) {
+    const fs::path report = options.out / "report.html";
+    require_writable(report);
+    fs::create_directories(options.out);
+    Opened opened = open(options, job);
+    const Json tree = facts_of(opened.patient.tree, opened.patient.mesh);
+    const auto patient = std::make_shared<const PatientCase>(opened.patient);
+    const HeadlessPlay played = play_headless(patient, options.out, job);
+    write_report(report, opened, played);
+    Json files = Json::array();
+    for (const PlayedPicture& picture : played.pictures)
+        files.push_back((options.out / picture.file).string());
+    return {{"report", report.string()},
+            {"pictures", files},
+            {"tree", tree},
+            {"accuracy", opened.accuracy},
+            {"simulation", played.simulation},
+            {"injection", played.injection}};
+}
+
+}  // namespace
+
+void add_play(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb("play", "Play a session without a window: pictures and a report",
+                                   [options](Job& job) { return run(*options, job); });
+    verb.add_option("patient", options->patient, "CT or case; none: the built-in patient");
+    verb.add_option("--out", options->out, "Folder for pictures and report.html")
+        ->capture_default_str();
+}
+
+}  // namespace hepatica
