@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/flow/injection.h"
+#include "core/scene/world.h"
 #include "core/session/script.h"
 #include "core/session/session.h"
 #include "render/chart.h"
@@ -116,7 +117,8 @@ void watch_injection(Session& session, Player& player, Album& album) {
     }
 }
 
-Chart curve_over_time(const InjectionResult& injection, const std::string& title, const std::string& unit,
+Chart curve_over_time(const InjectionResult& injection, const std::string& title,
+                      const std::string& unit,
                       const std::function<double(const InjectionSample&)>& value) {
     Chart chart{title, "Time (s)", unit, {Curve{title, {}, {}}}};
     for (const InjectionSample& sample : injection.series) {
