@@ -29,8 +29,9 @@ constexpr double narrowest_band_hu = 12.0;
 constexpr double widest_band_hu = 24.0;
 constexpr double neck_radius_mm = 6.0;  // organs that touch through less are cut apart
 constexpr double vessel_closing_mm = 9.0;
-constexpr double rim_mm = 2.5;  // lost to the smoothing at the organ's surface
-constexpr double rim_band_hu = 45.0;
+constexpr double rim_mm = 4.0;  // lost to the smoothing at the surface, where fat pulls it down
+constexpr double rim_below_hu = 90.0;
+constexpr double rim_above_hu = 30.0;
 constexpr double smallest_core_ml = 40.0;
 
 // Mean over blocks of whole voxels of about coarse_spacing_mm.
@@ -190,7 +191,8 @@ Mask find_liver(const Volume& ct, Job& job) {
     Mask liver = dilate(organ.core, neck_radius_mm, job);
     intersect(liver, band(smooth, organ.mode.hu, organ.mode.half_band_hu));
     Mask rim = dilate(liver, rim_mm, job);
-    intersect(rim, band(smooth, organ.mode.hu, rim_band_hu));
+    intersect(rim, band(smooth, organ.mode.hu + 0.5 * (rim_above_hu - rim_below_hu),
+                        0.5 * (rim_above_hu + rim_below_hu)));
     unite(liver, rim);
     liver = close_liver(largest_components(liver, Connectivity::faces6), vessel_closing_mm, job);
     job.advance(0.9);

@@ -74,12 +74,23 @@ TEST(VesselSegmentation, ReachesItsFloorsOnARealPatient) {
     if (!std::filesystem::exists(data_folder() / "ircadb01_case01"))
         GTEST_SKIP() << "no test data in " << data_folder();
     Job job;
-    Patient patient = ircadb_patient(job);
+    const Patient patient = ircadb_patient(job);
     const Score s = score(segment(patient).mask, patient, job);
     EXPECT_GE(s.dice, 0.68);
     EXPECT_GE(s.cldice, 0.67);
-    add_noise(patient.ct, 12.0, 1, job);
-    EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.66);
+}
+
+TEST(VesselSegmentation, FindsTheLiverOfARealPatientAndItsVesselsByItself) {
+    if (!std::filesystem::exists(data_folder() / "ircadb01_case01"))
+        GTEST_SKIP() << "no test data in " << data_folder();
+    Job job;
+    const Patient patient = ircadb_patient(job);
+    const Segmentation found = segment(patient, false);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.66);
+    Patient organ = patient;
+    organ.truth = patient.judged;
+    organ.judged = Mask(patient.ct.grid, 1);
+    EXPECT_GE(score(found.liver, organ, job).dice, 0.87);
 }
 
 TEST(VesselSegmentation, ReachesItsFloorsOnThePhantomOfAnotherHand) {
@@ -147,22 +158,19 @@ TEST(VesselSegmentation, TakesTheUsersWindowAndRefusesAnEmptyOne) {
     EXPECT_THROW(segment_vessels(phantom.ct, options, job), InputError);
 }
 
-TEST(VesselSegmentation, StopsWithinAFifthOfASecond) {
+TEST(VesselSegmentation, StopsWhereverItIsCancelled) {
     Job setup;
     const Phantom phantom = make_phantom(small_phantom(), setup);
     SegmentationOptions options;
     options.liver = phantom.liver;
-    options.spacing_mm = 1.4;
+    options.spacing_mm = 0.6;  // long enough for every delay
     for (const int after_ms : {0, 30, 120, 300}) {
         Job job;
         std::thread canceller([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
             job.cancel();
         });
-        try {
-            segment_vessels(phantom.ct, options, job);
-        } catch (const Cancelled&) {
-        }
+        EXPECT_THROW(segment_vessels(phantom.ct, options, job), Cancelled) << after_ms << " ms";
         canceller.join();
     }
 }
