@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/anatomy/thinning.h"
+#include "core/anatomy/vessel_growth.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
@@ -59,33 +60,6 @@ void for_each_neighbour(const Grid& grid, std::size_t voxel, const Visit& visit)
             for (int x = -1; x <= 1; ++x)
                 if ((x != 0 || y != 0 || z != 0) && grid.contains(at[0] + x, at[1] + y, at[2] + z))
                     visit(grid.offset(at[0] + x, at[1] + y, at[2] + z));
-}
-
-// Puts back the pieces of skeleton outside the surface that join two parts of it, or are long.
-void keep_branches(const Mask& skeleton, double kept_mm, Mask& surface) {
-    const Grid& grid = surface.grid;
-    Mask outside(grid);
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
-        outside.voxels[i] = skeleton.voxels[i] && !surface.voxels[i];
-    const Components pieces = connected_components(outside, Connectivity::all26);
-    const Components parts = connected_components(surface, Connectivity::all26);
-    std::vector<std::uint32_t> touched(pieces.sizes.size() + 1, 0);  // first part met
-    std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
-    const double step = grid.spacing_mm.mean();
-    for (std::size_t p = 0; p < pieces.sizes.size(); ++p)
-        kept[p + 1] = static_cast<double>(pieces.sizes[p]) * step > kept_mm;
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i) {
-        const std::uint32_t piece = pieces.labels.voxels[i];
-        if (piece == 0 || kept[piece]) continue;
-        for_each_neighbour(grid, i, [&](std::size_t n) {
-            const std::uint32_t part = parts.labels.voxels[n];
-            if (part == 0) return;
-            if (touched[piece] == 0) touched[piece] = part;
-            if (touched[piece] != part) kept[piece] = 1;
-        });
-    }
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
-        if (kept[pieces.labels.voxels[i]]) surface.voxels[i] = 1;
 }
 
 // Every voxel of the surface takes its old label, new ones the smallest label around them, layer
@@ -150,7 +124,7 @@ Mask refine(const Mask& mask, const RefinementOptions& options, Job& job) {
     const Mask labels = crop(mask, box);
     Mask surface = level_set(labels, options, job);
     if (options.keep_thin_branches)
-        keep_branches(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface);
+        rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface);
     const Mask refined = labelled(surface, labels);
 
     Mask result(mask.grid);

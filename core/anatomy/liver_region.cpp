@@ -22,11 +22,16 @@ constexpr double soft_organ_from_hu = 30.0;
 constexpr double soft_organ_to_hu = 250.0;
 constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
 constexpr int histogram_bin_hu = 2;
-constexpr double half_band_hu = 24.0;   // of an organ around its mode, after smoothing
+// Of an organ around its mode after smoothing: so many deviations of its own histogram's peak, so
+// that a heart 20 HU brighter stays apart where the noise lets it.
+constexpr double band_deviations = 2.2;
+constexpr double narrowest_band_hu = 12.0;
+constexpr double widest_band_hu = 24.0;
 constexpr double neck_radius_mm = 6.0;  // organs that touch through less are cut apart
 constexpr double vessel_closing_mm = 9.0;
-constexpr double rim_mm = 2.5;  // lost to the smoothing at the organ's surface
-constexpr double rim_band_hu = 45.0;
+constexpr double rim_mm = 4.0;  // lost to the smoothing at the surface, where fat pulls it down
+constexpr double rim_below_hu = 90.0;
+constexpr double rim_above_hu = 30.0;
 constexpr double smallest_core_ml = 40.0;
 
 // Mean over blocks of whole voxels of about coarse_spacing_mm.
@@ -75,8 +80,22 @@ float slope(const FloatVolume& volume, int x, int y, int z) {
     return static_cast<float>(gradient.norm());
 }
 
-// Modes of the intensity of homogeneous soft tissue, one for each organ or group of them.
-std::vector<double> tissue_modes(const FloatVolume& smooth) {
+// A peak in the histogram of homogeneous soft tissue: an organ, or a group of them.
+struct TissueMode {
+    double hu = 0.0;
+    double half_band_hu = 0.0;
+};
+
+// Half the width of a peak at half its height, towards the side where that is narrower.
+double half_width_hu(const std::vector<double>& histogram, std::size_t peak) {
+    std::size_t reach = 1;
+    while (peak >= reach && peak + reach < histogram.size() &&
+           std::min(histogram[peak - reach], histogram[peak + reach]) > 0.5 * histogram[peak])
+        ++reach;
+    return static_cast<double>(reach) * histogram_bin_hu;
+}
+
+std::vector<TissueMode> tissue_modes(const FloatVolume& smooth) {
     constexpr int bins = static_cast<int>(soft_organ_to_hu - soft_organ_from_hu) / histogram_bin_hu;
     std::vector<double> histogram(bins, 0.0);
     const Grid& grid = smooth.grid;
@@ -96,10 +115,12 @@ std::vector<double> tissue_modes(const FloatVolume& smooth) {
                 even[static_cast<std::size_t>(i)] +=
                     histogram[static_cast<std::size_t>(i + k)] * std::exp(-k * k / 8.0);
     const double highest = *std::max_element(even.begin(), even.end());
-    std::vector<double> modes;
+    std::vector<TissueMode> modes;
     for (std::size_t i = 1; i + 1 < even.size(); ++i)
         if (even[i] > even[i - 1] && even[i] >= even[i + 1] && even[i] > 0.05 * highest)
-            modes.push_back(soft_organ_from_hu + (static_cast<double>(i) + 0.5) * histogram_bin_hu);
+            modes.push_back({soft_organ_from_hu + (static_cast<double>(i) + 0.5) * histogram_bin_hu,
+                             std::clamp(band_deviations * half_width_hu(even, i) / 1.177,
+                                        narrowest_band_hu, widest_band_hu)});
     return modes;
 }
 
@@ -129,17 +150,18 @@ double volume_ml(const Mask& mask) {
 }
 
 struct Organ {
-    double mode_hu = 0.0;
+    TissueMode mode;
     double core_ml = 0.0;
     Mask core;  // what is left of its band of intensities after eroding by neck_radius_mm
 };
 
 Organ largest_soft_organ(const FloatVolume& smooth, Job& job) {
     Organ largest;
-    const std::vector<double> modes = tissue_modes(smooth);
+    const std::vector<TissueMode> modes = tissue_modes(smooth);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         Mask core = largest_components(
-            erode(band(smooth, modes[i], half_band_hu), neck_radius_mm, job), Connectivity::faces6);
+            erode(band(smooth, modes[i].hu, modes[i].half_band_hu), neck_radius_mm, job),
+            Connectivity::faces6);
         const double ml = volume_ml(core);
         if (ml > largest.core_ml) largest = {modes[i], ml, std::move(core)};
         job.advance(0.7 * static_cast<double>(i + 1) / static_cast<double>(modes.size()));
@@ -167,9 +189,10 @@ Mask find_liver(const Volume& ct, Job& job) {
                          "CT", "Check that the scan shows the liver, or give a liver mask.");
     // Grown back from the core, and by the rim that smoothing has taken away.
     Mask liver = dilate(organ.core, neck_radius_mm, job);
-    intersect(liver, band(smooth, organ.mode_hu, half_band_hu));
+    intersect(liver, band(smooth, organ.mode.hu, organ.mode.half_band_hu));
     Mask rim = dilate(liver, rim_mm, job);
-    intersect(rim, band(smooth, organ.mode_hu, rim_band_hu));
+    intersect(rim, band(smooth, organ.mode.hu + 0.5 * (rim_above_hu - rim_below_hu),
+                        0.5 * (rim_above_hu + rim_below_hu)));
     unite(liver, rim);
     liver = close_liver(largest_components(liver, Connectivity::faces6), vessel_closing_mm, job);
     job.advance(0.9);

@@ -102,7 +102,7 @@ Mask long_chains(const Mask& volume) {
 
 Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job& job) {
     FloatVolume smooth = smoothed_layers(tissue, job);
-    const RobustSpread spread = robust_spread(smooth, liver);
+    const RobustSpread spread = robust_spread(smooth, tissue.interior);
     const double threshold =
         tissue.threshold_hu.value_or(spread.median + section_deviations * spread.deviation);
     Detection detection{Mask(liver.grid), Mask(liver.grid)};

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/morphology.h"
 
 namespace hepatica {
 
@@ -17,6 +18,7 @@ constexpr double level_sigma_mm = 8.0;
 constexpr double coarse_spacing_mm = 3.2;
 constexpr double noise_smoothing_mm = 1.0;  // before a voxel is judged to be parenchyma
 constexpr double outlier_deviations = 2.0;
+constexpr double rim_mm = 3.0;
 constexpr int rounds = 3;
 // Weight of the level so far against the voxels around, where hardly any voxel counts.
 constexpr float prior_weight = 0.02f;
@@ -104,20 +106,24 @@ RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
     if (chosen.empty()) return {};
     RobustSpread spread;
     spread.median = median_of(chosen);
-    for (float& v : chosen) v = std::abs(v - static_cast<float>(spread.median));
-    spread.deviation = 1.4826 * median_of(chosen);
+    std::vector<float> below;
+    for (const float v : chosen)
+        if (v <= static_cast<float>(spread.median))
+            below.push_back(static_cast<float>(spread.median) - v);
+    spread.deviation = 1.4826 * median_of(below);
     return spread;
 }
 
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job) {
     FloatVolume smooth = intensity;
     gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job);
-    RobustSpread spread = robust_spread(smooth, liver);
+    TissueContrast tissue;
+    tissue.interior = erode(liver, rim_mm, job);
+    RobustSpread spread = robust_spread(smooth, tissue.interior);
     if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
         throw InputError("the liver region is empty", "liver mask",
                          "Give a mask that lies inside the CT.");
 
-    TissueContrast tissue;
     tissue.parenchyma_hu = spread.median;
     CoarseLevel coarse(intensity.grid);
     FloatVolume level(intensity.grid, static_cast<float>(spread.median));
@@ -130,7 +136,7 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     };
     for (int round = 0; round < rounds; ++round) {
         subtract(smooth);
-        spread = robust_spread(rise, liver);
+        spread = robust_spread(rise, tissue.interior);
         const auto limit = static_cast<float>(outlier_deviations * spread.deviation);
         level = resample(
             coarse.mean(
@@ -141,7 +147,7 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
         job.advance(static_cast<double>(round + 1) / rounds);
     }
     subtract(intensity);
-    spread = robust_spread(rise, liver);
+    spread = robust_spread(rise, tissue.interior);
     tissue.noise_hu = spread.deviation;
     tissue.excess = std::move(rise);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)

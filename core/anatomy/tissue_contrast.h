@@ -14,6 +14,7 @@ struct TissueContrast {
     FloatVolume excess;          // intensity minus the local parenchyma, in HU; 0 outside the liver
     double parenchyma_hu = 0.0;  // median over the liver
     double noise_hu = 0.0;       // standard deviation of the parenchyma around its local level
+    Mask interior;               // the liver without its outermost 3 mm, where fat shines in
     // What counts as vessel, where the user has said so; else it follows from the noise.
     std::optional<double> threshold_hu;
 };
@@ -23,7 +24,9 @@ struct TissueContrast {
 // throughout: medians, not means. Throws InputError where the liver is empty; Cancelled.
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job);
 
-// 1.4826 times the median of |value - median| over the object voxels of a mask.
+// Over the object voxels of a mask: the median, and the standard deviation of the noise as its
+// lower half tells it (1.4826 times the median of what they fall below the median): vessels only
+// add to the upper half.
 struct RobustSpread {
     double median = 0.0;
     double deviation = 0.0;

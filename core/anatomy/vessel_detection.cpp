@@ -6,7 +6,9 @@
 #include <string>
 
 #include "core/anatomy/line_coherence.h"
+#include "core/anatomy/minimal_surface.h"
 #include "core/anatomy/multi_layer.h"
+#include "core/anatomy/thinning.h"
 #include "core/anatomy/vessel_growth.h"
 #include "core/anatomy/vesselness.h"
 #include "core/base/error.h"
@@ -20,7 +22,7 @@ namespace {
 // All in multiples of the deviation that is left after smoothing by surface_sigma_mm.
 constexpr double surface_sigma_mm = 0.6;
 constexpr double candidate_deviations = 1.5;
-constexpr double weak_deviations = 2.7;
+constexpr double weak_deviations = 3.0;
 constexpr double coherent_deviations = 3.0;
 constexpr double tubular_deviations = 1.5;
 // No single voxel says more than this, however bright: a line is many voxels.
@@ -29,6 +31,8 @@ constexpr double clip_above_deviations = 8.0;
 constexpr double line_sigma_mm = 0.9;
 constexpr double smallest_strong_mm3 = 8.0;
 constexpr double smallest_vessel_mm3 = 200.0;
+constexpr double wall_sigma_mm = 0.3;
+constexpr double kept_branch_mm = 4.0;
 constexpr double growth_mm = 1.6;
 const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
 
@@ -38,11 +42,11 @@ struct Evidence {
     double weak_hu = 0.0;
 };
 
-Evidence smoothed(const TissueContrast& tissue, const Mask& liver, Job& job) {
+Evidence smoothed(const TissueContrast& tissue, Job& job) {
     Evidence evidence;
     evidence.rise = tissue.excess;
     gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
-    const RobustSpread spread = robust_spread(evidence.rise, liver);
+    const RobustSpread spread = robust_spread(evidence.rise, tissue.interior);
     for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
     evidence.deviation = spread.deviation;
     evidence.weak_hu = tissue.threshold_hu.value_or(weak_deviations * spread.deviation);
@@ -104,7 +108,7 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, SegmentationMethod method,
                          Job& job) {
     if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
-    const Evidence evidence = smoothed(tissue, liver, job);
+    const Evidence evidence = smoothed(tissue, job);
     const Mask weak = above(evidence.rise, evidence.weak_hu, liver);
     Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, liver, evidence, job)
                                                          : tubular(tissue, liver, evidence, job);
@@ -112,7 +116,12 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, Segmen
         if (!weak.voxels[i]) strong.voxels[i] = 0;
     strong = hysteresis(strong, strong, smallest_strong_mm3);
     const Mask grown = grow_within(strong, weak, growth_mm);
-    return {hysteresis(grown, grown, smallest_vessel_mm3), Mask()};
+    const Mask vessels = hysteresis(grown, grown, smallest_vessel_mm3);
+    Mask fitted =
+        fit_surface(clipped(tissue, evidence.deviation, wall_sigma_mm, job), evidence.rise, vessels,
+                    liver, evidence.deviation, SurfaceOptions{}, job);
+    rejoin(thin(vessels, ThinningMethod::queue, job), kept_branch_mm, fitted);
+    return {std::move(fitted), Mask()};
 }
 
 }  // namespace hepatica

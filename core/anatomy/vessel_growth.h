@@ -14,4 +14,8 @@ Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3);
 // steps to 26 neighbours counted as one voxel each. Same grid of cubes for both.
 Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm);
 
+// Puts back the pieces of a skeleton outside a surface that join two of its parts, or are longer
+// than kept_mm. All on one grid.
+void rejoin(const Mask& skeleton, double kept_mm, Mask& surface);
+
 }  // namespace hepatica

@@ -21,7 +21,7 @@ constexpr double default_spacing_mm = 0.8;
 constexpr double coarse_slices_mm = 1.5;
 // A CT in the arterial or portal phase shows 1 to 4 % of the liver as vessels, 38 to 92 HU above
 // it.
-constexpr double least_vessel_share = 0.001;
+constexpr double least_vessel_share = 0.002;
 constexpr double least_contrast_hu = 15.0;
 
 std::string rounded(double value, int decimals = 0) {
@@ -35,8 +35,16 @@ std::size_t object_count(const Mask& mask) {
                                     mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
 }
 
-// Median of the excess well inside the vessels: a voxel away from their border where they are wide
-// enough for that, else anywhere in them.
+// The vessels away from the liver's border, where ribs, kidneys and heart shine in.
+Mask within(const Mask& vessels, const Mask& interior) {
+    Mask inner = vessels;
+    for (std::size_t i = 0; i < inner.voxels.size(); ++i)
+        if (!interior.voxels[i]) inner.voxels[i] = 0;
+    return inner;
+}
+
+// Median of the excess a voxel away from the vessels' walls where they are wide enough for that,
+// else anywhere in them.
 double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     const Mask inner = erode(vessels, 1.1 * vessels.grid.spacing_mm[0], job);
     constexpr std::size_t enough = 200;
@@ -83,10 +91,10 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
 
     job.begin_stage("Segmenting the vessels");
     Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
-    result.statistics = {
-        tissue.parenchyma_hu, tissue.noise_hu,
-        tissue.parenchyma_hu + vessel_excess(tissue.excess, detection.vessels, job)};
-    require_contrast(result.statistics, detection.vessels, frame.liver);
+    const Mask inner = within(detection.vessels, tissue.interior);
+    result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
+                         tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
+    require_contrast(result.statistics, inner, tissue.interior);
 
     job.begin_stage("Refining the surface");
     result.mask = refine(detection.vessels, options.refinement_recursions, job);

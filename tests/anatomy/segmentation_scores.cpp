@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/liver_region.h"
 #include "core/base/error.h"
 #include "tests/anatomy/segmentation_score.h"
 
@@ -93,6 +94,14 @@ void run(const Patient& patient, SegmentationMethod method, const Request& reque
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Score s = score(found.mask, patient, job);
+    if (!request.liver) {
+        Patient organ = patient;
+        organ.truth = close_liver(patient.liver, 8.0, job);
+        organ.judged = Mask(patient.ct.grid, 1);
+        const Score l = score(found.liver, organ, job);
+        std::printf("liver found without a mask: dice %.3f P %.3f R %.3f\n", l.dice, l.precision,
+                    l.recall);
+    }
     std::printf(
         "%-24s %-11s dice %.4f P %.3f R %.3f cldice %.4f P %.3f R %.3f length>1.2 %.3f  "
         "components %d  parenchyma %.0f contrast %.0f noise %.1f HU  %.1f s\n",
