@@ -58,11 +58,17 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
     std::fflush(stdout);
 }
 
+int refuse(const QString& problem) {
+    std::fprintf(stderr, "hepatica: %s\n", qPrintable(problem));
+    return 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace hepatica;
     prepare_opengl();
+    if (const QString problem = display_problem(); !problem.isEmpty()) return refuse(problem);
     QApplication application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     QApplication::setApplicationVersion(HEPATICA_VERSION);
@@ -71,9 +77,8 @@ int main(int argc, char** argv) {
     const Options options = parse(application);
     apply_theme(application);
     if (const QString problem = opengl_problem(); !problem.isEmpty()) {
-        std::fprintf(stderr, "hepatica: %s\n", qPrintable(problem));
-        QMessageBox::critical(nullptr, "Hepatica", problem);
-        return 1;
+        if (!options.quit_after_start) QMessageBox::critical(nullptr, "Hepatica", problem);
+        return refuse(problem);
     }
     Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
     MainWindow window(settings, {load_patient, write_case});

@@ -305,7 +305,13 @@ void MainWindow::show_figures() {
     plots_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     if (frame.statistics.message != last_message_) {
         last_message_ = frame.statistics.message;
-        if (!last_message_.empty()) messages_->show_notice(QString::fromStdString(last_message_));
+        const QString text = QString::fromStdString(last_message_);
+        // What stops the play stands above the view; what merely happens passes below it.
+        if (frame.statistics.paused && !text.isEmpty()) {
+            messages_->show_notice(text);
+        } else {
+            statusBar()->showMessage(text, 4000);
+        }
     }
 }
 

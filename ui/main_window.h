@@ -48,6 +48,8 @@ class MainWindow : public QMainWindow {
     bool busy() const { return job_ != nullptr; }
 
     bool has_patient() const { return patient_.has_value(); }
+    // The newest frame that the view has taken over; only while there is a patient.
+    const Frame& frame() const { return patient_->simulation->frame(); }
     VtkWidget& view() { return *view_; }
     MessageBar& messages() { return *messages_; }
     Actions& actions() { return *actions_; }

@@ -23,6 +23,13 @@ void prepare_opengl() {
     QSurfaceFormat::setDefaultFormat(format);
 }
 
+QString display_problem() {
+    const bool needs_x11 = qgetenv("QT_QPA_PLATFORM").startsWith("xcb");
+    if (!needs_x11 || !qEnvironmentVariableIsEmpty("DISPLAY")) return {};
+    return "There is no display: the variable DISPLAY is not set. Start the program in a graphical "
+           "session, or under xvfb-run; hepatica-cli makes pictures without any display.";
+}
+
 QString opengl_problem() {
     const QString remedy =
         "Install libgl1-mesa-dri (software rendering) or your graphics card's driver, and start "

@@ -10,6 +10,9 @@ namespace hepatica {
 // core profile for every context.
 void prepare_opengl();
 
+// Before the QApplication, which would abort: empty where there is a display to connect to.
+QString display_problem();
+
 // After it: empty where OpenGL 3.2 works, else what is missing and what to install.
 QString opengl_problem();
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 PatientCase patient_of(VesselTree tree, Job& job) {
     PatientCase patient;
-    job.begin_stage("mesh");
+    job.begin_stage("Making the mesh");
     patient.mesh = tetrahedralize(tree, MeshOptions{}, job);
     patient.surface = surface_of(patient.mesh).mesh;
     patient.tree = std::move(tree);
@@ -43,37 +43,43 @@ bool is_tree_file(const fs::path& path) {
 
 }  // namespace
 
+LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
+    LoadedPatient loaded;
+    job.begin_stage("Preparing the play");
+    loaded.anatomy = SurfaceAnatomy(patient->tree, patient->mesh.vertices_mm, job);
+    loaded.flow_shares = flow_shares(patient->tree);
+    loaded.simulation = std::make_unique<SimulationThread>(
+        std::make_unique<Session>(patient, default_scene(), job));
+    loaded.patient = std::move(patient);
+    return loaded;
+}
+
 LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     const fs::path& path = request.reconstruct.ct;
-    LoadedPatient loaded;
+    std::vector<std::string> warnings;
+    bool on_disk = false;
     PatientCase patient;
     if (request.built_in) {
-        loaded.title = "Built-in patient";
         patient = built_in_patient(job);
     } else if (!fs::exists(path)) {
         throw InputError("there is no such file or folder", path.string(),
                          "check the name, and that its disk is connected");
+    } else if (is_case(path)) {
+        job.begin_stage("Reading the case");
+        patient = read_case_without_voxels(path);
+        on_disk = true;
+    } else if (is_tree_file(path)) {
+        job.begin_stage("Reading the tree");
+        patient = patient_of(read_tree(path), job);
     } else {
-        loaded.title = path.filename().string();
-        if (is_case(path)) {
-            job.begin_stage("read case");
-            patient = read_case_without_voxels(path);
-            loaded.on_disk = true;
-        } else if (is_tree_file(path)) {
-            job.begin_stage("read tree");
-            patient = patient_of(read_tree(path), job);
-        } else {
-            Reconstruction made = reconstruct(request.reconstruct, job);
-            patient = std::move(made.patient);
-            loaded.warnings = std::move(made.warnings);
-        }
+        Reconstruction made = reconstruct(request.reconstruct, job);
+        patient = std::move(made.patient);
+        warnings = std::move(made.warnings);
     }
-    job.begin_stage("prepare");
-    loaded.anatomy = SurfaceAnatomy(patient.tree, patient.mesh.vertices_mm, job);
-    loaded.flow_shares = flow_shares(patient.tree);
-    loaded.patient = std::make_shared<const PatientCase>(std::move(patient));
-    loaded.simulation = std::make_unique<SimulationThread>(
-        std::make_unique<Session>(loaded.patient, default_scene(), job));
+    LoadedPatient loaded = play(std::make_shared<const PatientCase>(std::move(patient)), job);
+    loaded.title = request.built_in ? "Built-in patient" : path.filename().string();
+    loaded.warnings = std::move(warnings);
+    loaded.on_disk = on_disk;
     return loaded;
 }
 

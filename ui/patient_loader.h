@@ -30,6 +30,9 @@ struct LoadedPatient {
     bool on_disk = false;  // opened from a case folder: nothing to save
 };
 
+// A patient that is in memory, with its simulation running.
+LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job);
+
 // Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled.
 LoadedPatient load_patient(const OpenRequest& request, Job& job);
 

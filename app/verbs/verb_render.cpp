@@ -47,6 +47,11 @@ PictureOptions picture_options(const Options& options) {
         throw UsageError("\"" + options.size + "\" is no size", "--size",
                          "write width,height in pixels, as 1280,960");
     }
+    constexpr int largest = 16384;
+    if (picture.width < 1 || picture.height < 1 || picture.width > largest ||
+        picture.height > largest)
+        throw UsageError("a picture of " + options.size + " pixels cannot be made", "--size",
+                         "choose 1 to 16384 pixels each way");
     if (!(options.zoom > 0.0))
         throw UsageError("the zoom is not above 0", "--zoom", "1 shows all of the tree");
     picture.turn_right_deg = options.turn_right_deg;

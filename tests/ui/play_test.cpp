@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window with a real simulation behind it, on its own thread.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/session/small_patient.h"
+#include "ui/main_window.h"
+#include "ui/pixel_mapping.h"
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+namespace {
+
+class Play : public ::testing::Test {
+  protected:
+    Play()
+        : settings_(folder_.filePath("settings.ini")),
+          window_(settings_,
+                  {[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+                   write_case}) {
+        window_.resize(1000, 700);
+        window_.show();
+        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
+        window_.open(OpenRequest{true, {}});
+        const bool shown = QTest::qWaitFor(
+            [this] {
+                return window_.has_patient() && !window_.busy() && !frame().positions_mm.empty();
+            },
+            60000);
+        EXPECT_TRUE(shown);
+        window_.view().grabFramebuffer();
+    }
+
+    const Frame& frame() { return window_.frame(); }
+
+    QPoint on_widget(const Vec3& point_mm) {
+        return point_at(window_.view().scene().pixel_of(point_mm),
+                        window_.view().devicePixelRatioF())
+            .toPoint();
+    }
+    QPoint vertex_on_widget(int vertex) {
+        const float* v = &frame().positions_mm[3 * static_cast<std::size_t>(vertex)];
+        return on_widget(Vec3(v[0], v[1], v[2]));
+    }
+
+    QTemporaryDir folder_;
+    Settings settings_;
+    MainWindow window_;
+};
+
+// The middle of the longest segment: the one that gives way most.
+Vec3 softest_place() {
+    const VesselTree& tree = test::small_patient()->tree;
+    int longest = 0;
+    for (int s = 0; s < static_cast<int>(tree.segments.size()); ++s) {
+        const auto at = [&](int i) {
+            return length_mm(tree.segments[static_cast<std::size_t>(i)]);
+        };
+        if (at(s) > at(longest)) longest = s;
+    }
+    return test::middle_of(tree, longest);
+}
+
+TEST_F(Play, the_grabbed_vertex_follows_the_mouse) {
+    VtkWidget& view = window_.view();
+    const QPoint start = on_widget(softest_place());
+    const SurfacePick held = view.scene().pick(pixel_at(start, view.devicePixelRatioF()));
+    ASSERT_GE(held.triangle, 0);
+    const QPoint rest = vertex_on_widget(held.nearest_vertex);
+    QTest::mousePress(&view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&view, start + QPoint(20, 0));
+    QTest::mouseMove(&view, start + QPoint(40, 0));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return vertex_on_widget(held.nearest_vertex).x() - rest.x() > 5; }, 30000))
+        << "moved by " << vertex_on_widget(held.nearest_vertex).x() - rest.x() << " points";
+    EXPECT_TRUE(frame().grab.has_value());
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, start + QPoint(40, 0));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !frame().grab.has_value(); }, 30000));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return std::abs(vertex_on_widget(held.nearest_vertex).x() - rest.x()) <= 2; }, 60000))
+        << "it stays away from rest";
+}
+
+TEST_F(Play, a_double_click_sends_the_drug_downstream) {
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_widget(softest_place()));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return frame().drug.arrival_s != nullptr; }, 30000));
+    EXPECT_GT(frame().drug.end_s, 0.0);
+    const double before = frame().drug.time_s;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return frame().drug.time_s > before; }, 30000));
+}
+
+}  // namespace
+}  // namespace hepatica
