@@ -112,6 +112,7 @@ void MainWindow::build_panels() {
     quality_ = new QualityPanel([this](Command command) { post(std::move(command)); });
     make_dock(*this, "Injection", inject_);
     make_dock(*this, "Simulation", quality_);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     plots_ = new PlotPanel;
     plots_->on_save = [this](bool picture) { save_plots(picture); };
     plots_dock_ = new QDockWidget("Curves", this);

@@ -98,7 +98,7 @@ void PlotView::paint_axes(QPainter& painter) const {
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(y));
     }
     painter.drawText(QRectF(area.left(), 4, area.width(), 18), Qt::AlignLeft,
-                     QString::fromStdString(chart_.title + ", " + chart_.y_label));
+                     QString::fromStdString(chart_.y_label));
     painter.drawText(QRectF(area.left(), height() - 20.0, area.width(), 16), Qt::AlignCenter,
                      QString::fromStdString(chart_.x_label));
 }
@@ -152,8 +152,8 @@ void PlotPanel::set_charts(const Chart& left, const Chart& right) {
 }
 
 void PlotPanel::clear() {
-    left_->set_chart({"Pressure at the catheter", "Time (s)", "Pressure (Pa)", {}});
-    right_->set_chart({"Delivery", "Time (s)", "Share (%)", {}});
+    left_->set_chart({"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}});
+    right_->set_chart({"Delivery", "Time (s)", "Drug that has passed the ends (%)", {}});
     set_time({});
     save_picture_->setEnabled(false);
     save_table_->setEnabled(false);

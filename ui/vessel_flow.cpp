@@ -88,8 +88,9 @@ InjectionCurves injection_curves(const VesselTree& tree, const TreePoint& tip,
     const double longest_s = 1.5 * filling_time_s(network, conditions, node);
     DrugFront front(std::move(network), conditions, 0);
 
-    InjectionCurves curves{{"Pressure at the catheter", "Time (s)", "Pressure (Pa)", {}},
-                           {"Delivery", "Time (s)", "Share (%)", {}}};
+    InjectionCurves curves{
+        {"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}},
+        {"Delivery", "Time (s)", "Drug that has passed the ends (%)", {}}};
     Curve pressure{"at the tip", {}, {}};
     Curve delivered{"past the ends", {}, {}};
     for (int i = 0; i <= samples; ++i) {

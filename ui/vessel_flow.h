@@ -18,7 +18,7 @@ std::vector<double> flow_shares(const VesselTree& tree);
 
 struct InjectionCurves {
     Chart pressure;  // total pressure at the catheter's tip over time
-    Chart delivery;  // drug that has passed the ends, and the share of the vessels it fills
+    Chart delivery;  // share of the injected drug that has passed the ends
 };
 
 // Runs the drug's front from the tip (on the tree at rest) for half as long again as the drug takes

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double armijo = 1e-4;          // share of the predicted decrease that must come true
 constexpr double shortest_share = 1e-3;  // of a Newton step before the search gives up
+constexpr double at_rest = 1e-9;         // a move in mean edges that is rounding errors alone
 constexpr double rounding = 1e-13;       // relative size of a change of energy that means nothing
 constexpr int most_halvings = 4;
 // Iterates added to a linearly implicit step that had to be shortened, until one is taken whole.
@@ -302,12 +303,14 @@ bool BackwardEuler::iterate(Step& step, StepReport& report) {
 bool BackwardEuler::find_velocity(Step& step, StepReport& report) {
     int most = settings_.iterations;
     for (;; ++step.iterate) {
-        if (!iterate(step, report)) {
-            if (step.iterate == 0) return false;
-            break;
-        }
+        const bool lower = iterate(step, report);
         double longest = 0.0;
         for (const Vec3& d : step.direction) longest = std::max(longest, step.dt_s * d.norm());
+        if (!lower) {
+            // At rest the potential is rounding errors, and no direction lowers it for certain.
+            if (step.iterate == 0) return longest <= at_rest * body_.mean_edge_mm;
+            break;
+        }
         if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
         if (settings_.iterations == 1) most = step.share < 1.0 ? 1 + rescue_iterates : 1;
         if (step.iterate + 1 >= most) break;
