@@ -3,6 +3,7 @@
 
 #include <QActionGroup>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -12,6 +13,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QTextBrowser>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -201,9 +203,7 @@ void MainWindow::connect_views() {
             if (dock != plots_dock_) dock->setVisible(panels.isChecked());
         }
     });
-    actions_->on(ActionId::cheat_sheet, [this] {
-        QMessageBox::information(this, "Keys and mouse", Actions::cheat_sheet());
-    });
+    actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(); });
     actions_->on(ActionId::about, [this] {
         QMessageBox::about(this, "About Hepatica",
                            "<b>Hepatica " HEPATICA_VERSION
@@ -212,6 +212,19 @@ void MainWindow::connect_views() {
                                QString::fromStdString(view_->renderer_name()).toHtmlEscaped() +
                                "</p><p>Licence: GPL-3.0-or-later. Not a medical device.</p>");
     });
+}
+
+void MainWindow::show_cheat_sheet() {
+    auto* sheet = new QDialog(this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->setWindowTitle("Keys and mouse");
+    sheet->resize(620, 640);
+    auto* text = new QTextBrowser(sheet);
+    text->setFrameShape(QFrame::NoFrame);
+    text->setHtml(Actions::cheat_sheet());
+    auto* column = new QVBoxLayout(sheet);
+    column->addWidget(text);
+    sheet->show();
 }
 
 void MainWindow::fill_recent_files() {

@@ -75,6 +75,7 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_views();
     void fill_recent_files();
+    void show_cheat_sheet();
     void show_patient(LoadedPatient patient);
     void show_newest_frame();
     void show_figures();
