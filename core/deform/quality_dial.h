@@ -50,13 +50,15 @@ std::vector<std::size_t> pareto_front(std::span<const double> cost, std::span<co
 double displacement_error(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                           std::span<const Vec3> rest_mm);
 
-// Measures settings on a body of one's own: each is run for `frames` of 1/60 s under gravity from
-// rest, damped enough to come to rest; cost is the median frame, error is that of the last frame
-// against the same mesh run to rest in quadratic order (linear where the model has none) with
-// converged Newton and linear solves. Throws InputError where nothing of the body is fixed: it
-// would never rest.
-std::vector<QualityPoint> measure_quality(const BodyDescription& body,
-                                          std::span<const StepperOptions> settings, int frames,
-                                          const Vec3& gravity_mm_per_s2);
+// Where a body of one's own comes to rest under gravity: the same mesh in quadratic order (linear
+// for hexahedra), Newton's method and linear solves converged. One position per vertex. Throws
+// InputError where nothing of the body is fixed: it would never rest.
+std::vector<Vec3> converged_rest(const BodyDescription& body, const Vec3& gravity_mm_per_s2);
+
+// Runs one setting for `frames` of 1/60 s under gravity from rest, damped enough to come to rest
+// again; cost is the median frame, error is that of the last frame against converged_rest.
+QualityPoint measure_quality(const BodyDescription& body, const StepperOptions& options, int frames,
+                             const Vec3& gravity_mm_per_s2,
+                             std::span<const Vec3> converged_rest_mm);
 
 }  // namespace hepatica

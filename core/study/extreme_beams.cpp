@@ -24,8 +24,9 @@ struct BeamRow {
 BeamSpec spec_of(const BeamRow& row, const Discretisation& d) {
     BeamSpec spec;
     spec.cells = d.order == ElementOrder::quadratic ? Index3{10, 1, 1}
-                 : d.hexahedra                      ? Index3{14, 3, 3}
-                                                    : Index3{12, 2, 2};
+                 : !d.hexahedra                     ? Index3{12, 2, 2}
+                 : row.nu > 0.4                     ? Index3{20, 4, 4}
+                                                    : Index3{14, 3, 3};
     spec.material.young_modulus_pa = row.young_pa;
     spec.material.poisson_ratio = row.nu;
     spec.gravity_mm_s2 = 9810.0 * row.young_pa / 1e6;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/units.h"
 #include "core/deform/quality_dial.h"
 #include "core/study/reference_beam.h"
 
@@ -212,13 +213,15 @@ Tradeoff measure_body_tradeoff(const BodyDescription& body, Job& job) {
     jacobi.solver = LinearSolverKind::block_jacobi;
     jacobi.linear = {.energy_tolerance = 0.0, .max_iterations = 20};
     settings.push_back(jacobi);
+    const Vec3 gravity(0, 0, -units::standard_gravity);
     Tradeoff tradeoff;
+    job.begin_stage("reference");
+    const std::vector<Vec3> rest = converged_rest(body, gravity);
     job.begin_stage("settings");
     for (const StepperOptions& options : settings) {
         job.advance(static_cast<double>(tradeoff.points.size()) /
                     static_cast<double>(settings.size()));
-        const auto measured =
-            measure_quality(body, std::span(&options, 1), 60, Vec3(0, 0, -9806.65)).front();
+        const QualityPoint measured = measure_quality(body, options, 60, gravity, rest);
         TradeoffPoint point;
         point.element = name_of(Discretisation{options.model, options.order, false});
         point.elements = static_cast<int>(body.mesh.tetrahedra.size());
