@@ -54,34 +54,6 @@ int components_of(std::size_t vertices, const Cells& cells) {
     return components.count_of(used);
 }
 
-// Every edge between two triangles with opposite directions, and one fan around each vertex.
-bool is_closed_manifold(const TriangleMesh& surface) {
-    std::map<std::pair<int, int>, int> opposite;  // directed edge to the third corner
-    for (const auto& triangle : surface.triangles)
-        for (int i = 0; i < 3; ++i)
-            if (!opposite.try_emplace({triangle[i], triangle[(i + 1) % 3]}, triangle[(i + 2) % 3])
-                     .second)
-                return false;
-    std::vector<int> triangles_at(surface.vertices_mm.size(), 0);
-    std::vector<int> start(surface.vertices_mm.size(), -1);
-    for (const auto& [edge, corner] : opposite) {
-        if (!opposite.contains({edge.second, edge.first})) return false;
-        ++triangles_at[edge.first];
-        start[edge.first] = edge.second;
-    }
-    for (std::size_t v = 0; v < start.size(); ++v) {
-        if (start[v] < 0) continue;
-        const int centre = static_cast<int>(v);
-        int turned = 0, rim = start[v];
-        do {
-            rim = opposite.at({centre, rim});
-            ++turned;
-        } while (rim != start[v] && turned <= triangles_at[v]);
-        if (turned != triangles_at[v]) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 DihedralRange dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

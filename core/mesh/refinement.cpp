@@ -103,12 +103,12 @@ TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& optio
     const Criteria criteria(
         parameters::facet_angle = 25,
         parameters::facet_size = SizeByRadius{&field, options.facet_size_in_radii},
-        parameters::facet_topology = CGAL::MANIFOLD, parameters::cell_radius_edge_ratio = 2,
+        parameters::cell_radius_edge_ratio = 2,
         parameters::cell_size = SizeByRadius{&field, options.cell_size_in_radii});
 
     Complex complex;
     insert_surface_points(complex, domain, field);
-    CGAL::refine_mesh_3(complex, domain, criteria, parameters::no_perturb(),
+    CGAL::refine_mesh_3(complex, domain, criteria, parameters::manifold(), parameters::no_perturb(),
                         parameters::no_exude());
     if (options.optimise) {
         CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = 15);

@@ -2,6 +2,7 @@
 #include "core/mesh/surface.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -40,13 +41,39 @@ void validate_closed(const TriangleMesh& surface) {
         }
     std::ranges::sort(forward);
     std::ranges::sort(backward);
-    const auto twice = std::ranges::adjacent_find(forward);
     const auto [open, other] = std::ranges::mismatch(forward, backward);
-    if (twice == forward.end() && open == forward.end()) return;
-    const auto [a, b] = twice != forward.end() ? *twice : std::min(*open, *other);
+    if (open == forward.end()) return;
+    const auto [a, b] = std::min(*open, *other);
     throw InputError("is not closed at the edge between vertices " + std::to_string(a) + " and " +
                          std::to_string(b),
                      "surface", "Reconstruct the patient again");
+}
+
+bool is_closed_manifold(const TriangleMesh& surface) {
+    std::map<std::pair<int, int>, int> opposite;  // directed edge to the third corner
+    for (const auto& triangle : surface.triangles)
+        for (int i = 0; i < 3; ++i)
+            if (!opposite.try_emplace({triangle[i], triangle[(i + 1) % 3]}, triangle[(i + 2) % 3])
+                     .second)
+                return false;
+    std::vector<int> triangles_at(surface.vertices_mm.size(), 0);
+    std::vector<int> start(surface.vertices_mm.size(), -1);
+    for (const auto& [edge, corner] : opposite) {
+        if (!opposite.contains({edge.second, edge.first})) return false;
+        ++triangles_at[edge.first];
+        start[edge.first] = edge.second;
+    }
+    for (std::size_t v = 0; v < start.size(); ++v) {
+        if (start[v] < 0) continue;
+        const int centre = static_cast<int>(v);
+        int turned = 0, rim = start[v];
+        do {
+            rim = opposite.at({centre, rim});
+            ++turned;
+        } while (rim != start[v] && turned <= triangles_at[v]);
+        if (turned != triangles_at[v]) return false;
+    }
+    return true;
 }
 
 double enclosed_volume_mm3(const TriangleMesh& surface) {

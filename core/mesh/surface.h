@@ -15,7 +15,11 @@ struct BodySurface {
 
 BodySurface surface_of(const TetMesh& body);
 
-// Throws InputError where the surface is not closed and consistently oriented: names the edge.
+// Every edge between two triangles with opposite directions, and one fan around each vertex.
+bool is_closed_manifold(const TriangleMesh& surface);
+
+// Throws InputError where the surface is not closed and consistently oriented: names the edge. A
+// surface that touches itself along an edge is closed.
 void validate_closed(const TriangleMesh& surface);
 
 // Volume enclosed by a closed surface, positive if it is oriented outwards.
