@@ -36,6 +36,7 @@ struct Play {
     double real_time_factor = 0.0;
     int linear_iterations_max = 0;
     int degraded_steps = 0;
+    std::string degraded_because;  // of the first such step
     bool finite = true;
 };
 
@@ -60,6 +61,7 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, J
         result.linear_iterations_max =
             std::max(result.linear_iterations_max, step.deform.linear_iterations);
         result.degraded_steps += step.deform.degraded ? 1 : 0;
+        if (result.degraded_because.empty()) result.degraded_because = step.deform.message;
         result.finite = result.finite && is_finite(session.world());
         job.advance(static_cast<double>(step.step) / static_cast<double>(commands.size()));
     }
@@ -113,6 +115,7 @@ Json run(const Options& options, Job& job) {
             {"real_time_factor", played.real_time_factor},
             {"linear_iterations_max", played.linear_iterations_max},
             {"degraded_steps", played.degraded_steps},
+            {"degraded_because", played.degraded_because},
             {"contacts_max", 0},
             {"joints_broken", 0},
             {"vertices_split", 0},

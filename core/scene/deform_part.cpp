@@ -74,9 +74,29 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
         };
         if (segment.parent < 0 && degrees[segment.proximal_node] == 1)
             fix_around(segment.points_mm.front(), segment.radii_mm.front());
-        if (ends == FixedEnds::all && degrees[segment.distal_node] == 1)
+        if (degrees[segment.distal_node] != 1) continue;
+        if (ends == FixedEnds::all)
             fix_around(segment.points_mm.back(), segment.radii_mm.back());
+        else if (ends == FixedEnds::held)
+            hold_end(segment.points_mm.back(), segment.radii_mm.back(), vertices_of[s]);
     }
+}
+
+void DeformPart::hold_end(const Vec3& end_mm, double radius_mm, std::vector<int> vertices) {
+    constexpr std::size_t corners = 4;
+    if (vertices.size() < corners) return;
+    std::ranges::stable_sort(
+        vertices, {}, [&](int v) { return (body_.mesh.vertices_mm[v] - end_mm).squaredNorm(); });
+    Grab spring;
+    for (std::size_t i = 0; i < corners; ++i) {
+        spring.vertices[i] = vertices[i];
+        spring.weights[i] = 1.0 / corners;
+        spring.target_mm += spring.weights[i] * body_.mesh.vertices_mm[vertices[i]];
+    }
+    const double modulus_pa = body_.material.young_modulus_pa;
+    spring.stiffness_un_per_mm = modulus_pa * radius_mm;
+    spring.force_limit_un = largest_strain * modulus_pa * M_PI * radius_mm * radius_mm;
+    held_ends_.push_back(spring);
 }
 
 void DeformPart::build_stepper() {
@@ -85,7 +105,7 @@ void DeformPart::build_stepper() {
     stepper_ = make_cpu_stepper(body_, stepper_options(quality_));
     stepper_->set_gravity(gravity_mm_per_s2_);
     if (!kept.positions_mm.empty()) set_state(kept);
-    if (hold_) apply_hold();
+    apply_grabs();
 }
 
 void DeformPart::grab(const Vec3& point_mm) {
@@ -125,7 +145,7 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
     hold.force_limit_un = largest_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
     hold_ = std::move(hold);
-    apply_hold();
+    apply_grabs();
 }
 
 void DeformPart::move_grab(const Vec3& target_mm) {
@@ -133,21 +153,23 @@ void DeformPart::move_grab(const Vec3& target_mm) {
         throw InputError("the hand's position is not finite", "move_grab", "Give finite numbers");
     if (!hold_) return;
     hold_->target_mm = target_mm;
-    apply_hold();
+    apply_grabs();
 }
 
 void DeformPart::release() {
     hold_.reset();
-    stepper_->set_grabs({});
+    apply_grabs();
 }
 
-void DeformPart::apply_hold() {
-    std::vector<Grab> grabs(hold_->vertices.size());
-    for (std::size_t i = 0; i < grabs.size(); ++i) {
-        grabs[i].vertices[0] = hold_->vertices[i];
-        grabs[i].target_mm = hold_->target_mm + hold_->offsets_mm[i];
-        grabs[i].stiffness_un_per_mm = hold_->stiffness_un_per_mm;
-        grabs[i].force_limit_un = hold_->force_limit_un;
+void DeformPart::apply_grabs() {
+    std::vector<Grab> grabs = held_ends_;
+    for (std::size_t i = 0; hold_ && i < hold_->vertices.size(); ++i) {
+        Grab spring;
+        spring.vertices[0] = hold_->vertices[i];
+        spring.target_mm = hold_->target_mm + hold_->offsets_mm[i];
+        spring.stiffness_un_per_mm = hold_->stiffness_un_per_mm;
+        spring.force_limit_un = hold_->force_limit_un;
+        grabs.push_back(spring);
     }
     stepper_->set_grabs(grabs);
 }

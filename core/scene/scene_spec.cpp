@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scene_spec.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -59,16 +61,15 @@ class Fields {
     std::vector<std::string> known_;
 };
 
+constexpr std::array<std::pair<const char*, FixedEnds>, 4> names_of_ends{
+    {{"none", FixedEnds::none},
+     {"roots", FixedEnds::roots},
+     {"held", FixedEnds::held},
+     {"all", FixedEnds::all}}};
+
 const char* name_of(FixedEnds ends) {
-    switch (ends) {
-        case FixedEnds::none:
-            return "none";
-        case FixedEnds::roots:
-            return "roots";
-        case FixedEnds::all:
-            break;
-    }
-    return "all";
+    return std::ranges::find(names_of_ends, ends, [](const auto& entry) { return entry.second; })
+        ->first;
 }
 
 DeformSpec deform_from(const Json& json) {
@@ -77,14 +78,11 @@ DeformSpec deform_from(const Json& json) {
     fields.read("material", spec.material);
     std::string fixed = name_of(spec.fixed);
     fields.read("fixed", fixed);
-    if (fixed == "none")
-        spec.fixed = FixedEnds::none;
-    else if (fixed == "roots")
-        spec.fixed = FixedEnds::roots;
-    else if (fixed == "all")
-        spec.fixed = FixedEnds::all;
-    else
-        fields.refuse("is \"" + fixed + "\"; it must be none, roots or all", "fixed");
+    const auto ends = std::ranges::find(names_of_ends, fixed,
+                                        [](const auto& entry) { return std::string(entry.first); });
+    if (ends == names_of_ends.end())
+        fields.refuse("is \"" + fixed + "\"; it must be none, roots, held or all", "fixed");
+    spec.fixed = ends->second;
     fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
     fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
     fields.read_number("quality", spec.quality, 0.0, 1.0);

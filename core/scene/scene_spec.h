@@ -12,12 +12,17 @@
 
 namespace hepatica {
 
-// Which ends of the tree are held in place.
-enum class FixedEnds { none, roots, all };
+// How the ends of the tree are held. Roots are the ends where a system begins.
+//   none:  nothing is
+//   roots: roots are fixed, the other ends are free
+//   held:  roots are fixed, the other ends are held by springs that give way before their vessel is
+//          stretched by more than a fifth, as tissue does
+//   all:   every end is fixed; a hard pull stretches thin side branches to many times their length
+enum class FixedEnds { none, roots, held, all };
 
 struct DeformSpec {
     std::string material = "portal vein";  // name of a preset, see core/deform/material.h
-    FixedEnds fixed = FixedEnds::all;
+    FixedEnds fixed = FixedEnds::held;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     double tether_pa_per_mm2 = 0.0;  // pull of the tissue around to the place at rest, per volume
     double quality = 0.5;            // the dial, 0 to 1

@@ -100,7 +100,9 @@ TEST(Session, AHandThatJumpsPullsNoHarderThanItsLimit) {
 }
 
 TEST(Session, FixedEndsStayWhereTheyAre) {
-    const auto session = new_session();
+    SceneSpec spec = default_scene();
+    spec.deform->fixed = FixedEnds::all;
+    const auto session = new_session(spec);
     session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
     session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(20, 0, 0)});
     play(*session, 60);

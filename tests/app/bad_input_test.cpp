@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person can give by mistake, given to the real program: refused with exit code 1, a message
+// that names the culprit, and no files left.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "core/base/job.h"
+#include "core/image/volume_writer.h"
+#include "tests/app/run_program.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Run;
+using test::run_cli;
+
+class BadInput : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::set<fs::path> files() const {
+        std::set<fs::path> found;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_))
+            found.insert(entry.path());
+        return found;
+    }
+    // Reconstructs, expects the refusal, and expects the folder to be as it was.
+    Run refused(std::vector<std::string> arguments, const test::RunLimits& limits = {}) const {
+        const std::set<fs::path> before = files();
+        arguments.insert(arguments.begin(), "reconstruct");
+        arguments.insert(arguments.end(), {"--out", (folder_ / "p.hep").string(), "--json"});
+        const Run run = run_cli(arguments, limits);
+        EXPECT_EQ(run.exit_code, 1) << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find("error: "), std::string::npos);
+        EXPECT_EQ(files(), before);
+        return run;
+    }
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+
+    // A small CT with a bright tube in soft tissue.
+    static Volume small_ct() {
+        Grid grid;
+        grid.dims = {40, 36, 32};
+        grid.spacing_mm = Vec3(1.0, 1.0, 1.5);
+        Volume ct(grid, 100);
+        for (int z = 0; z < 32; ++z)
+            for (int y = 14; y < 20; ++y)
+                for (int x = 16; x < 22; ++x) ct.at(x, y, z) = 180;
+        return ct;
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) / "hepatica bad input";
+};
+
+TEST_F(BadInput, NoSuchFile) {
+    EXPECT_NE(refused({path("nö")}).errors.find("nö"), std::string::npos);
+}
+
+TEST_F(BadInput, AnEmptyFolder) {
+    fs::create_directories(folder_ / "empty");
+    EXPECT_NE(refused({path("empty")}).errors.find("empty"), std::string::npos);
+}
+
+TEST_F(BadInput, ATextFileNamedNii) {
+    std::ofstream(folder_ / "text.nii") << "Dear sir or madam";
+    EXPECT_NE(refused({path("text.nii")}).errors.find("text.nii"), std::string::npos);
+}
+
+TEST_F(BadInput, ADicomSeriesWithASliceMissing) {
+    Job job;
+    write_dicom_series(folder_ / "ct", small_ct(), {}, job);
+    fs::remove(folder_ / "ct" / "slice_0016.dcm");
+    const Run run = refused({path("ct")});
+    EXPECT_NE(run.errors.find("missing"), std::string::npos) << run.errors;
+}
+
+TEST_F(BadInput, AHeaderThatClaimsAHundredThousandSlices) {
+    write_nifti(folder_ / "ct.nii", small_ct());
+    std::fstream file(folder_ / "ct.nii", std::ios::in | std::ios::out | std::ios::binary);
+    const std::int32_t header_size = 348;
+    const std::int16_t dims[4] = {3, 512, 512, 32767};
+    static_cast<void>(header_size);
+    file.seekp(40);  // dim[] of the NIfTI-1 header; 32767 is the largest it can claim
+    file.write(reinterpret_cast<const char*>(dims), sizeof dims);
+    file.close();
+    EXPECT_NE(refused({path("ct.nii")}).errors.find("ct.nii"), std::string::npos);
+
+    std::ofstream(folder_ / "ct.mha", std::ios::binary)
+        << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+           "DimSize = 512 512 100000\nElementSpacing = 1 1 1\nElementType = MET_SHORT\n"
+           "ElementDataFile = LOCAL\n"
+        << std::string(1000, '\0');
+    EXPECT_NE(refused({path("ct.mha")}).errors.find("100000"), std::string::npos);
+}
+
+TEST_F(BadInput, AnAllZeroVolume) {
+    Volume ct = small_ct();
+    std::fill(ct.voxels.begin(), ct.voxels.end(), std::int16_t{0});
+    write_nifti(folder_ / "zero.nii.gz", ct);
+    EXPECT_NE(refused({path("zero.nii.gz")}).errors.find("zero.nii.gz"), std::string::npos);
+}
+
+TEST_F(BadInput, AMaskOfAnotherSize) {
+    write_nifti(folder_ / "ct.nii.gz", small_ct());
+    Grid other = small_ct().grid;
+    other.dims = {10, 10, 10};
+    write_nifti(folder_ / "mask.nii.gz", Mask(other, 1));
+    for (const char* option : {"--liver-mask", "--vessel-mask"})
+        EXPECT_NE(refused({path("ct.nii.gz"), option, path("mask.nii.gz")}).errors.find("mask.nii"),
+                  std::string::npos);
+}
+
+TEST_F(BadInput, AnOutputThatCannotBeWritten) {
+    write_nifti(folder_ / "ct.nii.gz", small_ct());
+    for (const std::string& out :
+         {path("ct.nii.gz") + "/p.hep", std::string("/proc/p.hep"), folder_.string()}) {
+        const std::set<fs::path> before = files();
+        const Run run = run_cli({"reconstruct", path("ct.nii.gz"), "--out", out});
+        EXPECT_EQ(run.exit_code, 1) << out << run.errors;
+        EXPECT_EQ(files(), before);
+    }
+}
+
+TEST_F(BadInput, AFullDisk) {
+    write_nifti(folder_ / "ct.nii.gz", small_ct());
+    Mask vessels(small_ct().grid);
+    for (int z = 2; z < 30; ++z)
+        for (int y = 14; y < 20; ++y)
+            for (int x = 16; x < 22; ++x) vessels.at(x, y, z) = 1;
+    write_nifti(folder_ / "vessels.nii.gz", vessels);
+    const std::set<fs::path> before = files();
+    const std::vector<std::string> arguments{"reconstruct",   path("ct.nii.gz"),
+                                             "--vessel-mask", path("vessels.nii.gz"),
+                                             "--out",         path("p.hep")};
+    // At every size at which some file of the case no longer fits.
+    for (const long bytes : {0L, 300L, 2000L}) {
+        const Run run = run_cli(arguments, {.file_bytes = bytes});
+        EXPECT_EQ(run.exit_code, 1) << bytes << ": " << run.errors;
+        EXPECT_EQ(files(), before) << bytes;
+    }
+    const Run run = run_cli(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+}
+
+TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
+    std::ofstream(folder_ / "text") << "not JSON";
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"simulate", path("none.hep"), "--script", path("text")},
+          {"replay", path("text")},
+          {"scene", path("text")},
+          {"scene", path("none.json")},
+          {"compare", path("none.hep"), "--truth-tree", path("text"), "--truth-mask",
+           path("text")}}) {
+        const Run run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 1) << arguments[0] << run.errors;
+        EXPECT_EQ(run.output, "");
+    }
+}
+
+TEST_F(BadInput, ACancelledPhantomLeavesNothing) {
+    const Run run = run_cli({"phantom", path("p")}, {.interrupt_after_s = 0.3});
+    EXPECT_EQ(run.exit_code, 130) << run.errors;
+    EXPECT_TRUE(files().empty());
+}
+
+TEST(BadUsage, ExitsWithTwoAndSaysWhereHelpIs) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{},
+          {"fly"},
+          {"reconstruct"},
+          {"phantom", "x", "--dims", "1,2"},
+          {"phantom", "x", "--format", "jpeg"},
+          {"simulate", "x", "--script", "y", "--steps", "0"}}) {
+        const Run run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 2) << run.errors;
+        EXPECT_EQ(run.output, "");
+    }
+    EXPECT_EQ(run_cli({"--help"}).exit_code, 0);
+    EXPECT_EQ(run_cli({"reconstruct", "--help"}).exit_code, 0);
+    EXPECT_NE(run_cli({"fly"}).errors.find("fly"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hepatica

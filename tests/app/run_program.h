@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the real hepatica-cli and catches what it prints.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hepatica::test {
+
+struct Run {
+    int exit_code = -1;  // minus the signal's number where one ended it
+    std::string output;
+    std::string errors;
+};
+
+struct RunLimits {
+    long file_bytes = -1;             // writes beyond it fail, as on a full disk
+    double interrupt_after_s = -1.0;  // Ctrl-C
+};
+
+Run run_cli(const std::vector<std::string>& arguments, const RunLimits& limits = {});
+
+}  // namespace hepatica::test

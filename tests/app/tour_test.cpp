@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way from nothing to a played session, by the real program, on a small synthetic patient.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run_program.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using test::Run;
+using test::run_cli;
+
+// One JSON object and nothing else on standard output.
+Json answer(std::vector<std::string> arguments) {
+    arguments.push_back("--json");
+    const Run run = run_cli(arguments);
+    EXPECT_EQ(run.exit_code, 0) << arguments[0] << ": " << run.errors;
+    const Json json = Json::parse(run.output, nullptr, false);
+    EXPECT_TRUE(json.is_object()) << run.output;
+    return json.is_object() ? json : Json::object();
+}
+
+class Tour : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        fs::remove_all(folder());
+        phantom_ = answer({"phantom", path("p"), "--seed", "2", "--dims", "128,128,96", "--spacing",
+                           "1.6,1.6,1.7", "--generations", "4"});
+        case_ = answer({"reconstruct", path("p/ct"), "--vessel-mask", path("p/truth_mask.nii.gz"),
+                        "--out", path("p.hep"), "--tetrahedra", "3000"});
+    }
+    static void TearDownTestSuite() { fs::remove_all(folder()); }
+
+    static fs::path folder() { return fs::path(testing::TempDir()) / "hepatica tour"; }
+    static std::string path(const std::string& name) { return (folder() / name).string(); }
+
+    static inline Json phantom_, case_;
+};
+
+TEST_F(Tour, PhantomSaysWhatItMade) {
+    for (const char* key : {"truth_tree", "truth_mask"})
+        EXPECT_TRUE(fs::exists(phantom_.value(key, "")));
+    ASSERT_EQ(phantom_["ct"].size(), 2u);
+    for (const auto& made : phantom_["ct"]) EXPECT_TRUE(fs::exists(made.get<std::string>()));
+    EXPECT_GT(phantom_["segments"], 10);
+}
+
+TEST_F(Tour, ReconstructHoldsWhatIsPromised) {
+    EXPECT_EQ(case_["image"]["dims"], Json({128, 128, 96}));
+    EXPECT_FALSE(case_["stages"].empty());
+    for (const char* key : {"voxels", "components", "tunnels", "cavities"}) {
+        EXPECT_TRUE(case_["mask"].contains(key));
+        EXPECT_TRUE(case_["skeleton"].contains(key));
+    }
+    for (const char* key : {"components", "tunnels", "cavities"})
+        EXPECT_EQ(case_["mask"][key], case_["skeleton"][key]) << "thinning keeps the topology";
+    EXPECT_GT(case_["tree"]["bifurcations"], 5);
+    EXPECT_GT(case_["mesh"]["min_dihedral_deg"], 10.0);
+    EXPECT_TRUE(case_["mesh"]["closed"]);
+    for (const char* name : {"case.json", "mask.nii.gz", "skeleton.nii.gz", "tree.vtp", "tree.swc",
+                             "surface.vtp", "mesh.vtu"})
+        EXPECT_TRUE(fs::exists(folder() / "p.hep" / name)) << name;
+}
+
+TEST_F(Tour, CompareFindsTheTruthItself) {
+    const Json found = answer({"compare", path("p.hep"), "--truth-tree", path("p/truth_tree.vtp"),
+                               "--truth-mask", path("p/truth_mask.nii.gz")});
+    EXPECT_GT(found["dice"], 0.99);
+    EXPECT_LT(found["centreline_mean_mm"], 1.0);  // half a voxel and a bit
+    for (const char* key : {"cldice", "centreline_p95_mm", "radius_mae_mm", "bifurcation_recall",
+                            "bifurcation_precision"})
+        EXPECT_TRUE(found.contains(key)) << key;
+}
+
+TEST_F(Tour, SimulatesRecordsAndReplaysAlikeForAnyNumberOfThreads) {
+    std::string hash;
+    for (const char* threads : {"1", "2", "4"}) {
+        const Json played =
+            answer({"simulate", path("p.hep"), "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                    "--steps", "90", "--threads", threads, "--record", path("drag.hrec")});
+        EXPECT_EQ(played["steps"], 90);
+        EXPECT_TRUE(played["finite"]);
+        if (hash.empty()) hash = played["state_hash"];
+        EXPECT_EQ(played["state_hash"], hash) << threads << " threads";
+    }
+    const Json replayed = answer({"replay", path("drag.hrec"), "--verify"});
+    EXPECT_EQ(replayed["steps"], 90);
+    EXPECT_TRUE(replayed["diverged_at"].is_null());
+    EXPECT_EQ(replayed["state_hash"], hash);
+}
+
+TEST_F(Tour, SceneListsTheParts) {
+    const Json scene = answer({"scene", path("p.hep")});
+    ASSERT_EQ(scene["parts"].size(), 3u);
+    for (const Json& part : scene["parts"])
+        for (const char* key : {"name", "bytes", "ms"}) EXPECT_TRUE(part.contains(key));
+}
+
+TEST_F(Tour, DiagnoseAnswers) {
+    EXPECT_TRUE(answer({"diagnose"}).contains("libraries"));
+}
+
+}  // namespace
+}  // namespace hepatica

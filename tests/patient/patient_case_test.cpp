@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/patient_case.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+#include "core/patient/reconstruct.h"
+#include "tests/mesh/random_tree.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+PatientCase some_patient() {
+    PatientCase patient;
+    Job job;
+    patient.tree = test::random_tree(1, 2, 3.0);
+    patient.mesh = tetrahedralize(patient.tree, {}, job);
+    patient.surface = surface_of(patient.mesh).mesh;
+    Grid grid;
+    grid.dims = {6, 5, 4};
+    grid.spacing_mm = Vec3(0.7, 0.8, 1.5);
+    grid.origin_mm = Vec3(-10.25, 20.5, -1000.125);
+    patient.mask = Mask(grid);
+    patient.mask.at(2, 2, 2) = 1;
+    patient.mask.at(3, 2, 2) = 2;  // another system
+    patient.skeleton = Mask(grid);
+    patient.skeleton.at(2, 2, 2) = 1;
+    patient.source.image_path = "somewhere/wïth spaces/ct";
+    patient.source.image_grid = grid;
+    patient.source.parameters_json = R"({"refinement_recursions":2})";
+    return patient;
+}
+
+class PatientCaseTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string text_of(const fs::path& file) const {
+        std::ifstream in(file);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    // The message of the InputError that reading the case throws.
+    std::string refusal(const fs::path& folder) const {
+        try {
+            read_case(folder);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) / "hepatica patient";
+    fs::path case_ = folder_ / "p.hep";
+};
+
+TEST_F(PatientCaseTest, ReadsBackWhatItWrote) {
+    const PatientCase patient = some_patient();
+    write_case(case_, patient);
+    const PatientCase back = read_case(case_);
+    EXPECT_EQ(hash_of(back), hash_of(patient));
+    EXPECT_EQ(back.mask.voxels, patient.mask.voxels);
+    EXPECT_TRUE(same_grid(back.mask.grid, patient.mask.grid));
+    EXPECT_EQ(back.skeleton.voxels, patient.skeleton.voxels);
+    EXPECT_EQ(back.surface.triangles, patient.surface.triangles);
+    EXPECT_EQ(back.source.image_path, patient.source.image_path);
+    EXPECT_EQ(back.source.parameters_json, patient.source.parameters_json);
+    EXPECT_TRUE(same_grid(back.source.image_grid, patient.source.image_grid));
+    EXPECT_TRUE(read_case_without_voxels(case_).mask.voxels.empty());
+    for (const char* name : {"tree.vtp", "tree.swc", "surface.vtp", "mesh.vtu"})
+        EXPECT_TRUE(fs::exists(case_ / name)) << name;
+}
+
+TEST_F(PatientCaseTest, WritesTheSameBytesEveryTime) {
+    write_case(case_, some_patient());
+    write_case(folder_ / "again.hep", some_patient());
+    EXPECT_EQ(text_of(case_ / "case.json"), text_of(folder_ / "again.hep" / "case.json"));
+}
+
+TEST_F(PatientCaseTest, RefusesAChangedAMissingAndAForeignFile) {
+    write_case(case_, some_patient());
+    std::ofstream(case_ / "mesh.vtu", std::ios::app) << " ";
+    EXPECT_NE(refusal(case_).find("mesh.vtu"), std::string::npos);
+    write_case(case_, some_patient());
+    fs::remove(case_ / "tree.vtp");
+    EXPECT_NE(refusal(case_).find("missing"), std::string::npos);
+    write_case(case_, some_patient());
+    std::ofstream(case_ / "case.json") << R"({"format": "hepatica-case", "version": 99})";
+    EXPECT_NE(refusal(case_).find("version 99"), std::string::npos);
+    std::ofstream(case_ / "case.json") << R"({"format": "hepatica-case", "version": 1})";
+    EXPECT_FALSE(refusal(case_).empty());
+    std::ofstream(case_ / "case.json") << "text";
+    EXPECT_NE(refusal(case_).find("damaged"), std::string::npos);
+    EXPECT_FALSE(refusal(folder_).empty());
+}
+
+TEST_F(PatientCaseTest, ReplacesAnOlderCaseButNothingElse) {
+    write_case(case_, some_patient());
+    EXPECT_NO_THROW(write_case(case_, some_patient()));
+    const fs::path precious = folder_ / "precious";
+    fs::create_directories(precious);
+    std::ofstream(precious / "thesis.txt") << "years of work";
+    EXPECT_THROW(write_case(precious, some_patient()), InputError);
+    EXPECT_EQ(text_of(precious / "thesis.txt"), "years of work");
+}
+
+TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
+    std::ofstream(folder_ / "file") << "x";
+    EXPECT_THROW(write_case(folder_ / "file" / "p.hep", some_patient()), InputError);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
+    Job job;
+    job.cancel();
+    ReconstructOptions options;
+    options.ct = "nowhere";
+    EXPECT_THROW(reconstruct(options, job), Cancelled);
+}
+
+TEST(Reconstruct, NamesTheImageThatIsNotThere) {
+    Job job;
+    ReconstructOptions options;
+    options.ct = "nowhere";
+    try {
+        reconstruct(options, job);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("nowhere"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
