@@ -116,6 +116,7 @@ int stage_count(const ReconstructOptions& options) {
 }  // namespace
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
+    job.throw_if_cancelled();
     job.expect_stages(stage_count(options));
     Reconstruction result;
     PatientCase& patient = result.patient;

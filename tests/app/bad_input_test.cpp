@@ -16,7 +16,7 @@ namespace hepatica {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Run;
+using test::Outcome;
 using test::run_cli;
 
 class BadInput : public testing::Test {
@@ -34,11 +34,11 @@ class BadInput : public testing::Test {
         return found;
     }
     // Reconstructs, expects the refusal, and expects the folder to be as it was.
-    Run refused(std::vector<std::string> arguments, const test::RunLimits& limits = {}) const {
+    Outcome refused(std::vector<std::string> arguments, const test::RunLimits& limits = {}) const {
         const std::set<fs::path> before = files();
         arguments.insert(arguments.begin(), "reconstruct");
         arguments.insert(arguments.end(), {"--out", (folder_ / "p.hep").string(), "--json"});
-        const Run run = run_cli(arguments, limits);
+        const Outcome run = run_cli(arguments, limits);
         EXPECT_EQ(run.exit_code, 1) << run.errors;
         EXPECT_EQ(run.output, "");
         EXPECT_NE(run.errors.find("error: "), std::string::npos);
@@ -80,16 +80,14 @@ TEST_F(BadInput, ADicomSeriesWithASliceMissing) {
     Job job;
     write_dicom_series(folder_ / "ct", small_ct(), {}, job);
     fs::remove(folder_ / "ct" / "slice_0016.dcm");
-    const Run run = refused({path("ct")});
+    const Outcome run = refused({path("ct")});
     EXPECT_NE(run.errors.find("missing"), std::string::npos) << run.errors;
 }
 
 TEST_F(BadInput, AHeaderThatClaimsAHundredThousandSlices) {
     write_nifti(folder_ / "ct.nii", small_ct());
     std::fstream file(folder_ / "ct.nii", std::ios::in | std::ios::out | std::ios::binary);
-    const std::int32_t header_size = 348;
     const std::int16_t dims[4] = {3, 512, 512, 32767};
-    static_cast<void>(header_size);
     file.seekp(40);  // dim[] of the NIfTI-1 header; 32767 is the largest it can claim
     file.write(reinterpret_cast<const char*>(dims), sizeof dims);
     file.close();
@@ -125,7 +123,7 @@ TEST_F(BadInput, AnOutputThatCannotBeWritten) {
     for (const std::string& out :
          {path("ct.nii.gz") + "/p.hep", std::string("/proc/p.hep"), folder_.string()}) {
         const std::set<fs::path> before = files();
-        const Run run = run_cli({"reconstruct", path("ct.nii.gz"), "--out", out});
+        const Outcome run = run_cli({"reconstruct", path("ct.nii.gz"), "--out", out});
         EXPECT_EQ(run.exit_code, 1) << out << run.errors;
         EXPECT_EQ(files(), before);
     }
@@ -144,11 +142,11 @@ TEST_F(BadInput, AFullDisk) {
                                              "--out",         path("p.hep")};
     // At every size at which some file of the case no longer fits.
     for (const long bytes : {0L, 300L, 2000L}) {
-        const Run run = run_cli(arguments, {.file_bytes = bytes});
+        const Outcome run = run_cli(arguments, {.file_bytes = bytes});
         EXPECT_EQ(run.exit_code, 1) << bytes << ": " << run.errors;
         EXPECT_EQ(files(), before) << bytes;
     }
-    const Run run = run_cli(arguments);
+    const Outcome run = run_cli(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.errors;
 }
 
@@ -161,14 +159,14 @@ TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
           {"scene", path("none.json")},
           {"compare", path("none.hep"), "--truth-tree", path("text"), "--truth-mask",
            path("text")}}) {
-        const Run run = run_cli(arguments);
+        const Outcome run = run_cli(arguments);
         EXPECT_EQ(run.exit_code, 1) << arguments[0] << run.errors;
         EXPECT_EQ(run.output, "");
     }
 }
 
 TEST_F(BadInput, ACancelledPhantomLeavesNothing) {
-    const Run run = run_cli({"phantom", path("p")}, {.interrupt_after_s = 0.3});
+    const Outcome run = run_cli({"phantom", path("p")}, {.interrupt_at = "info: ["});
     EXPECT_EQ(run.exit_code, 130) << run.errors;
     EXPECT_TRUE(files().empty());
 }
@@ -181,7 +179,7 @@ TEST(BadUsage, ExitsWithTwoAndSaysWhereHelpIs) {
           {"phantom", "x", "--dims", "1,2"},
           {"phantom", "x", "--format", "jpeg"},
           {"simulate", "x", "--script", "y", "--steps", "0"}}) {
-        const Run run = run_cli(arguments);
+        const Outcome run = run_cli(arguments);
         EXPECT_EQ(run.exit_code, 2) << run.errors;
         EXPECT_EQ(run.output, "");
     }

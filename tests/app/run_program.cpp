@@ -43,19 +43,21 @@ std::string text_of(const fs::path& file) {
 
 }  // namespace
 
-Run run_cli(const std::vector<std::string>& arguments, const RunLimits& limits) {
+Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limits) {
     const std::string unique = std::to_string(getpid());
     const fs::path output = fs::temp_directory_path() / ("hepatica-out-" + unique);
     const fs::path errors = fs::temp_directory_path() / ("hepatica-err-" + unique);
     const pid_t child = fork();
     if (child == 0) become_program(arguments, output, errors, limits);
-    if (limits.interrupt_after_s >= 0.0) {
-        std::this_thread::sleep_for(std::chrono::duration<double>(limits.interrupt_after_s));
+    int status = 0;
+    if (!limits.interrupt_at.empty()) {
+        while (text_of(errors).find(limits.interrupt_at) == std::string::npos &&
+               waitpid(child, &status, WNOHANG) == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
         kill(child, SIGINT);
     }
-    int status = 0;
     waitpid(child, &status, 0);
-    Run run;
+    Outcome run;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     run.output = text_of(output);
     run.errors = text_of(errors);

@@ -8,17 +8,17 @@
 
 namespace hepatica::test {
 
-struct Run {
+struct Outcome {
     int exit_code = -1;  // minus the signal's number where one ended it
     std::string output;
     std::string errors;
 };
 
 struct RunLimits {
-    long file_bytes = -1;             // writes beyond it fail, as on a full disk
-    double interrupt_after_s = -1.0;  // Ctrl-C
+    long file_bytes = -1;        // writes beyond it fail, as on a full disk
+    std::string interrupt_at{};  // Ctrl-C as soon as this stands in the log
 };
 
-Run run_cli(const std::vector<std::string>& arguments, const RunLimits& limits = {});
+Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limits = {});
 
 }  // namespace hepatica::test

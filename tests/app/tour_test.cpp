@@ -12,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using test::Run;
+using test::Outcome;
 using test::run_cli;
 
 // One JSON object and nothing else on standard output.
 Json answer(std::vector<std::string> arguments) {
     arguments.push_back("--json");
-    const Run run = run_cli(arguments);
+    const Outcome run = run_cli(arguments);
     EXPECT_EQ(run.exit_code, 0) << arguments[0] << ": " << run.errors;
     const Json json = Json::parse(run.output, nullptr, false);
     EXPECT_TRUE(json.is_object()) << run.output;
