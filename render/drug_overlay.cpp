@@ -19,7 +19,7 @@ const char* const paint_drug = R"(//VTK::Color::Impl
   if (drugEnd > 0.0 && arrivalVS <= drugTime) {
     vec3 drugged = drugColour(sqrt(max(arrivalVS, 0.0) / drugEnd));
     // A bright band marks the front itself; it fades as the drug moves on.
-    float age = (drugTime - arrivalVS) / (0.05 * drugTime + 0.002 * drugEnd);
+    float age = (drugTime - arrivalVS) / max(0.05 * drugTime, 1e-6);
     drugged = mix(vec3(1.0), drugged, clamp(0.35 + age, 0.0, 1.0));
     diffuseColor = drugged;
     ambientColor = 0.35 * drugged;

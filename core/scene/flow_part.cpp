@@ -22,16 +22,16 @@ Fluid injected_fluid(const Injection& injection) {
     return fluid;
 }
 
-// Twice the time by which nine tenths of the vertices that are ever reached have been: links in
-// which the blood all but stands would stretch clock and colours over days.
+// Five times the time by which half of the vertices that are ever reached have been: links in which
+// the blood all but stands would stretch clock and colours over days.
 double useful_end_s(const std::vector<float>& arrival_s) {
     std::vector<float> reached;
     for (const float time_s : arrival_s)
         if (std::isfinite(time_s)) reached.push_back(time_s);
     if (reached.empty()) return std::numeric_limits<double>::infinity();
-    const auto ninth = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() * 9 / 10);
-    std::nth_element(reached.begin(), ninth, reached.end());
-    return 2.0 * static_cast<double>(*ninth);
+    const auto middle = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() / 2);
+    std::nth_element(reached.begin(), middle, reached.end());
+    return 5.0 * static_cast<double>(*middle);
 }
 
 // A tip within a radius of the place where a system is supplied means that place: nothing would be

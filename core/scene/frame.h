@@ -27,7 +27,7 @@ struct DrugView {
                                                           // Null: nothing was injected
     std::uint64_t version = 0;                            // changes whenever arrival_s does
     double time_s = 0.0;                                  // since the injection began
-    double end_s = 0.0;  // when the drug has come wherever it comes in useful time
+    double end_s = 0.0;  // when most vertices have been reached; some may be later
     bool playing = false;
 };
 
