@@ -84,7 +84,7 @@ Json pull(Session& session, Player& player, Album& album) {
         player.step(1);
     }
     player.step(hold_steps);
-    album.add(player.frame(), "2_pull", "A vessel pulled by 25 mm: the line is the hand's spring.");
+    album.add(player.frame(), "2_pull", "A vessel pulled by 25 mm, its ends held.");
     const auto grab = player.frame().grab;
     session.post(ReleaseGrab{});
     player.step(settle_steps);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/patient_loader.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
-#include "core/anatomy/phantom.h"
 #include "core/anatomy/tree_io.h"
 #include "core/base/error.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/patient/built_in_patient.h"
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
 #include "ui/vessel_flow.h"
@@ -27,13 +30,30 @@ PatientCase patient_of(VesselTree tree, Job& job) {
     return patient;
 }
 
+// Removed with all that is in it.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "hepatica-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw InputError("no temporary folder can be made", name, "Free some space there");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
 PatientCase built_in_patient(Job& job) {
-    // The tree alone is wanted here: a coarse scan keeps the start short.
-    PhantomOptions options;
-    options.dims = {64, 64, 48};
-    options.spacing_mm = {3.2, 3.2, 3.4};
-    options.generations = 5;
-    return patient_of(make_phantom(options, job).tree, job);
+    const TemporaryFolder scan;
+    return reconstruct_built_in(scan.path(), job).reconstruction.patient;
 }
 
 bool is_tree_file(const fs::path& path) {

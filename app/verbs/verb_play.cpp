@@ -6,9 +6,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/anatomy/accuracy.h"
-#include "core/anatomy/phantom.h"
-#include "core/base/atomic_write.h"
-#include "core/image/volume_writer.h"
+#include "core/patient/built_in_patient.h"
 #include "core/patient/patient_case.h"
 #include "core/patient/reconstruct.h"
 
@@ -39,31 +37,41 @@ Json facts_of(const VesselTree& tree, const TetMesh& mesh) {
             {"tetrahedra", mesh.tetrahedra.size()}};
 }
 
+Json table_of(const std::vector<StageTime>& stages) {
+    Json table = Json::array();
+    for (const StageTime& stage : stages)
+        table.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
+    return table;
+}
+
 Opened reconstructed(const fs::path& ct, const fs::path& case_folder, Job& job) {
     ReconstructOptions options;
     options.ct = ct;
+    Reconstruction made = reconstruct(options, job);
     Opened opened;
-    opened.patient = reconstruct(options, job).patient;
+    opened.patient = std::move(made.patient);
+    opened.stages = table_of(made.stages);
     write_case(case_folder, opened.patient);
-    for (const StageTime& stage : job.stage_times())
-        opened.stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
     return opened;
 }
 
 Opened built_in(const fs::path& out, Job& job) {
-    const Phantom phantom = make_phantom(PhantomOptions{}, job);
-    const fs::path ct = out / "built_in_patient.nii.gz";
-    write_nifti(ct, phantom.ct);
-    Opened opened = reconstructed(ct, out / "built_in_patient.hep", job);
-    const Accuracy found = compare(opened.patient.tree, opened.patient.mask, phantom.tree,
-                                   phantom.vessels, AccuracyOptions{}, job);
+    const fs::path scan = out / "built_in_patient";
+    fs::create_directories(scan);
+    BuiltInPatient made = reconstruct_built_in(scan, job);
+    Opened opened;
+    opened.title = "the built-in patient";
+    opened.patient = std::move(made.reconstruction.patient);
+    opened.stages = table_of(made.reconstruction.stages);
+    write_case(out / "built_in_patient.hep", opened.patient);
+    const Accuracy found = compare(opened.patient.tree, opened.patient.mask, made.truth.tree,
+                                   made.truth.vessels, AccuracyOptions{}, job);
     opened.accuracy = {{"dice", found.dice},
                        {"cldice", found.cldice},
                        {"centreline_mean_mm", found.centreline_mean_mm},
                        {"radius_mae_mm", found.radius_mae_mm},
                        {"bifurcation_recall", found.bifurcation_recall},
                        {"bifurcation_precision", found.bifurcation_precision}};
-    opened.title = "the built-in patient";
     return opened;
 }
 

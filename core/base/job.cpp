@@ -19,7 +19,7 @@ void Job::throw_if_cancelled() const {
 
 void Job::expect_stages(int count) {
     const std::scoped_lock lock(mutex_);
-    progress_.stage_count = count;
+    progress_.stage_count = progress_.stage_number + count;
 }
 
 void Job::begin_stage(const std::string& name) {

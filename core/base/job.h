@@ -26,7 +26,7 @@ struct StageTime {
 // Thread-safe: the worker calls the first three, anybody calls the rest.
 class Job {
   public:
-    // Announces how many stages there will be. Optional.
+    // Announces how many stages are still to begin. Optional; the latest announcement counts.
     void expect_stages(int count);
     // Ends the stage before, starts this one. Throws Cancelled if the user has asked to stop.
     void begin_stage(const std::string& name);
