@@ -15,6 +15,7 @@ if(HEPATICA_SOLVER_ONLY)
     if(NOT TARGET GTest::gtest_main)
         add_subdirectory(${PROJECT_SOURCE_DIR}/third_party_local/googletest googletest
                          EXCLUDE_FROM_ALL)
+        add_library(GTest::gtest ALIAS gtest)
         add_library(GTest::gmock ALIAS gmock)
         add_library(GTest::gtest_main ALIAS gtest_main)
     endif()

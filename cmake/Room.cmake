@@ -14,11 +14,12 @@ endfunction()
 # One test program per room; ctest sees every TEST by its own name.
 function(hepatica_tests name)
     cmake_parse_arguments(TESTS "" "" "SOURCES;LINK;LABELS" ${ARGN})
-    add_executable(${name}_tests ${TESTS_SOURCES})
+    add_executable(${name}_tests ${TESTS_SOURCES}
+        ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_options(${name}_tests PRIVATE
         $<$<COMPILE_LANGUAGE:CXX>:${HEPATICA_COMPILE_OPTIONS}>)
-    target_link_libraries(${name}_tests PRIVATE ${TESTS_LINK} GTest::gmock GTest::gtest_main)
+    target_link_libraries(${name}_tests PRIVATE ${TESTS_LINK} GTest::gmock GTest::gtest)
     gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
         PROPERTIES LABELS "${name};${TESTS_LABELS}" TIMEOUT 300)
 endfunction()

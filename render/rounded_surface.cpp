@@ -9,8 +9,8 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-// The middle of a chord lies twice as far below its ends' tangent planes as below the arc, so that a
-// half puts the new vertex onto a sphere or a tube to second order.
+// The middle of a chord lies twice as far below its ends' tangent planes as below the arc, so that
+// a half puts the new vertex onto a sphere or a tube to second order.
 constexpr float roundness = 0.5f;
 
 struct EdgeUse {

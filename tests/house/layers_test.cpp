@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/mesh", {"core/base", "core/anatomy"}},
     {"core/flow", {"core/base", "core/anatomy"}},
     {"core/deform", {"core/base", "core/mesh"}},
-    {"core/study", {"core/base", "core/mesh", "core/deform"}},
+    {"core/study", {"core/base", "core/anatomy", "core/mesh", "core/deform"}},
     {"core/patient", {"core/base", "core/image", "core/anatomy", "core/mesh"}},
     {"core/scene",
      {"core/base", "core/image", "core/anatomy", "core/mesh", "core/flow", "core/deform",
