@@ -74,29 +74,9 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
         };
         if (segment.parent < 0 && degrees[segment.proximal_node] == 1)
             fix_around(segment.points_mm.front(), segment.radii_mm.front());
-        if (degrees[segment.distal_node] != 1) continue;
-        if (ends == FixedEnds::all)
+        if (ends == FixedEnds::all && degrees[segment.distal_node] == 1)
             fix_around(segment.points_mm.back(), segment.radii_mm.back());
-        else if (ends == FixedEnds::held)
-            hold_end(segment.points_mm.back(), segment.radii_mm.back(), vertices_of[s]);
     }
-}
-
-void DeformPart::hold_end(const Vec3& end_mm, double radius_mm, std::vector<int> vertices) {
-    constexpr std::size_t corners = 4;
-    if (vertices.size() < corners) return;
-    std::ranges::stable_sort(
-        vertices, {}, [&](int v) { return (body_.mesh.vertices_mm[v] - end_mm).squaredNorm(); });
-    Grab spring;
-    for (std::size_t i = 0; i < corners; ++i) {
-        spring.vertices[i] = vertices[i];
-        spring.weights[i] = 1.0 / corners;
-        spring.target_mm += spring.weights[i] * body_.mesh.vertices_mm[vertices[i]];
-    }
-    const double modulus_pa = body_.material.young_modulus_pa;
-    spring.stiffness_un_per_mm = modulus_pa * radius_mm;
-    spring.force_limit_un = largest_strain * modulus_pa * M_PI * radius_mm * radius_mm;
-    held_ends_.push_back(spring);
 }
 
 void DeformPart::build_stepper() {
@@ -162,7 +142,7 @@ void DeformPart::release() {
 }
 
 void DeformPart::apply_grabs() {
-    std::vector<Grab> grabs = held_ends_;
+    std::vector<Grab> grabs;
     for (std::size_t i = 0; hold_ && i < hold_->vertices.size(); ++i) {
         Grab spring;
         spring.vertices[0] = hold_->vertices[i];

@@ -69,7 +69,6 @@ class DeformPart {
     };
 
     void fix_ends(const VesselTree& tree, FixedEnds ends);
-    void hold_end(const Vec3& end_mm, double radius_mm, std::vector<int> vertices);
     // Around the place of a vertex; the held point is where the hand is.
     void close_hand(int vertex, const Vec3& point_mm);
     void apply_grabs();
@@ -81,7 +80,6 @@ class DeformPart {
     double quality_;
     Vec3 gravity_mm_per_s2_;
     double size_mm_ = 0.0;
-    std::vector<Grab> held_ends_;
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;
 };

@@ -61,11 +61,8 @@ class Fields {
     std::vector<std::string> known_;
 };
 
-constexpr std::array<std::pair<const char*, FixedEnds>, 4> names_of_ends{
-    {{"none", FixedEnds::none},
-     {"roots", FixedEnds::roots},
-     {"held", FixedEnds::held},
-     {"all", FixedEnds::all}}};
+constexpr std::array<std::pair<const char*, FixedEnds>, 3> names_of_ends{
+    {{"none", FixedEnds::none}, {"roots", FixedEnds::roots}, {"all", FixedEnds::all}}};
 
 const char* name_of(FixedEnds ends) {
     return std::ranges::find(names_of_ends, ends, [](const auto& entry) { return entry.second; })
@@ -81,7 +78,7 @@ DeformSpec deform_from(const Json& json) {
     const auto ends = std::ranges::find(names_of_ends, fixed,
                                         [](const auto& entry) { return std::string(entry.first); });
     if (ends == names_of_ends.end())
-        fields.refuse("is \"" + fixed + "\"; it must be none, roots, held or all", "fixed");
+        fields.refuse("is \"" + fixed + "\"; it must be none, roots or all", "fixed");
     spec.fixed = ends->second;
     fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
     fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);

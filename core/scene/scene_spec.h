@@ -12,20 +12,19 @@
 
 namespace hepatica {
 
-// How the ends of the tree are held. Roots are the ends where a system begins.
-//   none:  nothing is
-//   roots: roots are fixed, the other ends are free
-//   held:  roots are fixed, the other ends are held by springs that give way before their vessel is
-//          stretched by more than a fifth, as tissue does
-//   all:   every end is fixed; a hard pull stretches thin side branches to many times their length
-enum class FixedEnds { none, roots, held, all };
+// Which ends of the tree are fixed: roots are those where a system begins. With all of them fixed a
+// hard pull stretches thin side branches to several times their length; the default leaves them to
+// the tether, as tissue does.
+enum class FixedEnds { none, roots, all };
 
 struct DeformSpec {
     std::string material = "portal vein";  // name of a preset, see core/deform/material.h
-    FixedEnds fixed = FixedEnds::held;
+    FixedEnds fixed = FixedEnds::roots;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
-    double tether_pa_per_mm2 = 0.0;  // pull of the tissue around to the place at rest, per volume
-    double quality = 0.5;            // the dial, 0 to 1
+    // Pull of the tissue around to the place at rest, per volume: about what parenchyma of 5 kPa
+    // does to a vessel of 3 mm radius. An order of magnitude, not a measurement; 0: none.
+    double tether_pa_per_mm2 = 100.0;
+    double quality = 0.5;  // the dial, 0 to 1
 };
 
 struct FlowSpec {
