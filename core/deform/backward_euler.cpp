@@ -163,6 +163,15 @@ double BackwardEuler::potential(const Step& step) const {
            dt * gravity_work(body_, step.forces.gravity_mm_per_s2(), step.w);
 }
 
+double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
+                                       const ExternalForces& forces) const {
+    double weight = 0.0;
+    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+        weight += body_.mass_g[i] *
+                  forces.gravity_mm_per_s2().dot(positions_mm[i] - body_.rest_positions_mm[i]);
+    return assembly_.energy(positions_mm) + forces.energy(positions_mm) - weight;
+}
+
 // Moves by a share of the direction; true if the potential fell enough.
 bool BackwardEuler::try_share(Step& step, double share, double slope) {
     const std::vector<Vec3> before = step.w;

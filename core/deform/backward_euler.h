@@ -29,7 +29,6 @@ struct NewtonSettings {
 };
 
 // Advances one body. Keeps a reference to the body. Not thread-safe.
-// Advances one body. Keeps a reference to the body. Not thread-safe.
 class BackwardEuler {
   public:
     BackwardEuler(const Body& body, const NewtonSettings& settings,
@@ -40,6 +39,14 @@ class BackwardEuler {
     // is tried again in halves, and the report says so. A state that would not be finite is left as
     // it was, without velocity.
     StepReport advance(BodyState& state, double dt_s, const ExternalForces& forces);
+
+    // Energy of elements, springs and weight at any positions [nJ].
+    double potential_energy(std::span<const Vec3> positions_mm, const ExternalForces& forces) const;
+
+    // That of the elements alone [nJ].
+    double elastic_energy(std::span<const Vec3> positions_mm) const {
+        return assembly_.energy(positions_mm);
+    }
 
     // To be called after the state was changed from outside.
     void forget() { current_ = false; }

@@ -9,6 +9,7 @@
 #include "core/deform/backward_euler.h"
 #include "core/deform/energy_ledger.h"
 #include "core/deform/external_forces.h"
+#include "core/deform/unfolding.h"
 #include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double sleep_speed_edges_per_s = 1e-5;
 constexpr double sleep_after_s = 0.5;
+// A body slower than this for as long has settled, and is looked at for folds.
+constexpr double settled_speed_edges_per_s = 2e-2;
+constexpr double settled_after_s = 0.25;
 
 StepperOptions checked(const StepperOptions& options) {
     const auto check = [](bool good, const std::string& name, double value) {
@@ -57,6 +61,7 @@ class CpuStepper final : public Stepper {
         : options_(checked(options)),
           body_(build_body(description, options.model, options.order)),
           forces_(body_),
+          unfolding_(body_),
           integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
         state_.positions_mm = body_.rest_positions_mm;
         state_.velocities_mm_per_s.assign(body_.node_count(), Vec3::Zero());
@@ -87,17 +92,23 @@ class CpuStepper final : public Stepper {
                    std::span<const Vec3> velocities_mm_per_s) override;
 
   private:
-    void wake() { still_s_ = 0.0; }
+    void wake() {
+        still_s_ = 0.0;
+        settled_s_ = 0.0;
+    }
     void watch_for_sleep(double dt_s);
+    void unfold(double dt_s, StepReport& report);
 
     StepperOptions options_;
     Body body_;
     ExternalForces forces_;
+    Unfolding unfolding_;
     BackwardEuler integrator_;
     BodyState state_;
     double tool_work_ = 0.0;
-    double still_s_ = 0.0;  // for how long nothing has moved
-    EnergyLedger resting_;  // the energies of the last step made
+    double still_s_ = 0.0;    // for how long nothing has moved
+    double settled_s_ = 0.0;  // for how long nothing has moved much
+    EnergyLedger resting_;    // the energies of the last step made
 };
 
 StepReport CpuStepper::step(double dt_s) {
@@ -119,6 +130,7 @@ StepReport CpuStepper::step(double dt_s) {
     }
     report.energy.tool_work = tool_work_;
     tool_work_ = 0.0;
+    unfold(dt_s, report);
     resting_ = report.energy;
     watch_for_sleep(dt_s);
     return report;
@@ -128,6 +140,36 @@ void CpuStepper::watch_for_sleep(double dt_s) {
     double fastest = 0.0;
     for (const Vec3& v : state_.velocities_mm_per_s) fastest = std::max(fastest, v.norm());
     still_s_ = fastest < sleep_speed_edges_per_s * body_.mean_edge_mm ? still_s_ + dt_s : 0.0;
+}
+
+// Looks once each time the body has settled.
+void CpuStepper::unfold(double dt_s, StepReport& report) {
+    if (options_.published) return;
+    double fastest = 0.0;
+    for (const Vec3& v : state_.velocities_mm_per_s) fastest = std::max(fastest, v.norm());
+    const bool settled = fastest < settled_speed_edges_per_s * body_.mean_edge_mm;
+    const double before = settled_s_;
+    settled_s_ = settled ? settled_s_ + dt_s : 0.0;
+    if (before >= settled_after_s || settled_s_ < settled_after_s) return;
+    const auto energy = [&](std::span<const Vec3> x) {
+        return integrator_.potential_energy(x, forces_);
+    };
+    const auto unfolded = unfolding_.unfold(state_.positions_mm, energy);
+    if (!unfolded) return;
+    EnergyLedger& ledger = report.energy;
+    ledger.unfolding_loss = ledger.kinetic + energy(state_.positions_mm) - energy(*unfolded);
+    for (int i = 0; i < body_.node_count(); ++i)
+        ledger.gravity_work += body_.mass_g[i] * forces_.gravity_mm_per_s2().dot(
+                                                     (*unfolded)[i] - state_.positions_mm[i]);
+    state_.positions_mm = *unfolded;
+    std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
+    ledger.kinetic = 0.0;
+    ledger.grab = forces_.energy(state_.positions_mm);
+    ledger.elastic = integrator_.elastic_energy(state_.positions_mm);
+    integrator_.forget();
+    report.degraded = true;
+    report.message = "elements that had turned inside out were put right";
+    wake();
 }
 
 void CpuStepper::set_state(std::span<const Vec3> positions_mm,

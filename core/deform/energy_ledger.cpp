@@ -12,6 +12,7 @@ EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) 
     sum.tool_work += first.tool_work;
     sum.damping_loss += first.damping_loss;
     sum.integrator_loss += first.integrator_loss;
+    sum.unfolding_loss += first.unfolding_loss;
     sum.solver_work += first.solver_work;
     sum.imbalance += first.imbalance;
     return sum;
@@ -34,7 +35,7 @@ double relative_imbalance(const EnergyLedger& ledger) {
     const double size = ledger.kinetic + ledger.elastic + ledger.grab +
                         std::abs(ledger.gravity_work) + std::abs(ledger.tool_work) +
                         std::abs(ledger.damping_loss) + std::abs(ledger.integrator_loss) +
-                        std::abs(ledger.solver_work);
+                        std::abs(ledger.unfolding_loss) + std::abs(ledger.solver_work);
     return size > 0.0 ? std::abs(ledger.imbalance) / size : 0.0;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The energy ledger over several steps. What a body has gained must equal what was put in less what
 // was lost:  change of (kinetic + elastic + grab) =
-//   gravity_work + tool_work - damping_loss - integrator_loss + solver_work + imbalance.
+//   gravity_work + tool_work - damping_loss - integrator_loss - unfolding_loss + solver_work +
+//   imbalance.
 #pragma once
 
 #include "core/deform/stepper.h"

@@ -31,6 +31,7 @@ struct EnergyLedger {
     double tool_work = 0.0;        // done by moving targets during the step
     double damping_loss = 0.0;     // >= 0
     double integrator_loss = 0.0;  // dissipated by backward Euler
+    double unfolding_loss = 0.0;   // given up where elements inside out were put right, >= 0
     double solver_work = 0.0;      // done by the forces that the linear solver left unbalanced
     double imbalance = 0.0;        // what does not add up; 0 but for rounding
 };

@@ -25,7 +25,8 @@ bool Trial::run(int steps, double dt_s) {
         const double work = e.gravity_work + e.tool_work;
         if (!started_) {
             // The energy at the start, from the first step's ledger.
-            start_ = stored - work + e.damping_loss + e.integrator_loss - e.solver_work;
+            start_ = stored - work + e.damping_loss + e.integrator_loss + e.unfolding_loss -
+                     e.solver_work;
             handled_ = std::abs(start_);
             started_ = true;
         }
