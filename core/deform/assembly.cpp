@@ -15,6 +15,13 @@ constexpr std::size_t row_block = 256;
 
 using small::Tangent;
 
+// Slots hold the block of the lower node's row: what an element wrote the other way is transposed.
+void turn_blocks(const int* nodes, int count, small::Matrix3<double>* block) {
+    for (int a = 0; a < count; ++a)
+        for (int b = a + 1; b < count; ++b, ++block)
+            if (nodes[a] > nodes[b]) *block = transpose(*block);
+}
+
 }  // namespace
 
 Assembly::Assembly(const Body& body) : body_(body) {
@@ -61,21 +68,18 @@ void Assembly::build_pattern() {
 
 void Assembly::build_gather_lists() {
     std::vector<std::vector<int>> of_node(body_.node_count());
-    std::vector<std::vector<std::int64_t>> of_block(pattern_.column.size());
+    std::vector<std::vector<int>> of_block(pattern_.column.size());
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const ElementGroup& group = body_.groups[g];
         const int n = group.nodes_per_element;
         for (int e = 0; e < group.size(); ++e) {
             const int* nodes = group.connectivity.data() + e * n;
-            std::int64_t slot = static_cast<std::int64_t>(slots_[g].first_block) +
-                                static_cast<std::int64_t>(e) * group.pairs();
+            int slot = static_cast<int>(slots_[g].first_block) + e * group.pairs();
             for (int a = 0; a < n; ++a) {
                 of_node[nodes[a]].push_back(static_cast<int>(slots_[g].first_force) + e * n + a);
                 for (int b = a + 1; b < n; ++b, ++slot) {
-                    const bool transposed = nodes[a] > nodes[b];
-                    const int k = transposed ? pattern_.find(nodes[b], nodes[a])
-                                             : pattern_.find(nodes[a], nodes[b]);
-                    of_block[k].push_back(2 * slot + (transposed ? 1 : 0));
+                    const auto [low, high] = std::minmax(nodes[a], nodes[b]);
+                    of_block[pattern_.find(low, high)].push_back(slot);
                 }
             }
         }
@@ -113,6 +117,8 @@ double Assembly::evaluate(std::span<const Vec3> positions_mm, Tangent tangent) {
                     else
                         sum += evaluate_element<Tangent::projected>(group, body_.model, e,
                                                                     positions_mm, force, blocks);
+                    if (tangent != Tangent::none)
+                        turn_blocks(group.connectivity.data() + i * n, n, blocks);
                 }
                 return sum;
             });
@@ -151,16 +157,17 @@ void Assembly::gather_stiffness(double factor, BlockMatrix& matrix) const {
     parallel_blocks(rows, row_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (int k = pattern_.diagonal[i] + 1; k < pattern_.row_begin[i + 1]; ++k) {
-                Mat3 sum = Mat3::Zero();
+                double sum[9] = {};
                 for (int s = block_begin_[k]; s < block_begin_[k + 1]; ++s) {
-                    const auto& block = element_block_[block_slot_[s] >> 1];
-                    const bool transposed = (block_slot_[s] & 1) != 0;
-                    for (int r = 0; r < 3; ++r)
-                        for (int c = 0; c < 3; ++c)
-                            sum(r, c) += transposed ? block(c, r) : block(r, c);
+                    const double* block = element_block_[block_slot_[s]].m[0];
+                    for (int n = 0; n < 9; ++n) sum[n] += block[n];
                 }
-                matrix.block[k] = factor * sum;
-                matrix.block[mirror_[k]] = matrix.block[k].transpose();
+                // The slot is row-major, the matrix column-major.
+                double* upper = matrix.block[k].data();
+                double* lower = matrix.block[mirror_[k]].data();
+                for (int n = 0; n < 9; ++n) lower[n] = factor * sum[n];
+                for (int r = 0; r < 3; ++r)
+                    for (int c = 0; c < 3; ++c) upper[3 * c + r] = lower[3 * r + c];
             }
     });
     parallel_blocks(rows, row_block, [&](std::size_t begin, std::size_t end) {
@@ -188,9 +195,13 @@ double Assembly::quadratic_form(std::span<const Vec3> d) const {
                 for (int a = 0; a < n; ++a)
                     u[a] = small::from_eigen(Vec3(d[nodes[a]] - d[nodes[0]]));
                 for (int a = 0; a < n; ++a)
-                    for (int b = a + 1; b < n; ++b, ++block)
-                        sum += 2.0 * small::dot(u[a], *block * u[b]) -
-                               small::dot(u[a], *block * u[a]) - small::dot(u[b], *block * u[b]);
+                    for (int b = a + 1; b < n; ++b, ++block) {
+                        const bool ascending = nodes[a] < nodes[b];
+                        const auto& low = ascending ? u[a] : u[b];
+                        const auto& high = ascending ? u[b] : u[a];
+                        sum += 2.0 * small::dot(low, *block * high) -
+                               small::dot(low, *block * low) - small::dot(high, *block * high);
+                    }
             }
             return sum;
         });

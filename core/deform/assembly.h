@@ -56,9 +56,9 @@ class Assembly {
     // Slots of node i: force_slot_[force_begin_[i]] ...
     std::vector<int> force_begin_;
     std::vector<int> force_slot_;
-    // Slots of upper block k; bit 0 set where the slot holds the transposed block.
+    // Slots of upper block k.
     std::vector<int> block_begin_;
-    std::vector<std::int64_t> block_slot_;
+    std::vector<int> block_slot_;
 };
 
 }  // namespace hepatica
