@@ -8,18 +8,49 @@
 #include "core/base/error.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/flow_solution.h"
+#include "core/flow/injection.h"
 
 namespace hepatica {
 
 namespace {
 
-// The injected mixture. It is taken to displace a fluid of its own kind, so that flows are steady
-// and arrival times exact.
-Fluid injected_fluid(const Injection& injection) {
-    Fluid fluid = mixture(blood(), second_phase(injection.second_phase), injection.void_fraction);
-    if (injection.drug_viscosity_pa_s != 0.0) fluid.viscosity_pa_s = injection.drug_viscosity_pa_s;
-    validate(fluid);
-    return fluid;
+InjectionOptions options_of(const Injection& injection, const TreePoint& tip) {
+    InjectionOptions options;
+    options.tip = tip;
+    options.wedged = false;
+    options.mass_flow_g_s = injection.mass_flow_g_s;
+    options.law = pressure_law(injection.pressure_model);
+    options.second_phase = second_phase(injection.second_phase);
+    options.void_fraction = injection.void_fraction;
+    if (injection.drug_viscosity_pa_s != 0.0)
+        options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
+    return options;
+}
+
+struct Arrivals {
+    ArrivalTimes times;
+    double mass_error_relative = 0.0;
+};
+
+// A drug like the blood that it displaces leaves the flow as it is, and the times are exact.
+Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options) {
+    FlowNetwork network = network_of(tree, options.shape);
+    const int tip = place_catheter(network, *options.tip, options.wedged);
+    FlowConditions conditions;
+    conditions.law = options.law;
+    conditions.resident = pure(options.liquid);
+    conditions.inlets = {{tip, InletKind::mass_flow, options.mass_flow_g_s, conditions.resident}};
+    const FlowSolution solution = solve_flow(network, conditions);
+    return {arrival_times(network, solution, {tip}), solution.mass_error_relative};
+}
+
+// Another drug changes the splits of the bifurcations as it advances.
+Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& options) {
+    Job job;
+    const InjectionResult result = inject(tree, options, job);
+    return {result.arrival,
+            std::max({result.begin.mass_error_relative, result.end.mass_error_relative,
+                      result.balance.error_relative()})};
 }
 
 // Five times the time by which half of the vertices that are ever reached have been: links in which
@@ -47,7 +78,7 @@ TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec)
-    : tree_(tree), network_(network_of(tree)), speed_(spec.drug_speed) {
+    : tree_(tree), speed_(spec.drug_speed) {
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
     places_.reserve(places.size());
@@ -58,23 +89,20 @@ void FlowPart::inject(const Injection& injection) {
     if (!(injection.mass_flow_g_s > 0.0))
         throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
                          "Give more than 0 g/s");
-    FlowNetwork network = network_;
-    const int tip = place_catheter(network, at_supply_where_near(injection.at, tree_), false);
-    FlowConditions conditions;
-    conditions.law = pressure_law(injection.pressure_model);
-    conditions.resident = injected_fluid(injection);
-    conditions.inlets = {{tip, InletKind::mass_flow, injection.mass_flow_g_s, conditions.resident}};
-    const FlowSolution solution = solve_flow(network, conditions);
-    const ArrivalTimes times = arrival_times(network, solution, {tip});
+    const InjectionOptions options =
+        options_of(injection, at_supply_where_near(injection.at, tree_));
+    const bool alike = drug_of(options) == pure(options.liquid);
+    const Arrivals arrivals =
+        alike ? steady_arrivals(tree_, options) : stepped_arrivals(tree_, options);
 
     auto arrival_s = std::make_shared<std::vector<float>>(places_.size());
     for (std::size_t v = 0; v < places_.size(); ++v)
-        (*arrival_s)[v] = static_cast<float>(times.arrival_s(places_[v]));
-    mass_error_relative_ = solution.mass_error_relative;
+        (*arrival_s)[v] = static_cast<float>(arrivals.times.arrival_s(places_[v]));
+    mass_error_relative_ = arrivals.mass_error_relative;
     drug_.arrival_s = std::move(arrival_s);
     ++drug_.version;
     drug_.time_s = 0.0;
-    drug_.end_s = std::min(times.end_s(), useful_end_s(*drug_.arrival_s));
+    drug_.end_s = std::min(arrivals.times.end_s(), useful_end_s(*drug_.arrival_s));
     drug_.playing = true;
 }
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/anatomy/vessel_tree.h"
-#include "core/flow/flow_network.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/vertex_places.h"
@@ -30,9 +29,10 @@ class FlowPart {
     // `places` are those of the vertices shown. Throws InputError for an empty tree.
     FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places, const FlowSpec& spec);
 
-    // The vessels are at rest but for the injection, and every outlet is at the same pressure.
-    // Solves the flow and starts the drug's clock. Throws InputError for values out of range; what
-    // was injected before then stays.
+    // The vessels are full of blood, at rest but for the injection, and every outlet is at the same
+    // pressure. Solves the flow and starts the drug's clock. A drug unlike blood changes the splits
+    // as it advances: its times are those of the stepped front, else of the closed form. Throws
+    // InputError for values out of range; what was injected before then stays.
     void inject(const Injection& injection);
     void remove_drug();
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
@@ -46,11 +46,9 @@ class FlowPart {
     double speed() const { return speed_; }
     // Largest imbalance of a node in the flow last injected, over what is injected.
     double mass_error_relative() const { return mass_error_relative_; }
-    const FlowNetwork& network() const { return network_; }
 
   private:
     VesselTree tree_;
-    FlowNetwork network_;
     std::vector<TreePoint> places_;
     double speed_;
     double mass_error_relative_ = 0.0;

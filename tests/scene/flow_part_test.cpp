@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arrival times that the scene shows against the closed form and against a front stepped finely.
+#include "core/scene/flow_part.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/flow/arrival_times.h"
+#include "core/flow/injection.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+// Every place of a tree at tenths of its segments.
+std::vector<VertexPlace> places_along(const VesselTree& tree) {
+    std::vector<VertexPlace> places;
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        double length_mm = 0.0;
+        const auto& points = tree.segments[s].points_mm;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            length_mm += (points[i] - points[i - 1]).norm();
+        for (int k = 0; k <= 10; ++k)
+            places.push_back({{static_cast<int>(s), 0.1 * k * length_mm, 0.0}, 1.0});
+    }
+    return places;
+}
+
+std::vector<float> shown(const VesselTree& tree, const Injection& injection) {
+    FlowPart part(tree, places_along(tree), {});
+    part.inject(injection);
+    EXPECT_LT(part.mass_error_relative(), 1e-9);
+    return *part.drug().arrival_s;
+}
+
+// Largest difference of two sets of times, relative to the latest of the first.
+double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double latest = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(std::isfinite(a[i]), std::isfinite(b[i]));
+        if (!std::isfinite(a[i]) || !std::isfinite(b[i])) continue;
+        latest = std::max(latest, static_cast<double>(a[i]));
+        largest = std::max(largest, std::abs(static_cast<double>(a[i]) - b[i]));
+    }
+    return largest / latest;
+}
+
+std::vector<float> stepped(const VesselTree& tree, const Injection& injection, double tolerance) {
+    InjectionOptions options;
+    options.tip = injection.at;
+    options.wedged = false;
+    options.mass_flow_g_s = injection.mass_flow_g_s;
+    options.second_phase = second_phase(injection.second_phase);
+    options.void_fraction = injection.void_fraction;
+    options.front.step_tolerance = tolerance;
+    Job job;
+    const InjectionResult result = inject(tree, options, job);
+    std::vector<float> times;
+    for (const VertexPlace& place : places_along(tree))
+        times.push_back(static_cast<float>(result.arrival.arrival_s(place.on_tree)));
+    return times;
+}
+
+std::vector<float> steady(const VesselTree& tree, const Injection& injection, const Fluid& fluid) {
+    FlowNetwork network = network_of(tree);
+    const int tip = place_catheter(network, injection.at, false);
+    FlowConditions conditions;
+    conditions.resident = fluid;
+    conditions.inlets = {{tip, InletKind::mass_flow, injection.mass_flow_g_s, fluid}};
+    const ArrivalTimes arrival =
+        arrival_times(network, solve_flow(network, conditions), std::vector<int>{tip});
+    std::vector<float> times;
+    for (const VertexPlace& place : places_along(tree))
+        times.push_back(static_cast<float>(arrival.arrival_s(place.on_tree)));
+    return times;
+}
+
+TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
+    VesselTree tree;
+    tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(40, 0, 0)}};
+    VesselSegment segment;
+    segment.proximal_node = 0;
+    segment.distal_node = 1;
+    segment.points_mm = {Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(40, 0, 0)};
+    segment.radii_mm = {2.0, 2.0, 2.0};
+    tree.segments = {segment};
+    for (const char* second : {"gas", "lipiodol"}) {
+        const Injection injection{.at = {0, 0.0, 0.0},
+                                  .mass_flow_g_s = 1.5,
+                                  .void_fraction = 0.4,
+                                  .second_phase = second};
+        const std::vector<float> times = shown(tree, injection);
+        const double density = mixture(blood(), second_phase(second), 0.4).density_g_mm3;
+        const double filled_s = std::numbers::pi * 4.0 * 40.0 * density / 1.5;
+        for (int k = 0; k <= 10; ++k) EXPECT_NEAR(times[k], 0.1 * k * filled_s, 1e-5 * filled_s);
+    }
+}
+
+TEST(FlowPart, ADrugLikeBloodHasTheTimesOfTheClosedForm) {
+    const VesselTree& tree = test::small_patient()->tree;
+    const Injection injection{.at = {0, 0.0, 0.0}};
+    EXPECT_EQ(shown(tree, injection), steady(tree, injection, pure(blood())));
+}
+
+TEST(FlowPart, ADrugUnlikeBloodChangesTheSplitsAsItAdvances) {
+    const VesselTree& tree = test::small_patient()->tree;
+    const Injection injection{.at = {0, 0.0, 0.0}, .void_fraction = 0.4, .second_phase = "gas"};
+    const std::vector<float> times = shown(tree, injection);
+    const double missed = difference(stepped(tree, injection, 1e-3), times);
+    EXPECT_LT(missed, 2e-3);
+    // The drug is not where it would be if it displaced a fluid of its own kind.
+    const Fluid own = mixture(blood(), gas(), 0.4);
+    EXPECT_GT(difference(times, steady(tree, injection, own)), 5.0 * missed);
+}
+
+TEST(FlowPart, KeepsWhatWasInjectedWhereTheNextInjectionIsRefused) {
+    const VesselTree& tree = test::small_patient()->tree;
+    FlowPart part(tree, places_along(tree), {});
+    part.inject({.at = {0, 0.0, 0.0}});
+    const auto before = part.drug().arrival_s;
+    EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .void_fraction = 1.5}), InputError);
+    EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .drug_viscosity_pa_s = -1.0}), InputError);
+    EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .mass_flow_g_s = 0.0}), InputError);
+    EXPECT_EQ(part.drug().arrival_s, before);
+}
+
+}  // namespace
+}  // namespace hepatica
