@@ -104,6 +104,8 @@ Json run(const Options& options, Job& job) {
         play(session, schedule(script, patient->tree, spec.dt_s, options.steps), job);
     if (!options.record.empty()) keep(session, options);
     FlowPart* flow = session.world().flow();
+    session.update_frame();
+    const FrameStatistics& statistics = session.frame().statistics;
     return {{"script", script.name},
             {"steps", played.step_ms.size()},
             {"dt_s", spec.dt_s},
@@ -116,6 +118,8 @@ Json run(const Options& options, Job& job) {
             {"linear_iterations_max", played.linear_iterations_max},
             {"degraded_steps", played.degraded_steps},
             {"degraded_because", played.degraded_because},
+            {"expected_error", statistics.expected_error},
+            {"error_reference", statistics.error_reference},
             {"contacts_max", 0},
             {"joints_broken", 0},
             {"vertices_split", 0},

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/deform/live_stepper.h"
 #include "core/mesh/surface.h"
 #include "core/scene/quality_settings.h"
 
@@ -15,8 +16,8 @@ namespace hepatica {
 namespace {
 
 // The hand's springs together are as stiff as a piece of the vessel one radius long, and pull no
-// harder than would stretch the vessel by a fifth.
-constexpr double largest_strain = 0.2;
+// harder than would stretch the vessel by two fifths: less than that, and tissue keeps it.
+constexpr double hand_strain = 0.4;
 
 Material material_named(const std::string& name) {
     std::string known;
@@ -82,7 +83,13 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
 void DeformPart::build_stepper() {
     DeformState kept;
     if (stepper_) kept = state();
-    stepper_ = make_cpu_stepper(body_, stepper_options(quality_));
+    // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Thresholds far
+    // below what an eye sees: with the finer ones of measurements the region hardly ever shrinks.
+    constexpr LiveRegionOptions region{.wake_radii = 1e-2, .still_radii_per_s = 5e-2};
+    if (body_.tether_pa_per_mm2 > 0.0)
+        stepper_ = make_live_stepper(body_, stepper_options(quality_), region);
+    else
+        stepper_ = make_cpu_stepper(body_, stepper_options(quality_));
     stepper_->set_gravity(gravity_mm_per_s2_);
     if (!kept.positions_mm.empty()) set_state(kept);
     apply_grabs();
@@ -123,7 +130,7 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const auto springs = static_cast<double>(hold.vertices.size());
     hold.target_mm = point_mm;
     hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
-    hold.force_limit_un = largest_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
+    hold.force_limit_un = hand_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
     hold_ = std::move(hold);
     apply_grabs();
 }

@@ -44,6 +44,7 @@ class DeformPart {
     void set_gravity(const Vec3& gravity_mm_per_s2);
     void set_tether(double pa_per_mm2);
     void set_quality(double quality);
+    double quality() const { return quality_; }
 
     StepReport step(double dt_s) { return stepper_->step(dt_s); }
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }

@@ -21,9 +21,9 @@ struct DeformSpec {
     std::string material = "portal vein";  // name of a preset, see core/deform/material.h
     FixedEnds fixed = FixedEnds::roots;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
-    // Pull of the tissue around to the place at rest, per volume: about what parenchyma of 5 kPa
-    // does to a vessel of 3 mm radius. An order of magnitude, not a measurement; 0: none.
-    double tether_pa_per_mm2 = 100.0;
+    // Pull of the tissue around to the place at rest, per volume; 0: none. An order of magnitude:
+    // the vessel still follows most of the hand's way, and steps do not fail.
+    double tether_pa_per_mm2 = 20.0;
     double quality = 0.5;  // the dial, 0 to 1
 };
 

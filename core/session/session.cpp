@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
+#include "core/scene/quality_settings.h"
 #include "core/scene/world.h"
 
 namespace hepatica {
@@ -178,6 +179,11 @@ void Session::publish(const SessionStep& step) {
     statistics.step_ms = step.step_ms;
     statistics.real_time_factor = std::min(1.0, real_time_factor_);
     statistics.linear_iterations = step.deform.linear_iterations;
+    if (const DeformPart* deform = world_->deform(); deform != nullptr) {
+        const QualityPoint& setting = quality_point(deform->quality());
+        statistics.expected_error = setting.error_relative;
+        statistics.error_reference = setting.reference;
+    }
     statistics.degraded = step.deform.degraded;
     statistics.paused = paused_;
     statistics.message = message_.empty() ? step.deform.message : message_;

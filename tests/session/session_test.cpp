@@ -96,7 +96,19 @@ TEST(Session, AHandThatJumpsPullsNoHarderThanItsLimit) {
     EXPECT_TRUE(session->world().deform()->plausible());
     session->update_frame();
     const double radius = 4.0, modulus = 0.5e6;  // of the root branch, of the default material
-    EXPECT_LE(session->frame().grab->force_un, 0.2 * modulus * M_PI * radius * radius * 1.001);
+    EXPECT_LE(session->frame().grab->force_un, 0.4 * modulus * M_PI * radius * radius * 1.001);
+}
+
+TEST(Session, FramesCarryTheExpectedErrorOfTheDial) {
+    const auto session = new_session();
+    ASSERT_TRUE(session->update_frame());
+    const double middle = session->frame().statistics.expected_error;
+    EXPECT_GT(middle, 0.0);
+    EXPECT_FALSE(session->frame().statistics.error_reference.empty());
+    session->post(SetQuality{1.0});
+    session->step();
+    ASSERT_TRUE(session->update_frame());
+    EXPECT_LT(session->frame().statistics.expected_error, middle);
 }
 
 TEST(Session, FixedEndsStayWhereTheyAre) {
@@ -199,7 +211,9 @@ TEST(Session, PausesAndResets) {
 }
 
 TEST(Session, ChangesQualityAndTetherInMidPullWithoutAJump) {
-    const auto session = new_session();
+    SceneSpec spec = default_scene();
+    spec.deform->tether_pa_per_mm2 = 0.0;
+    const auto session = new_session(spec);
     session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
     session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
     play(*session, 120);
