@@ -127,7 +127,7 @@ int CommandLine::run_verb() {
                              "Check that the disk is not full and the pipe not closed");
         return exit_done;
     } catch (const Cancelled&) {
-        spdlog::warn("interrupted; nothing was left behind");
+        spdlog::warn("interrupted");
         return exit_interrupted;
     } catch (const UsageError& error) {
         return report(error, exit_bad_usage);

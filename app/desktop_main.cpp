@@ -26,7 +26,7 @@ struct Options {
     bool json = false;
 };
 
-Options parse(const QApplication& application) {
+Options parse(const QCoreApplication& application) {
     QCommandLineParser parser;
     parser.setApplicationDescription("Practise on a patient's own liver vessels.");
     parser.addHelpOption();
@@ -68,7 +68,12 @@ int refuse(const QString& problem) {
 int main(int argc, char** argv) {
     using namespace hepatica;
     prepare_opengl();
-    if (const QString problem = display_problem(); !problem.isEmpty()) return refuse(problem);
+    if (const QString problem = display_problem(); !problem.isEmpty()) {
+        const QCoreApplication without_window(argc, argv);
+        QCoreApplication::setApplicationVersion(HEPATICA_VERSION);
+        static_cast<void>(parse(without_window));  // --help and --version need no display
+        return refuse(problem);
+    }
     QApplication application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     QApplication::setApplicationVersion(HEPATICA_VERSION);

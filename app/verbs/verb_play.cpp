@@ -6,6 +6,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/anatomy/accuracy.h"
+#include "core/base/error.h"
 #include "core/patient/built_in_patient.h"
 #include "core/patient/patient_case.h"
 #include "core/patient/reconstruct.h"
@@ -93,8 +94,7 @@ Opened open(const Options& options, Job& job) {
 void write_report(const fs::path& file, const Opened& opened, const HeadlessPlay& played) {
     HtmlReport report("Hepatica: a session on " + opened.title);
     report.add_paragraph(
-        "No display was found, so the session was played without one. The pictures are what the "
-        "window would have shown.");
+        "A session played without a window. The pictures are what the window would have shown.");
     for (const PlayedPicture& picture : played.pictures)
         report.add_picture(picture.file, picture.caption);
     report.add_heading("The tree and its body");
@@ -117,6 +117,8 @@ void write_report(const fs::path& file, const Opened& opened, const HeadlessPlay
 Json run(const Options& options, Job& job) {
     const fs::path report = options.out / "report.html";
     require_writable(report);
+    if (!options.patient.empty() && !fs::exists(options.patient))
+        throw InputError("does not exist", options.patient.string(), "Check the path");
     fs::create_directories(options.out);
     Opened opened = open(options, job);
     const Json tree = facts_of(opened.patient.tree, opened.patient.mesh);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -39,14 +40,11 @@ PictureOptions picture_options(const Options& options) {
         throw UsageError("there is no view \"" + options.view + "\"", "--view",
                          "choose anterior, posterior, left, right, superior or inferior");
     picture.view = *view;
-    const std::size_t comma = options.size.find_first_of(",x");
-    try {
-        picture.width = std::stoi(options.size.substr(0, comma));
-        picture.height = std::stoi(options.size.substr(comma + 1));
-    } catch (const std::logic_error&) {
+    char rest = 0;
+    if (std::sscanf(options.size.c_str(), "%6d%*1[,x]%6d%c", &picture.width, &picture.height,
+                    &rest) != 2)
         throw UsageError("\"" + options.size + "\" is no size", "--size",
                          "write width,height in pixels, as 1280,960");
-    }
     constexpr int largest = 16384;
     if (picture.width < 1 || picture.height < 1 || picture.width > largest ||
         picture.height > largest)
