@@ -28,6 +28,8 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -fno-omit-frame-pointer")
 if(HEPATICA_SANITIZE)
     add_compile_options(-fsanitize=${HEPATICA_SANITIZE} -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${HEPATICA_SANITIZE})
+    # The sanitizers' own code makes gcc warn of variables that are always set.
+    list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-maybe-uninitialized)
 endif()
 
 find_program(HEPATICA_CCACHE ccache)

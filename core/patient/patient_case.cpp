@@ -94,9 +94,9 @@ Mask read_voxels(const fs::path& folder, const Json& header, const char* name) {
 }
 
 PatientCase read(const fs::path& folder, bool with_voxels) {
-    const Json header = read_header(folder);
     PatientCase patient;
     try {
+        const Json header = read_header(folder);
         const Json& source = header.at("source");
         patient.source.image_path = source.at("image").get<std::string>();
         patient.source.image_grid = grid_from(source.at("grid"));

@@ -5,9 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
+#include "core/base/hash.h"
 #include "core/base/job.h"
 #include "core/image/volume_writer.h"
 #include "tests/app/run_program.h"
@@ -129,25 +131,52 @@ TEST_F(BadInput, AnOutputThatCannotBeWritten) {
     }
 }
 
-TEST_F(BadInput, AFullDisk) {
-    write_nifti(folder_ / "ct.nii.gz", small_ct());
-    Mask vessels(small_ct().grid);
-    for (int z = 2; z < 30; ++z)
-        for (int y = 14; y < 20; ++y)
-            for (int x = 16; x < 22; ++x) vessels.at(x, y, z) = 1;
-    write_nifti(folder_ / "vessels.nii.gz", vessels);
+// A CT with a drawn vessel, and what to call to reconstruct it.
+class Reconstruction : public BadInput {
+  protected:
+    void SetUp() override {
+        BadInput::SetUp();
+        write_nifti(folder_ / "ct.nii.gz", small_ct());
+        Mask vessels(small_ct().grid);
+        for (int z = 2; z < 30; ++z)
+            for (int y = 14; y < 20; ++y)
+                for (int x = 16; x < 22; ++x) vessels.at(x, y, z) = 1;
+        write_nifti(folder_ / "vessels.nii.gz", vessels);
+    }
+    std::vector<std::string> arguments() const {
+        return {"reconstruct",          path("ct.nii.gz"), "--vessel-mask",
+                path("vessels.nii.gz"), "--out",           path("p.hep")};
+    }
+};
+
+TEST_F(Reconstruction, LeavesNothingWhereAFileCannotGrow) {
+    // Limits below the size of the smallest and of larger files of the case.
     const std::set<fs::path> before = files();
-    const std::vector<std::string> arguments{"reconstruct",   path("ct.nii.gz"),
-                                             "--vessel-mask", path("vessels.nii.gz"),
-                                             "--out",         path("p.hep")};
-    // At every size at which some file of the case no longer fits.
-    for (const long bytes : {0L, 300L, 2000L}) {
-        const Outcome run = run_cli(arguments, {.file_bytes = bytes});
+    for (const long bytes : {0L, 300L, 2000L, 8000L}) {
+        const Outcome run = run_cli(arguments(), {.file_bytes = bytes});
         EXPECT_EQ(run.exit_code, 1) << bytes << ": " << run.errors;
         EXPECT_EQ(files(), before) << bytes;
     }
-    const Outcome run = run_cli(arguments);
+    const Outcome run = run_cli(arguments());
     EXPECT_EQ(run.exit_code, 0) << run.errors;
+}
+
+TEST_F(Reconstruction, InterruptedInAnyStageKeepsTheOlderCaseWhole) {
+    ASSERT_EQ(run_cli(arguments()).exit_code, 0);
+    const std::set<fs::path> before = files();
+    std::map<fs::path, std::uint64_t> hashes;
+    for (const fs::path& file : before)
+        if (fs::is_regular_file(file)) hashes[file] = hash_of_file(file);
+    int interrupted = 0;
+    for (const char* stage : {"[1/", "[2/", "[3/", "[4/", "[5/", "[6/", "[7/"}) {
+        const Outcome run = run_cli(arguments(), {.interrupt_at = stage});
+        // A stage may end before the signal comes; then the case is replaced, by the same bytes.
+        EXPECT_TRUE(run.exit_code == 130 || run.exit_code == 0) << stage << run.errors;
+        interrupted += run.exit_code == 130 ? 1 : 0;
+        EXPECT_EQ(files(), before) << stage;
+        for (const auto& [file, hash] : hashes) EXPECT_EQ(hash_of_file(file), hash) << file;
+    }
+    EXPECT_GT(interrupted, 0);
 }
 
 TEST_F(BadInput, ADamagedScriptCaseAndRecording) {

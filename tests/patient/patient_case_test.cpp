@@ -100,6 +100,11 @@ TEST_F(PatientCaseTest, RefusesAChangedAMissingAndAForeignFile) {
     EXPECT_NE(refusal(case_).find("version 99"), std::string::npos);
     std::ofstream(case_ / "case.json") << R"({"format": "hepatica-case", "version": 1})";
     EXPECT_FALSE(refusal(case_).empty());
+    for (const char* wrong :
+         {R"({"format": 1})", R"({"format": "hepatica-case", "version": "x"})"}) {
+        std::ofstream(case_ / "case.json") << wrong;
+        EXPECT_NE(refusal(case_).find("damaged"), std::string::npos) << wrong;
+    }
     std::ofstream(case_ / "case.json") << "text";
     EXPECT_NE(refusal(case_).find("damaged"), std::string::npos);
     EXPECT_FALSE(refusal(folder_).empty());
