@@ -52,7 +52,7 @@ void Session::apply_waiting_commands() {
         const std::scoped_lock lock(queue_mutex_);
         commands.swap(queue_);
     }
-    if (!commands.empty()) message_.clear();
+    if (!commands.empty() && !diverged_) message_.clear();
     for (const Command& command : commands) {
         try {
             apply(command);
@@ -106,26 +106,42 @@ void Session::apply(const Command& command) {
         void operator()(const SetGravity& c) { deform().set_gravity(c.gravity_mm_per_s2); }
         void operator()(const SetTether& c) { deform().set_tether(c.pa_per_mm2); }
         void operator()(const SetQuality& c) { deform().set_quality(c.quality); }
-        void operator()(const SetPaused& c) { session.paused_ = c.paused; }
+        void operator()(const SetPaused& c) {
+            session.paused_ = c.paused;
+            if (!c.paused) session.forget_divergence();
+        }
         void operator()(const ResetWorld&) {
             world.reset();
+            if (world.deform() != nullptr) *session.last_good_ = world.deform()->state();
             session.paused_ = false;
+            session.forget_divergence();
         }
         void operator()(const RestoreSnapshot&) {
             deform().release();
             deform().set_state(*session.last_good_);
             session.paused_ = false;
+            session.forget_divergence();
         }
     };
     std::visit(Apply{*this, world}, command);
+}
+
+void Session::forget_divergence() {
+    if (diverged_) message_.clear();
+    diverged_ = false;
 }
 
 void Session::guard_state() {
     DeformPart* deform = world_->deform();
     if (deform == nullptr) return;
     if (!deform->plausible()) {
+        deform->release();
+        deform->set_state(*last_good_);
         paused_ = true;
-        message_ = "The simulation diverged and was stopped. Restore the last good state to go on.";
+        diverged_ = true;
+        message_ =
+            "The simulation diverged: it was taken back to its last good state and stopped. "
+            "Resume to go on";
     } else if (step_ % steps_between_snapshots == 0) {
         *last_good_ = deform->state();
     }

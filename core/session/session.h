@@ -82,11 +82,13 @@ class Session {
     void require_deform() const;
     void require_flow() const;
     void guard_state();
+    void forget_divergence();
     void publish(const SessionStep& step);
 
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;
     bool paused_ = false;
+    bool diverged_ = false;  // until somebody resumes, restores or resets
     std::string message_;
     std::unique_ptr<DeformState> last_good_;
     double real_time_factor_ = 1.0;
