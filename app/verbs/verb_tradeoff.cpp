@@ -38,7 +38,8 @@ Json json_of(const TradeoffPoint& point) {
 
 Tradeoff measure(const Options& options, Job& job) {
     if (options.patient.empty()) return measure_beam_tradeoff(options.quick, job);
-    const DeformPart part(read_case_without_voxels(options.patient), DeformSpec{.fixed = FixedEnds::all});
+    const DeformPart part(read_case_without_voxels(options.patient),
+                          DeformSpec{.fixed = FixedEnds::all});
     return measure_body_tradeoff(part.body(), job);
 }
 

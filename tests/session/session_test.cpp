@@ -210,6 +210,20 @@ TEST(Session, PausesAndResets) {
         EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
 }
 
+TEST(Session, AResetIsTheStateThatARestoreGoesBackTo) {
+    const auto session = new_session();
+    session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
+    play(*session, 130);  // two snapshots of the pulled body have been kept
+    session->post(ResetWorld{});
+    play(*session, 2);
+    session->post(RestoreSnapshot{});
+    play(*session, 1);
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
+}
+
 TEST(Session, ChangesQualityAndTetherInMidPullWithoutAJump) {
     SceneSpec spec = default_scene();
     spec.deform->tether_pa_per_mm2 = 0.0;
