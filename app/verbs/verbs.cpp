@@ -16,6 +16,7 @@ void add_all_verbs(CommandLine& line) {
 #ifdef HEPATICA_HAS_RENDER
     add_play(line);
     add_render(line);
+    add_skeleton(line);
 #endif
     add_scene(line);
     add_bench_iterations(line);

@@ -9,9 +9,10 @@ namespace hepatica {
 Mask thin(const Mask& mask, ThinningMethod method, Job& job) {
     PaddedObject object(mask);
     if (object.empty()) return Mask(mask.grid);
-    if (method == ThinningMethod::parallel) thin_by_templates(object, job);
-    // After the templates this removes what they leave thicker than it need be.
-    thin_by_queue(object, job);
+    if (method == ThinningMethod::parallel)
+        thin_by_templates(object, job);
+    else
+        thin_by_queue(object, job);
     return object.to_mask();
 }
 

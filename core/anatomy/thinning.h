@@ -10,9 +10,10 @@ namespace hepatica {
 
 enum class ThinningMethod {
     // Six directional sub-iterations over a queue of border voxels, every one tested again as a
-    // simple point before it goes. See queue_thinning.h.
+    // simple point before it goes. Nothing removable is left. See queue_thinning.h.
     queue,
-    // The fully parallel templates of the paper's reference. See parallel_thinning.h.
+    // The fully parallel templates of the paper's reference: two voxels wide in places, which the
+    // unit-width skeleton mends. See parallel_thinning.h.
     parallel,
 };
 

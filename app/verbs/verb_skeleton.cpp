@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "app/command_line.h"
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/anatomy/thinning.h"
+#include "core/anatomy/unit_width_skeleton.h"
+#include "core/base/error.h"
+#include "core/image/volume_reader.h"
+#include "render/voxel_picture.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Options {
+    std::filesystem::path mask;
+    std::filesystem::path out;
+    std::string method = "queue";
+    int reach = 10;
+};
+
+constexpr std::array<std::uint8_t, 3> grey{205, 205, 205}, orange{240, 150, 40}, green{60, 170, 75},
+    red{215, 45, 40}, blue{60, 110, 215};
+
+std::vector<Index3> voxels_of(const Mask& mask) {
+    std::vector<Index3> found;
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        if (mask.voxels[i] != 0) found.push_back(mask.grid.index_of(i));
+    return found;
+}
+
+std::vector<Index3> places(const Grid& grid, const std::vector<std::size_t>& offsets) {
+    std::vector<Index3> found;
+    for (const std::size_t offset : offsets) found.push_back(grid.index_of(offset));
+    return found;
+}
+
+// Crowded points, regions, exits, centres, paths and the result around the largest region.
+void draw_stages(const Options& options, const Mask& thinned, const UnitWidthStages& stages) {
+    const auto largest = std::ranges::max_element(
+        stages.regions, {}, [](const CrowdedRegion& r) { return r.voxels.size(); });
+    if (largest == stages.regions.end()) return;
+    const Grid& grid = thinned.grid;
+    const Index3 middle = grid.index_of(largest->centre);
+    Index3 low{}, high{};
+    for (int a = 0; a < 3; ++a) {
+        low[a] = middle[a] - options.reach;
+        high[a] = middle[a] + options.reach;
+    }
+    VoxelGroup crowded{{}, orange}, exits{{}, green}, centres{{}, red}, paths{{}, blue};
+    for (const CrowdedRegion& region : stages.regions) {
+        const auto append = [&](VoxelGroup& group, const std::vector<std::size_t>& offsets) {
+            std::ranges::copy(places(grid, offsets), std::back_inserter(group.voxels));
+        };
+        append(crowded, region.voxels);
+        append(exits, region.exits);
+        append(centres, {region.centre});
+        for (const auto& path : region.paths) append(paths, path);
+    }
+    const VoxelGroup skeleton{voxels_of(thinned), grey};
+    const VoxelGroup result{voxels_of(stages.skeleton), grey};
+    const auto draw = [&](const char* name, const std::vector<VoxelGroup>& groups) {
+        write_png(options.out / name, draw_voxels(groups, low, high));
+    };
+    draw("1_thinned.png", {skeleton});
+    draw("2_crowded_regions.png", {skeleton, crowded});
+    draw("3_exits.png", {skeleton, crowded, exits});
+    draw("4_centres.png", {skeleton, crowded, exits, centres});
+    draw("5_paths.png", {skeleton, crowded, paths, exits, centres});
+    draw("6_unit_width.png", {result});
+}
+
+Json run(const Options& options, Job& job) {
+    if (!options.out.empty()) require_writable(options.out);
+    const Mask mask = read_mask(options.mask, job);
+    const auto method =
+        options.method == "parallel" ? ThinningMethod::parallel : ThinningMethod::queue;
+    job.begin_stage("Thinning");
+    const Mask thinned = thin(mask, method, job);
+    job.begin_stage("Making the skeleton one voxel wide");
+    const UnitWidthStages stages = unit_width_stages(thinned, job);
+    std::size_t exits = 0;
+    for (const CrowdedRegion& region : stages.regions) exits += region.exits.size();
+    if (!options.out.empty()) {
+        std::filesystem::create_directories(options.out);
+        draw_stages(options, thinned, stages);
+    }
+    return {{"thinned_voxels", voxels_of(thinned).size()},
+            {"crowded_points", crowded_point_count(thinned)},
+            {"crowded_regions", stages.regions.size()},
+            {"exits", exits},
+            {"voxels", voxels_of(stages.skeleton).size()},
+            {"removable_points", removable_point_count(stages.skeleton)}};
+}
+
+}  // namespace
+
+void add_skeleton(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb =
+        line.add_verb("skeleton", "Thin a vessel mask and show how it gets one voxel wide",
+                      [options](Job& job) { return run(*options, job); });
+    verb.add_option("mask", options->mask, "Vessel voxels (NIfTI ...)")->required();
+    verb.add_option("--out", options->out, "Folder for a picture of each stage");
+    verb.add_option("--method", options->method, "How the mask is thinned")
+        ->check(CLI::IsMember({"queue", "parallel"}))
+        ->capture_default_str();
+    verb.add_option("--reach", options->reach, "Voxels shown around the largest region")
+        ->check(CLI::Range(2, 100))
+        ->capture_default_str();
+}
+
+}  // namespace hepatica
