@@ -10,12 +10,13 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/scene/scene_spec.h"
 
 namespace hepatica {
 namespace {
 
-// A parenchyma of some kilopascal, spread over the section of a vessel of 2 to 3 mm radius.
-constexpr double tissue_pa_per_mm2 = 100.0;
+// What scenes begin with: see DeformSpec.
+const double tissue_pa_per_mm2 = DeformSpec{}.tether_pa_per_mm2;
 
 }  // namespace
 
@@ -56,6 +57,7 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     auto* body_column = new QVBoxLayout(body_box);
     connect(gravity_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetGravity{Vec3(0, on ? units::standard_gravity : 0.0, 0)}); });
+    tether_->setChecked(true);
     connect(tether_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetTether{on ? tissue_pa_per_mm2 : 0.0}); });
     body_column->addWidget(gravity_);
