@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/anatomy/gaussian_refinement.h"
 #include "core/anatomy/liver_frame.h"
@@ -23,6 +25,8 @@ constexpr double coarse_slices_mm = 1.5;
 // it.
 constexpr double least_vessel_share = 0.002;
 constexpr double least_contrast_hu = 15.0;
+// Of a piece's voxels, away from the border of a liver that was not given but found.
+constexpr double least_inner_share = 0.5;
 
 std::string rounded(double value, int decimals = 0) {
     std::string text = std::to_string(value);
@@ -49,6 +53,21 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     const Mask inner = erode(vessels, 1.1 * vessels.grid.spacing_mm[0], job);
     constexpr std::size_t enough = 200;
     return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
+}
+
+// Where the liver is the program's own guess, its border runs through other organs' walls: pieces
+// that lie mostly in its rim are theirs.
+void drop_rooted_in_rim(Mask& vessels, const Mask& interior) {
+    const Components pieces = connected_components(vessels, Connectivity::all26);
+    std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
+        if (interior.voxels[i]) ++inner[pieces.labels.voxels[i]];
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
+        const std::uint32_t piece = pieces.labels.voxels[i];
+        if (piece != 0 && static_cast<double>(inner[piece]) <
+                              least_inner_share * static_cast<double>(pieces.sizes[piece - 1]))
+            vessels.voxels[i] = 0;
+    }
 }
 
 void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver) {
@@ -91,6 +110,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
 
     job.begin_stage("Segmenting the vessels");
     Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
+    if (!options.liver) drop_rooted_in_rim(detection.vessels, tissue.interior);
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
