@@ -57,16 +57,20 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
 
 // Where the liver is the program's own guess, its border runs through other organs' walls: pieces
 // that lie mostly in its rim are theirs.
-void drop_rooted_in_rim(Mask& vessels, const Mask& interior) {
+void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
+    Mask& vessels = detection.vessels;
+    Mask& centreline = detection.centreline;
     const Components pieces = connected_components(vessels, Connectivity::all26);
     std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
     for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
         if (interior.voxels[i]) ++inner[pieces.labels.voxels[i]];
     for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
         const std::uint32_t piece = pieces.labels.voxels[i];
-        if (piece != 0 && static_cast<double>(inner[piece]) <
+        if (piece == 0 || static_cast<double>(inner[piece]) >=
                               least_inner_share * static_cast<double>(pieces.sizes[piece - 1]))
-            vessels.voxels[i] = 0;
+            continue;
+        vessels.voxels[i] = 0;
+        if (!centreline.voxels.empty()) centreline.voxels[i] = 0;
     }
 }
 
@@ -110,7 +114,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
 
     job.begin_stage("Segmenting the vessels");
     Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
-    if (!options.liver) drop_rooted_in_rim(detection.vessels, tissue.interior);
+    if (!options.liver) drop_rooted_in_rim(detection, tissue.interior);
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};

@@ -47,6 +47,14 @@ TEST(VesselSegmentation, FindsThePhantomsTree) {
     EXPECT_TRUE(found.warnings.empty());
 }
 
+TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
+    Job job;
+    const Patient patient = phantom_patient(1, 1.0, job);
+    const Segmentation found = segment(patient, false);
+    EXPECT_EQ(found.components, 1);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.85);
+}
+
 TEST(VesselSegmentation, KeepsTheTreeTogetherWhereSlicesAreThreeMillimetresApart) {
     Job job;
     const Patient patient = phantom_patient(1, 3.0, job);
