@@ -62,6 +62,10 @@ void draw_stages(const Options& options, const Mask& thinned, const UnitWidthSta
         for (const auto& path : region.paths) append(paths, path);
     }
     const VoxelGroup skeleton{voxels_of(thinned), grey};
+    Mask open = thinned;  // without the crowded voxels, which would hide what lies inside them
+    for (const CrowdedRegion& region : stages.regions)
+        for (const std::size_t offset : region.voxels) open.voxels[offset] = 0;
+    const VoxelGroup lines{voxels_of(open), grey};
     const VoxelGroup result{voxels_of(stages.skeleton), grey};
     const auto draw = [&](const char* name, const std::vector<VoxelGroup>& groups) {
         write_png(options.out / name, draw_voxels(groups, low, high));
@@ -69,8 +73,8 @@ void draw_stages(const Options& options, const Mask& thinned, const UnitWidthSta
     draw("1_thinned.png", {skeleton});
     draw("2_crowded_regions.png", {skeleton, crowded});
     draw("3_exits.png", {skeleton, crowded, exits});
-    draw("4_centres.png", {skeleton, crowded, exits, centres});
-    draw("5_paths.png", {skeleton, crowded, paths, exits, centres});
+    draw("4_centres.png", {lines, exits, centres});
+    draw("5_paths.png", {lines, paths, exits, centres});
     draw("6_unit_width.png", {result});
 }
 
