@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "core/anatomy/thinning.h"
-#include "core/anatomy/topology.h"
-#include "core/anatomy/unit_width_skeleton.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/topology.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
 
 namespace {
 

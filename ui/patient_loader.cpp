@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/anatomy/tree_io.h"
+#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/error.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"

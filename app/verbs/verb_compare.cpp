@@ -3,7 +3,7 @@
 
 #include "app/verbs/verbs.h"
 #include "core/anatomy/accuracy.h"
-#include "core/anatomy/tree_io.h"
+#include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
 

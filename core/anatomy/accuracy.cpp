@@ -6,11 +6,11 @@
 #include <limits>
 #include <tuple>
 
-#include "core/anatomy/centreline.h"
-#include "core/anatomy/centreline_locator.h"
-#include "core/anatomy/thinning.h"
-#include "core/anatomy/unit_width_skeleton.h"
-#include "core/anatomy/vessel_graph.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/anatomy/tree/centreline.h"
+#include "core/anatomy/tree/centreline_locator.h"
+#include "core/anatomy/tree/vessel_graph.h"
 #include "core/base/error.h"
 
 namespace hepatica {

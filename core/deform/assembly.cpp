@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/base/parallel.h"
-#include "core/deform/element_dispatch.h"
+#include "core/deform/elements/element_dispatch.h"
 
 namespace hepatica {
 namespace {

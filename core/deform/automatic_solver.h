@@ -4,9 +4,9 @@
 // same commands give the same bits.
 #pragma once
 
-#include "core/deform/cholesky_solver.h"
-#include "core/deform/linear_solver.h"
-#include "core/deform/skeleton_preconditioner.h"
+#include "core/deform/solvers/cholesky_solver.h"
+#include "core/deform/solvers/linear_solver.h"
+#include "core/deform/solvers/skeleton_preconditioner.h"
 
 namespace hepatica {
 

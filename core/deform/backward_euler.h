@@ -14,7 +14,7 @@
 #include "core/deform/body_state.h"
 #include "core/deform/energy_ledger.h"
 #include "core/deform/external_forces.h"
-#include "core/deform/linear_solver.h"
+#include "core/deform/solvers/linear_solver.h"
 #include "core/deform/stepper.h"
 
 namespace hepatica {

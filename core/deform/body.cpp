@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/deform/small_matrix_eigen.h"
+#include "core/deform/elements/small_matrix_eigen.h"
 
 namespace hepatica {
 namespace {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/base/vector.h"
-#include "core/deform/frame_skeleton.h"
-#include "core/deform/hexahedron_element.h"
+#include "core/deform/elements/hexahedron_element.h"
+#include "core/deform/elements/spring_element.h"
+#include "core/deform/elements/tetrahedron_element.h"
 #include "core/deform/material.h"
-#include "core/deform/spring_element.h"
-#include "core/deform/tetrahedron_element.h"
+#include "core/deform/solvers/frame_skeleton.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/deform/body.h"
-#include "core/deform/linear_solver.h"
+#include "core/deform/solvers/linear_solver.h"
 #include "core/deform/stepper.h"
 
 namespace hepatica {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/vector.h"
-#include "core/deform/block_matrix.h"
 #include "core/deform/body.h"
+#include "core/deform/solvers/block_matrix.h"
 #include "core/deform/stepper.h"
 
 namespace hepatica {

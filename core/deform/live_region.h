@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/deform/frame_skeleton.h"
+#include "core/deform/solvers/frame_skeleton.h"
 
 namespace hepatica {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/deform/linear_solver.h"
-#include "core/deform/small_matrix_eigen.h"
+#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/deform/solvers/linear_solver.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {

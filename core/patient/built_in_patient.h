@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "core/anatomy/phantom.h"
+#include "core/anatomy/phantom/phantom.h"
 #include "core/base/job.h"
 #include "core/patient/reconstruct.h"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/anatomy/tree_io.h"
+#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/anatomy/gaussian_refinement.h"
-#include "core/anatomy/thinning.h"
-#include "core/anatomy/topology.h"
-#include "core/anatomy/tree_extraction.h"
-#include "core/anatomy/unit_width_skeleton.h"
+#include "core/anatomy/segmentation/gaussian_refinement.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/topology.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/anatomy/tree/tree_extraction.h"
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/anatomy/vessel_segmentation.h"
+#include "core/anatomy/segmentation/vessel_segmentation.h"
 #include "core/base/job.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/anatomy/centreline_locator.h"
+#include "core/anatomy/tree/centreline_locator.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/deform/assembly.h"
-#include "core/deform/cholesky_solver.h"
+#include "core/deform/solvers/cholesky_solver.h"
 #include "core/study/vessel_body.h"
 
 namespace hepatica {

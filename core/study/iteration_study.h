@@ -8,7 +8,7 @@
 
 #include "core/base/job.h"
 #include "core/deform/body.h"
-#include "core/deform/linear_solver.h"
+#include "core/deform/solvers/linear_solver.h"
 
 namespace hepatica {
 

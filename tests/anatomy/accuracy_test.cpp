@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/anatomy/phantom.h"
-#include "core/anatomy/thinning.h"
-#include "core/anatomy/tree_extraction.h"
-#include "core/anatomy/unit_width_skeleton.h"
+#include "core/anatomy/phantom/phantom.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/anatomy/tree/tree_extraction.h"
 #include "core/base/error.h"
 #include "tests/anatomy/test_masks.h"
 #include "tests/anatomy/test_trees.h"

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/anatomy/accuracy.h"
-#include "core/anatomy/thinning.h"
-#include "core/anatomy/topology.h"
-#include "core/anatomy/tree_extraction.h"
-#include "core/anatomy/tree_io.h"
-#include "core/anatomy/unit_width_skeleton.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/topology.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/anatomy/tree/tree_extraction.h"
+#include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
 #include "tests/anatomy/test_data.h"
 

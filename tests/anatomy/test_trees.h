@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/anatomy/vessel_graph.h"
+#include "core/anatomy/tree/vessel_graph.h"
 #include "core/anatomy/vessel_tree.h"
 
 namespace hepatica::test {

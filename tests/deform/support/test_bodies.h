@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/deform/block_matrix.h"
-#include "core/deform/frame_skeleton.h"
+#include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/frame_skeleton.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica::test {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/anatomy/segmentation/vessel_segmentation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/anatomy/segmentation/gaussian_refinement.h"
+#include "core/anatomy/segmentation/liver_frame.h"
+#include "core/anatomy/segmentation/liver_region.h"
+#include "core/anatomy/segmentation/tissue_contrast.h"
+#include "core/anatomy/segmentation/vessel_detection.h"
+#include "core/base/error.h"
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double default_spacing_mm = 0.8;
+constexpr double coarse_slices_mm = 1.5;
+// A CT in the arterial or portal phase shows 1 to 4 % of the liver as vessels, 38 to 92 HU above
+// it.
+constexpr double least_vessel_share = 0.002;
+constexpr double least_contrast_hu = 15.0;
+// Of a piece's voxels, away from the border of a liver that was not given but found.
+constexpr double least_inner_share = 0.5;
+
+std::string rounded(double value, int decimals = 0) {
+    std::string text = std::to_string(value);
+    return text.substr(
+        0, text.find('.') + (decimals > 0 ? static_cast<std::size_t>(decimals) + 1 : 0));
+}
+
+std::size_t object_count(const Mask& mask) {
+    return mask.voxels.size() - static_cast<std::size_t>(std::count(
+                                    mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
+}
+
+// The vessels away from the liver's border, where ribs, kidneys and heart shine in.
+Mask within(const Mask& vessels, const Mask& interior) {
+    Mask inner = vessels;
+    for (std::size_t i = 0; i < inner.voxels.size(); ++i)
+        if (!interior.voxels[i]) inner.voxels[i] = 0;
+    return inner;
+}
+
+// Median of the excess a voxel away from the vessels' walls where they are wide enough for that,
+// else anywhere in them.
+double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
+    const Mask inner = erode(vessels, 1.1 * vessels.grid.spacing_mm[0], job);
+    constexpr std::size_t enough = 200;
+    return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
+}
+
+// Where the liver is the program's own guess, its border runs through other organs' walls: pieces
+// that lie mostly in its rim are theirs.
+void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
+    Mask& vessels = detection.vessels;
+    Mask& centreline = detection.centreline;
+    const Components pieces = connected_components(vessels, Connectivity::all26);
+    std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
+        if (interior.voxels[i]) ++inner[pieces.labels.voxels[i]];
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
+        const std::uint32_t piece = pieces.labels.voxels[i];
+        if (piece == 0 || static_cast<double>(inner[piece]) >=
+                              least_inner_share * static_cast<double>(pieces.sizes[piece - 1]))
+            continue;
+        vessels.voxels[i] = 0;
+        if (!centreline.voxels.empty()) centreline.voxels[i] = 0;
+    }
+}
+
+void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver) {
+    const double share =
+        static_cast<double>(object_count(vessels)) / static_cast<double>(object_count(liver));
+    if (share >= least_vessel_share && found.contrast_hu() >= least_contrast_hu) return;
+    throw InputError(
+        "the vessels do not stand out from the liver: the brightest structures cover " +
+            rounded(100.0 * share, 2) + " % of it and rise " +
+            rounded(share > 0.0 ? found.contrast_hu() : 0.0) + " HU above its " +
+            rounded(found.parenchyma_hu) + " HU, where the noise is " + rounded(found.noise_hu) +
+            " HU",
+        "CT",
+        "Use a scan with contrast medium (portal-venous phase for veins, arterial "
+        "phase for arteries), or give a vessel mask.");
+}
+
+}  // namespace
+
+Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job) {
+    Segmentation result;
+    const double coarsest = ct.grid.spacing_mm.maxCoeff();
+    if (coarsest > coarse_slices_mm)
+        result.warnings.push_back("The slices are " + rounded(coarsest, 1) +
+                                  " mm apart: thin branches may be broken or missing. Up to 1.5 mm "
+                                  "is better.");
+    Mask found;
+    if (!options.liver) {
+        job.begin_stage("Finding the liver");
+        found = find_liver(ct, job);
+    }
+    job.begin_stage("Resampling the liver");
+    const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;
+    LiverFrame frame = make_liver_frame(ct, options.liver ? *options.liver : found, spacing, job);
+    found = Mask();
+
+    job.begin_stage("Measuring the contrast");
+    TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
+    if (options.window_hu) apply_window(frame, *options.window_hu, tissue);
+
+    job.begin_stage("Segmenting the vessels");
+    Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
+    if (!options.liver) drop_rooted_in_rim(detection, tissue.interior);
+    const Mask inner = within(detection.vessels, tissue.interior);
+    result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
+                         tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
+    require_contrast(result.statistics, inner, tissue.interior);
+
+    job.begin_stage("Refining the surface");
+    result.mask = refine(detection.vessels, options.refinement_recursions, job);
+    result.centreline = std::move(detection.centreline);
+    if (!options.seeds.empty()) {
+        job.begin_stage("Telling the systems apart");
+        result.mask = label_systems(result.mask, options.seeds, job);
+    }
+    result.components =
+        static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
+    result.liver = std::move(frame.liver);
+    result.intensity = std::move(frame.intensity);
+    return result;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rotation nearest to a deformation gradient, with determinant +1 for every input: stretched,
+// flat, inverted or zero. Newton's iteration (Higham 1986) where the matrix is safely regular,
+// otherwise a one-sided Jacobi singular value decomposition (Hestenes 1958).
+#pragma once
+
+#include "core/deform/elements/small_matrix.h"
+
+namespace hepatica::small {
+
+// f = u diag(sigma) v^T with u, v rotations (determinant +1); |sigma| descending, and only
+// sigma[2] may be negative, which it is where f is inverted.
+template <class T>
+struct SignedSvd {
+    Matrix3<T> u;
+    Vector3<T> sigma;
+    Matrix3<T> v;
+};
+
+namespace detail {
+
+template <class T>
+HEPATICA_HOST_DEVICE T epsilon() {
+    return sizeof(T) == 8 ? T(2.220446049250313e-16) : T(1.1920929e-7);
+}
+template <class T>
+HEPATICA_HOST_DEVICE T absolute(T a) {
+    return a < T(0) ? -a : a;
+}
+template <class T>
+HEPATICA_HOST_DEVICE T larger(T a, T b) {
+    return a > b ? a : b;
+}
+template <class T>
+HEPATICA_HOST_DEVICE T smaller(T a, T b) {
+    return a < b ? a : b;
+}
+template <class T>
+HEPATICA_HOST_DEVICE T root(T a) {
+    return std::sqrt(a);
+}
+
+// Largest absolute entry, by which everything is scaled so that no square overflows.
+template <class T>
+HEPATICA_HOST_DEVICE T largest_entry(const Matrix3<T>& a) {
+    T largest = T(0);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) largest = larger(largest, absolute(a(i, j)));
+    return largest;
+}
+
+template <class T>
+HEPATICA_HOST_DEVICE Vector3<T> column(const Matrix3<T>& a, int j) {
+    return {{a(0, j), a(1, j), a(2, j)}};
+}
+template <class T>
+HEPATICA_HOST_DEVICE void set_column(Matrix3<T>& a, int j, const Vector3<T>& x) {
+    for (int i = 0; i < 3; ++i) a(i, j) = x[i];
+}
+template <class T>
+HEPATICA_HOST_DEVICE void swap_columns(Matrix3<T>& a, int p, int q) {
+    for (int i = 0; i < 3; ++i) {
+        const T kept = a(i, p);
+        a(i, p) = a(i, q);
+        a(i, q) = -kept;  // one sign turns, so that the determinant stays
+    }
+}
+
+// Some unit vector orthogonal to the unit vector x.
+template <class T>
+HEPATICA_HOST_DEVICE Vector3<T> orthogonal_unit(const Vector3<T>& x) {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (absolute(x[i]) < absolute(x[axis])) axis = i;
+    Vector3<T> e{{T(0), T(0), T(0)}};
+    e[axis] = T(1);
+    const Vector3<T> y = cross(x, e);
+    return (T(1) / root(dot(y, y))) * y;
+}
+
+// Rotates columns p and q of b (and of v) until they are orthogonal. False if they already were.
+template <class T>
+HEPATICA_HOST_DEVICE bool orthogonalise_columns(Matrix3<T>& b, Matrix3<T>& v, int p, int q) {
+    const Vector3<T> x = column(b, p), y = column(b, q);
+    const T xx = dot(x, x), yy = dot(y, y), xy = dot(x, y);
+    if (absolute(xy) <= T(2) * epsilon<T>() * root(xx * yy) || xy == T(0)) return false;
+    const T zeta = (yy - xx) / (T(2) * xy);
+    const T t = (zeta < T(0) ? T(-1) : T(1)) / (absolute(zeta) + root(T(1) + zeta * zeta));
+    const T c = T(1) / root(T(1) + t * t), s = c * t;
+    for (int i = 0; i < 3; ++i) {
+        const T bp = b(i, p), bq = b(i, q), vp = v(i, p), vq = v(i, q);
+        b(i, p) = c * bp - s * bq;
+        b(i, q) = s * bp + c * bq;
+        v(i, p) = c * vp - s * vq;
+        v(i, q) = s * vp + c * vq;
+    }
+    return true;
+}
+
+}  // namespace detail
+
+template <class T>
+HEPATICA_HOST_DEVICE SignedSvd<T> signed_svd(const Matrix3<T>& f) {
+    using namespace detail;
+    SignedSvd<T> svd{identity_matrix<T>(), {{T(0), T(0), T(0)}}, identity_matrix<T>()};
+    const T scale = largest_entry(f);
+    if (!(scale > T(0))) return svd;
+    Matrix3<T> b = (T(1) / scale) * f;
+    for (int sweep = 0; sweep < 30; ++sweep) {
+        bool turned = orthogonalise_columns(b, svd.v, 0, 1);
+        turned = orthogonalise_columns(b, svd.v, 0, 2) || turned;
+        turned = orthogonalise_columns(b, svd.v, 1, 2) || turned;
+        if (!turned) break;
+    }
+    T norm[3];
+    for (int j = 0; j < 3; ++j) norm[j] = root(dot(column(b, j), column(b, j)));
+    const int order[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+    for (const auto& pair : order) {
+        if (norm[pair[0]] >= norm[pair[1]]) continue;
+        swap_columns(b, pair[0], pair[1]);
+        swap_columns(svd.v, pair[0], pair[1]);
+        const T kept = norm[pair[0]];
+        norm[pair[0]] = norm[pair[1]];
+        norm[pair[1]] = kept;
+    }
+    const Vector3<T> u0 = (T(1) / norm[0]) * column(b, 0);
+    Vector3<T> u1 = column(b, 1) - dot(column(b, 1), u0) * u0;
+    const T length1 = root(dot(u1, u1));
+    u1 = length1 > T(16) * epsilon<T>() * norm[0] ? (T(1) / length1) * u1 : orthogonal_unit(u0);
+    const Vector3<T> u2 = cross(u0, u1);
+    set_column(svd.u, 0, u0);
+    set_column(svd.u, 1, u1);
+    set_column(svd.u, 2, u2);
+    svd.sigma = {{scale * norm[0], scale * dot(u1, column(b, 1)), scale * dot(u2, column(b, 2))}};
+    return svd;
+}
+
+// The rotation r (determinant +1) that maximises trace(r^T f). Finite for every finite f.
+template <class T>
+HEPATICA_HOST_DEVICE Matrix3<T> nearest_rotation(const Matrix3<T>& f) {
+    using namespace detail;
+    Matrix3<T> x = f;
+    for (int iteration = 0; iteration < 12; ++iteration) {
+        const Matrix3<T> c = cofactor(x);
+        const T det = x(0, 0) * c(0, 0) + x(0, 1) * c(0, 1) + x(0, 2) * c(0, 2);
+        // Far from a rotation the iteration is slow, near a singular matrix it is inexact.
+        if (iteration == 0) {
+            const T size = inner(x, x);
+            if (!(det > T(0.01)) || !(size < T(100))) break;
+        }
+        const T scale = T(0.5) / det;
+        T change = T(0);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const T next = T(0.5) * x(i, j) + scale * c(i, j);
+                change = larger(change, absolute(next - x(i, j)));
+                x(i, j) = next;
+            }
+        // Convergence is quadratic: after a change of sqrt(epsilon) the next one is rounding.
+        if (change < (sizeof(T) == 8 ? T(1e-8) : T(2e-4))) return x;
+    }
+    const SignedSvd<T> svd = signed_svd(f);
+    return times_transposed(svd.u, svd.v);
+}
+
+}  // namespace hepatica::small

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The usual preconditioner of real-time deformation, the inverse of each vertex's 3x3 diagonal
+// block: the yardstick for the others, and the choice for bulky bodies with heavy vertices.
+#pragma once
+
+#include <vector>
+
+#include "core/deform/solvers/conjugate_gradient.h"
+#include "core/deform/solvers/linear_solver.h"
+
+namespace hepatica {
+
+// Inverse diagonal blocks; a block that is not positive definite inverts to zero.
+std::vector<Mat3> inverse_diagonal(const BlockMatrix& matrix);
+
+class BlockJacobiSolver final : public LinearSolver {
+  public:
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                      const SolveLimits& limits) override;
+    std::string_view name() const override { return name_of(LinearSolverKind::block_jacobi); }
+
+  private:
+    const BlockMatrix* matrix_ = nullptr;
+    std::vector<Mat3> inverse_;
+    ConjugateGradient iteration_;
+};
+
+}  // namespace hepatica

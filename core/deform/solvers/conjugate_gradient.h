@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Preconditioned conjugate gradients that stop on the energy norm of the error, estimated from the
+// iteration's own coefficients: the Gauss-Radau upper bound of Meurant and Tichy, with the smallest
+// Ritz value of this and earlier solves in place of the unknown smallest eigenvalue.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/deform/solvers/linear_solver.h"
+
+namespace hepatica {
+
+class ConjugateGradient {
+  public:
+    // z = M^-1 r for a symmetric positive definite M. Sizes are the matrix's.
+    using Preconditioner = std::function<void(const std::vector<Vec3>& r, std::vector<Vec3>& z)>;
+
+    // Forgets what earlier solves taught about the spectrum.
+    void forget() { smallest_ritz_ = 0.0; }
+
+    SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
+                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
+
+    // Smallest and largest eigenvalue of M^-1 A seen by the last solve.
+    double smallest_ritz() const { return smallest_ritz_; }
+
+  private:
+    double smallest_ritz_ = 0.0;  // 0: nothing known yet
+    std::vector<Vec3> residual_, direction_, product_, preconditioned_;
+};
+
+}  // namespace hepatica

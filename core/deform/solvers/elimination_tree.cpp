@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/elimination_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hepatica {
+
+namespace {
+
+// Parent of each position in the elimination tree, by path compression (Liu 1990).
+std::vector<int> parents_of(const BlockMatrix& pattern, std::span<const int> order,
+                            const std::vector<int>& position) {
+    const int count = static_cast<int>(order.size());
+    std::vector<int> parent(order.size(), -1), ancestor(order.size(), -1);
+    for (int j = 0; j < count; ++j) {
+        const int v = order[j];
+        for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
+            int i = position[pattern.column[k]];
+            while (i >= 0 && i < j) {
+                const int next = ancestor[i];
+                ancestor[i] = j;
+                if (next < 0) parent[i] = j;
+                i = next;
+            }
+        }
+    }
+    return parent;
+}
+
+std::vector<std::vector<int>> children_of(const std::vector<int>& parent) {
+    std::vector<std::vector<int>> children(parent.size());
+    for (std::size_t n = 0; n < parent.size(); ++n) {
+        if (parent[n] >= 0) children[parent[n]].push_back(static_cast<int>(n));
+    }
+    return children;
+}
+
+// Nodes of a forest, children before parents, subtree after subtree.
+std::vector<int> postorder(const std::vector<int>& parent) {
+    const std::vector<std::vector<int>> children = children_of(parent);
+    std::vector<int> order, stack;
+    for (int root = static_cast<int>(parent.size()) - 1; root >= 0; --root) {
+        if (parent[root] < 0) stack.push_back(root);
+    }
+    // A parent is written before its children from right to left, then all is reversed.
+    while (!stack.empty()) {
+        const int node = stack.back();
+        stack.pop_back();
+        order.push_back(node);
+        stack.insert(stack.end(), children[node].begin(), children[node].end());
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+struct Structure {
+    std::vector<int> columns;
+    std::vector<int> rows;
+    int parent = -1;
+    bool merged = false;
+};
+
+// Time of one front in nanoseconds, as measured on a few sizes: arithmetic, assembly, overhead.
+double front_cost(double columns, double rows) {
+    const double k = 3.0 * columns, m = 3.0 * rows;
+    return 0.07 * k * (k * k / 3.0 + k * m + m * m) + 0.6 * (k + m) * (k + m) + 400.0;
+}
+
+// One structure per column, columns and rows in positions.
+std::vector<Structure> column_structures(const BlockMatrix& pattern,
+                                         const std::vector<int>& vertex_at,
+                                         const std::vector<int>& position,
+                                         const std::vector<int>& parent) {
+    std::vector<Structure> structures(parent.size());
+    std::vector<int> mark(parent.size(), -1);
+    const std::vector<std::vector<int>> children = children_of(parent);
+    for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
+        Structure& own = structures[j];
+        own.columns = {j};
+        own.parent = parent[j];
+        mark[j] = j;
+        const auto add = [&](int i) {
+            if (i <= j || mark[i] == j) return;
+            mark[i] = j;
+            own.rows.push_back(i);
+        };
+        const int v = vertex_at[j];
+        for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
+            add(position[pattern.column[k]]);
+        }
+        for (const int child : children[j]) {
+            for (const int i : structures[child].rows) add(i);
+        }
+        std::sort(own.rows.begin(), own.rows.end());
+    }
+    return structures;
+}
+
+// Merges children into parents wherever one larger front is quicker than two.
+void merge(std::vector<Structure>& structures) {
+    constexpr std::size_t most_columns = 48;
+    std::vector<std::vector<int>> children(structures.size());
+    for (int p = 0; p < static_cast<int>(structures.size()); ++p) {
+        Structure& parent = structures[p];
+        std::vector<int> remaining;
+        std::vector<int> candidates = children[p];
+        const double rows = static_cast<double>(parent.rows.size());
+        for (const int c : candidates) {
+            Structure& child = structures[c];
+            const double child_columns = static_cast<double>(child.columns.size());
+            const double columns = static_cast<double>(parent.columns.size());
+            const double apart = front_cost(child_columns, static_cast<double>(child.rows.size())) +
+                                 front_cost(columns, rows);
+            if (child.columns.size() + parent.columns.size() > most_columns ||
+                front_cost(child_columns + columns, rows) > apart) {
+                remaining.push_back(c);
+                continue;
+            }
+            parent.columns.insert(parent.columns.begin(), child.columns.begin(),
+                                  child.columns.end());
+            child.merged = true;
+            child.rows.clear();
+            for (const int grandchild : children[c]) {
+                structures[grandchild].parent = p;
+                remaining.push_back(grandchild);
+            }
+        }
+        children[p] = std::move(remaining);
+        if (parent.parent >= 0) children[parent.parent].push_back(p);
+    }
+}
+
+// Writes the supernodes that are left in postorder.
+void write_supernodes(const std::vector<Structure>& structures, const std::vector<int>& vertex_at,
+                      EliminationTree& tree) {
+    std::vector<int> kept, index(structures.size(), -1);
+    for (int s = 0; s < static_cast<int>(structures.size()); ++s) {
+        if (structures[s].merged) continue;
+        index[s] = static_cast<int>(kept.size());
+        kept.push_back(s);
+    }
+    std::vector<int> parent;
+    for (const int s : kept) {
+        parent.push_back(structures[s].parent < 0 ? -1 : index[structures[s].parent]);
+    }
+    std::vector<int> new_position(structures.size(), -1);
+    const std::vector<int> order = postorder(parent);
+    std::vector<int> new_index(order.size());
+    for (std::size_t n = 0; n < order.size(); ++n) new_index[order[n]] = static_cast<int>(n);
+    for (const int n : order) {
+        const Structure& structure = structures[kept[n]];
+        Supernode supernode;
+        supernode.first = static_cast<int>(tree.vertex_at.size());
+        supernode.count = static_cast<int>(structure.columns.size());
+        supernode.parent = parent[n] < 0 ? -1 : new_index[parent[n]];
+        for (const int column : structure.columns) {
+            new_position[column] = static_cast<int>(tree.vertex_at.size());
+            tree.vertex_at.push_back(vertex_at[column]);
+            tree.supernode_of.push_back(static_cast<int>(tree.supernodes.size()));
+        }
+        tree.supernodes.push_back(supernode);
+    }
+    for (std::size_t n = 0; n < order.size(); ++n) {
+        Supernode& supernode = tree.supernodes[n];
+        supernode.rows_begin = static_cast<int>(tree.rows.size());
+        for (const int row : structures[kept[order[n]]].rows) {
+            tree.rows.push_back(new_position[row]);
+        }
+        supernode.rows_end = static_cast<int>(tree.rows.size());
+        std::sort(tree.rows.begin() + supernode.rows_begin, tree.rows.end());
+    }
+    tree.position_of.resize(tree.vertex_at.size());
+    for (std::size_t i = 0; i < tree.vertex_at.size(); ++i) {
+        tree.position_of[tree.vertex_at[i]] = static_cast<int>(i);
+    }
+}
+
+void link_supernodes(EliminationTree& tree) {
+    std::vector<std::vector<int>> children(tree.supernodes.size());
+    tree.place_in_parent.resize(tree.rows.size());
+    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
+        Supernode& own = tree.supernodes[s];
+        own.children_begin = static_cast<int>(tree.children.size());
+        tree.children.insert(tree.children.end(), children[s].begin(), children[s].end());
+        own.children_end = static_cast<int>(tree.children.size());
+        tree.factor_blocks += static_cast<std::size_t>(own.count) * (own.count + 1) / 2 +
+                              static_cast<std::size_t>(own.count) * own.rest();
+        if (own.parent < 0) continue;
+        children[own.parent].push_back(s);
+        const Supernode& parent = tree.supernodes[own.parent];
+        int place = 0;
+        for (int r = own.rows_begin; r < own.rows_end; ++r) {
+            const int row = tree.rows[r];
+            if (row < parent.first + parent.count) {
+                tree.place_in_parent[r] = row - parent.first;
+            } else {
+                while (tree.rows[parent.rows_begin + place] != row) ++place;
+                tree.place_in_parent[r] = parent.count + place;
+            }
+        }
+    }
+}
+
+// Small subtrees are one chain each; above them a chain runs up to where it is joined by another.
+void plan_stages(EliminationTree& tree) {
+    const std::size_t count = tree.supernodes.size();
+    std::vector<double> work(count, 0.0);
+    std::vector<int> size(count, 1), stage(count, 0);
+    for (std::size_t s = 0; s < count; ++s) {
+        const Supernode& own = tree.supernodes[s];
+        work[s] += front_cost(own.count, own.rest());
+        tree.multiplications += multiplications(own);
+        if (own.parent >= 0) {
+            work[own.parent] += work[s];
+            size[own.parent] += size[s];
+        }
+    }
+    double total = 0.0;
+    for (std::size_t s = 0; s < count; ++s) {
+        if (tree.supernodes[s].parent < 0) total += work[s];
+    }
+    const double small = std::max(total / 24.0, 2e4);
+    std::vector<std::vector<int>> chains;
+    std::vector<int> chain_of(count, -1), chain_stage;
+    for (std::size_t s = 0; s < count; ++s) {
+        const Supernode& own = tree.supernodes[s];
+        if (work[s] <= small) {
+            const bool top = own.parent < 0 || work[own.parent] > small;
+            if (!top) continue;
+            chain_of[s] = static_cast<int>(chains.size());
+            std::vector<int> all(static_cast<std::size_t>(size[s]));
+            std::iota(all.begin(), all.end(), static_cast<int>(s) - size[s] + 1);
+            chains.push_back(std::move(all));
+            chain_stage.push_back(0);
+            continue;
+        }
+        // A chain goes on from the child with the most work if that is the only large one.
+        int large = 0, continued = -1, latest = 0;
+        for (int c = own.children_begin; c < own.children_end; ++c) {
+            const int child = tree.children[c];
+            latest = std::max(latest, chain_stage[chain_of[child]] + 1);
+            if (work[child] <= small) continue;
+            ++large;
+            continued = chain_of[child];
+        }
+        if (large == 1) {
+            chains[continued].push_back(static_cast<int>(s));
+            chain_of[s] = continued;
+            continue;
+        }
+        chain_of[s] = static_cast<int>(chains.size());
+        chains.push_back({static_cast<int>(s)});
+        chain_stage.push_back(latest);
+    }
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const std::size_t level = static_cast<std::size_t>(chain_stage[c]);
+        if (tree.stages.size() <= level) tree.stages.resize(level + 1);
+        EliminationTree::Chain chain;
+        chain.begin = static_cast<int>(tree.chain_supernodes.size());
+        tree.chain_supernodes.insert(tree.chain_supernodes.end(), chains[c].begin(),
+                                     chains[c].end());
+        chain.end = static_cast<int>(tree.chain_supernodes.size());
+        tree.stages[level].push_back(chain);
+    }
+}
+
+}  // namespace
+
+double multiplications(const Supernode& supernode) {
+    const double k = 3.0 * supernode.count, m = 3.0 * supernode.rest();
+    return k * (k * k / 6.0 + 0.5 * k * m + 0.5 * m * m);
+}
+
+EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) {
+    std::vector<int> position(order.size());
+    for (std::size_t j = 0; j < order.size(); ++j) position[order[j]] = static_cast<int>(j);
+    const std::vector<int> first_parent = parents_of(pattern, order, position);
+    std::vector<int> vertex_at, new_of(order.size());
+    for (const int old : postorder(first_parent)) {
+        new_of[old] = static_cast<int>(vertex_at.size());
+        vertex_at.push_back(order[old]);
+    }
+    std::vector<int> parent(order.size(), -1);
+    for (std::size_t old = 0; old < order.size(); ++old) {
+        if (first_parent[old] >= 0) parent[new_of[old]] = new_of[first_parent[old]];
+    }
+    for (std::size_t j = 0; j < order.size(); ++j) position[vertex_at[j]] = static_cast<int>(j);
+
+    std::vector<Structure> structures = column_structures(pattern, vertex_at, position, parent);
+    merge(structures);
+    EliminationTree tree;
+    write_supernodes(structures, vertex_at, tree);
+    link_supernodes(tree);
+    plan_stages(tree);
+    return tree;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a sparse Cholesky factor before any number is: the supernodes (columns of equal
+// structure, eliminated as one dense front), their tree, and which of them may run side by side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/solvers/block_matrix.h"
+
+namespace hepatica {
+
+// Columns first .. first + count - 1 in the order of elimination, and the rows below them.
+struct Supernode {
+    int first = 0;
+    int count = 0;
+    int rows_begin = 0;  // into EliminationTree::rows, ascending
+    int rows_end = 0;
+    int parent = -1;         // the supernode of the first row below; after this one in order
+    int children_begin = 0;  // into EliminationTree::children, ascending
+    int children_end = 0;
+
+    int rest() const { return rows_end - rows_begin; }
+};
+
+// Multiplications that the elimination of a supernode takes.
+double multiplications(const Supernode& supernode);
+
+// All indices count vertices (3x3 blocks).
+struct EliminationTree {
+    std::vector<int> vertex_at;         // vertex eliminated at each position
+    std::vector<int> position_of;       // its inverse
+    std::vector<Supernode> supernodes;  // children before parents
+    std::vector<int> supernode_of;      // of each position
+    std::vector<int> rows;
+    std::vector<int>
+        place_in_parent;  // of each of `rows`: index among the parent's columns and rows
+    std::vector<int> children;
+
+    // Sets of supernodes, one set after the other; within a set, chains in any order or at once,
+    // each chain from its begin to its end.
+    struct Chain {
+        int begin = 0;  // into chain_supernodes
+        int end = 0;
+    };
+    std::vector<std::vector<Chain>> stages;
+    std::vector<int> chain_supernodes;
+
+    double multiplications = 0.0;   // of one factorisation
+    std::size_t factor_blocks = 0;  // 3x3 blocks in L, padding of supernodes included
+};
+
+// `order` is a permutation of the vertices that names the wish of elimination; the result keeps it
+// up to a reordering without effect on fill. Cost: as the number of blocks of the factor.
+EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order);
+
+}  // namespace hepatica

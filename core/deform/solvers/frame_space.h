@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The coarse space of the skeleton preconditioner: an affine frame (12 modes) at every node of the
+// centreline, blended linearly between neighbours. P maps the motion of frames to that of vertices,
+// at the body's current shape; P^T A P has the graph of the tree.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/frame_skeleton.h"
+
+namespace hepatica {
+
+// A frame's motion is four vectors: the velocity of its centre, and that gained over one radius
+// along x, y and z. Coarse vectors and the coarse matrix count four "vertices" a node.
+constexpr int vectors_per_frame = 4;
+
+class FrameSpace {
+  public:
+    // Vertices as bound to the skeleton; `pattern` is that of the matrices to come.
+    FrameSpace(const FrameSkeleton& skeleton, FrameBinding binding, const BlockMatrix& pattern);
+
+    // Takes the current shape. Vertices marked fixed (one mark each) do not move with the frames.
+    void set_shape(std::span<const Vec3> positions_mm, std::span<const char> fixed);
+
+    // coarse = P^T fine
+    void restrict_to_frames(std::span<const Vec3> fine, std::vector<Vec3>& coarse) const;
+    // fine += P coarse
+    void add_motion(std::span<const Vec3> coarse, std::span<Vec3> fine) const;
+    // The pattern of coarse_matrix(), all zeros.
+    const BlockMatrix& coarse_pattern() const { return pattern_; }
+    // coarse = P^T A P; `coarse` holds the pattern above.
+    void project(const BlockMatrix& matrix, BlockMatrix& coarse) const;
+
+    int frames() const { return frames_; }
+    // Where the frames' centres are at the current shape: the weighted mean of their vertices.
+    const std::vector<Vec3>& centres_mm() const { return centres_mm_; }
+
+  private:
+    // The vertices between two neighbouring nodes, and where their part of P^T A P belongs.
+    struct Group {
+        std::array<int, 2> nodes{-1, -1};  // equal where there is only one
+        std::vector<int> vertices;
+        std::vector<int> columns;  // nodes that the vertices' rows of A reach, ascending
+    };
+    using Modes = Eigen::Vector4d;
+
+    void project_group(const BlockMatrix& matrix, const Group& group,
+                       std::vector<double>& product) const;
+    void find_columns(Group& group, const BlockMatrix& pattern);
+    void build_coarse_pattern();
+
+    int frames_ = 0;
+    FrameBinding binding_;
+    std::vector<double> radii_mm_;
+    std::vector<Vec3> centres_mm_;
+    std::vector<Group> groups_;
+    std::vector<std::vector<int>> groups_of_;  // of each node
+    BlockMatrix pattern_;
+    // Of each block of A: the places of its column's nodes among the columns of its row's group.
+    std::vector<std::array<std::uint16_t, 2>> slots_;
+    std::vector<std::array<Modes, 2>> modes_;  // weights of a vertex in the vectors of its frames
+};
+
+}  // namespace hepatica

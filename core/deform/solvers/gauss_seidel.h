@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Block Gauss-Seidel sweeps that run in parallel and give the same bits for any number of threads:
+// vertices in the order of the tree are cut into chunks, and chunks that touch have different
+// colours. Off-diagonal blocks are kept in single precision, and a row is applied to differences,
+// R_i z_i + sum_j A_ij (z_j - z_i) with the row's sum R_i in double: what a long thin body does as
+// a whole is then not drowned in the rounding of stiff blocks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/solvers/block_matrix.h"
+
+namespace hepatica {
+
+class GaussSeidel {
+  public:
+    // `order` keeps neighbours close together; any permutation will do.
+    GaussSeidel(const BlockMatrix& pattern, std::span<const int> order);
+
+    // Takes the values of a matrix of that pattern.
+    void prepare(const BlockMatrix& matrix);
+
+    // z = (D + L)^-1 r, a sweep from zero, and remainder = r - A z.
+    void forward(std::span<const Vec3> r, std::span<Vec3> z, std::span<Vec3> remainder);
+
+    // The adjoint sweep, in reverse order, from the given z.
+    void backward(std::span<const Vec3> r, std::span<Vec3> z);
+
+    int colours() const { return static_cast<int>(colour_begin_.size()) - 1; }
+
+  private:
+    // Four lanes, the last one zero or unused.
+    using Wide = double __attribute__((vector_size(32)));
+    // Columns of a block, padded to four lanes.
+    struct Block {
+        float entry[12];
+    };
+    struct Chunk {
+        int begin = 0;  // rows, counted in the order of the sweep
+        int end = 0;
+    };
+
+    template <class Visit>
+    void for_each_chunk(int colour, const Visit& visit) const;
+    void prepare_rows(const BlockMatrix& matrix, std::size_t begin, std::size_t end);
+
+    std::vector<int> vertex_;    // of each row
+    std::vector<Chunk> chunks_;  // sorted by colour
+    std::vector<int> colour_begin_;
+    // Row p: blocks [row_begin_[p], row_middle_[p]) reach rows before it, then rows after it.
+    std::vector<int> row_begin_, row_middle_;
+    std::vector<int> column_;  // rows
+    std::vector<int> source_;  // of each block: its place in the matrix
+    std::vector<Block> block_;
+    std::vector<Mat3> inverse_, row_sum_;
+    std::vector<Wide> z_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/linear_solver.h"
+
+#include <array>
+
+#include "core/base/error.h"
+#include "core/deform/automatic_solver.h"
+#include "core/deform/solvers/block_jacobi.h"
+#include "core/deform/solvers/cholesky_solver.h"
+#include "core/deform/solvers/skeleton_preconditioner.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Entry {
+    LinearSolverKind kind;
+    std::string_view name;
+};
+
+constexpr std::array<Entry, 4> entries{{{LinearSolverKind::block_jacobi, "block-jacobi"},
+                                        {LinearSolverKind::skeleton, "skeleton"},
+                                        {LinearSolverKind::cholesky, "cholesky"},
+                                        {LinearSolverKind::automatic, "automatic"}}};
+
+}  // namespace
+
+LinearSolverKind linear_solver_kind(std::string_view name) {
+    for (const Entry& entry : entries) {
+        if (entry.name == name) return entry.kind;
+    }
+    throw UsageError("there is no linear solver \"" + std::string(name) + "\"", "",
+                     "Choose block-jacobi, skeleton, cholesky or automatic.");
+}
+
+std::string_view name_of(LinearSolverKind kind) {
+    return entries[static_cast<std::size_t>(kind)].name;
+}
+
+std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
+    return std::make_unique<BlockJacobiSolver>();
+}
+
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const FrameSkeleton& skeleton,
+                                                 std::span<const Vec3> rest_positions_mm) {
+    switch (kind) {
+        case LinearSolverKind::skeleton:
+            return std::make_unique<SkeletonSolver>(skeleton, rest_positions_mm);
+        case LinearSolverKind::cholesky:
+            return std::make_unique<CholeskySolver>(skeleton, rest_positions_mm);
+        case LinearSolverKind::automatic:
+            return std::make_unique<AutomaticSolver>(skeleton, rest_positions_mm);
+        default:
+            return make_block_jacobi_solver();
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One interface for every way to solve the step's linear system, A dv = rhs of eq. (12), with the
+// error that was reached: iterations, residual and energy-norm error are always reported.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/frame_skeleton.h"
+
+namespace hepatica {
+
+// A solve stops at the first limit that it meets. A tolerance of 0 is no limit.
+struct SolveLimits {
+    double energy_tolerance = 1e-2;   // on |x - x_exact|_A / |x_exact|_A, estimated
+    double residual_tolerance = 0.0;  // on |b - A x| / |b|
+    int max_iterations = 10000;
+};
+
+struct SolveReport {
+    int iterations = 0;              // 0 for a direct solve
+    double relative_residual = 0.0;  // |b - A x| / |b|, achieved
+    double energy_error = 0.0;       // estimate of |x - x_exact|_A / |x_exact|_A, achieved
+    bool converged = false;          // a tolerance was met before max_iterations
+    std::string_view method;         // of the solver that did it ("skeleton", ...)
+};
+
+// The matrix is symmetric positive definite. A vertex whose off-diagonal blocks are all zero (or
+// absent) counts as fixed or free of the rest. Not thread-safe; loops inside run in parallel and
+// give the same bits for any number of threads.
+class LinearSolver {
+  public:
+    virtual ~LinearSolver() = default;
+
+    // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
+    // must stay unchanged and alive until the next prepare. Solvers that keep something from
+    // one matrix to the next find out by themselves which blocks have changed.
+    virtual void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) = 0;
+
+    // Solves A x = rhs. On entry x is the warm start (zeros where there is none).
+    virtual SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                              const SolveLimits& limits) = 0;
+
+    virtual std::string_view name() const = 0;
+};
+
+enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };
+
+// "block-jacobi", "skeleton", "cholesky", "automatic"; throws UsageError for another name.
+LinearSolverKind linear_solver_kind(std::string_view name);
+std::string_view name_of(LinearSolverKind kind);
+
+// Conjugate gradients preconditioned by the inverse 3x3 diagonal blocks.
+std::unique_ptr<LinearSolver> make_block_jacobi_solver();
+
+// Makes a solver for a body. `rest_positions_mm` are those the skeleton was made for, one per
+// vertex; an empty skeleton is an error for every kind but block_jacobi: use skeleton_of_mesh.
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const FrameSkeleton& skeleton,
+                                                 std::span<const Vec3> rest_positions_mm);
+
+}  // namespace hepatica

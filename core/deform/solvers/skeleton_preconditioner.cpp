@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/skeleton_preconditioner.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/deform/solvers/elimination_order.h"
+
+namespace hepatica {
+
+namespace {
+
+// Frames from the ends of the tree inward, the four vectors of each together.
+std::vector<int> coarse_order(const FrameSkeleton& skeleton) {
+    std::vector<int> order;
+    for (const int node :
+         order_from_ends(skeleton, bind_vertices(skeleton, skeleton.positions_mm))) {
+        for (int k = 0; k < vectors_per_frame; ++k) order.push_back(vectors_per_frame * node + k);
+    }
+    return order;
+}
+
+}  // namespace
+
+std::vector<char> lone_vertices(const BlockMatrix& matrix) {
+    std::vector<char> lone(static_cast<std::size_t>(matrix.rows()), 1);
+    parallel_blocks(lone.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1] && lone[i]; ++k) {
+                if (k != matrix.diagonal[i] && !matrix.block[k].isZero(0.0)) lone[i] = 0;
+            }
+        }
+    });
+    return lone;
+}
+
+SkeletonPreconditioner::SkeletonPreconditioner(FrameSkeleton skeleton,
+                                               std::span<const Vec3> rest_positions_mm)
+    : skeleton_(std::move(skeleton)) {
+    if (skeleton_.size() == 0) {
+        throw InputError("the skeleton has no node", "skeleton solver",
+                         "Make one with skeleton_of_mesh, or use block-jacobi.");
+    }
+    validate(skeleton_);
+    binding_ = bind_vertices(skeleton_, rest_positions_mm);
+}
+
+void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
+                                     std::span<const Vec3> positions_mm) {
+    if (!space_ || planned_columns_ != matrix.column || planned_rows_ != matrix.row_begin) {
+        planned_columns_ = matrix.column;
+        planned_rows_ = matrix.row_begin;
+        space_.emplace(skeleton_, binding_, matrix);
+        smoother_.emplace(matrix, order_from_ends(skeleton_, binding_));
+        coarse_ = space_->coarse_pattern();
+        coarse_factor_.emplace(coarse_, coarse_order(skeleton_));
+    }
+    smoother_->prepare(matrix);
+    space_->set_shape(positions_mm, lone_vertices(matrix));
+    space_->project(matrix, coarse_);
+    coarse_factor_->factor(coarse_);
+    remainder_.resize(positions_mm.size());
+}
+
+void SkeletonPreconditioner::apply(const std::vector<Vec3>& r, std::vector<Vec3>& z) {
+    z.resize(r.size());
+    smoother_->forward(r, z, remainder_);
+    space_->restrict_to_frames(remainder_, coarse_remainder_);
+    coarse_factor_->solve(coarse_remainder_, coarse_remainder_);
+    space_->add_motion(coarse_remainder_, z);
+    smoother_->backward(r, z);
+}
+
+void SkeletonSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
+    matrix_ = &matrix;
+    preconditioner_.prepare(matrix, positions_mm);
+}
+
+SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                                  const SolveLimits& limits) {
+    const auto precondition = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
+        preconditioner_.apply(r, z);
+    };
+    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits);
+    report.method = name();
+    return report;
+}
+
+}  // namespace hepatica

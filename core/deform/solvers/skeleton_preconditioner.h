@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two-level preconditioner whose coarse grid is the vessel tree's own centreline: a Gauss-Seidel
+// sweep, a correction by affine frames along the tree, and the sweep's adjoint. Iterations depend
+// on neither the length of the vessels nor the size of the mesh nor how far they are bent.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/deform/solvers/conjugate_gradient.h"
+#include "core/deform/solvers/frame_space.h"
+#include "core/deform/solvers/gauss_seidel.h"
+#include "core/deform/solvers/linear_solver.h"
+#include "core/deform/solvers/tree_cholesky.h"
+
+namespace hepatica {
+
+// Whether the off-diagonal blocks of each row are all zero.
+std::vector<char> lone_vertices(const BlockMatrix& matrix);
+
+class SkeletonPreconditioner {
+  public:
+    // Throws InputError where the skeleton is empty or broken.
+    SkeletonPreconditioner(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm);
+
+    // As LinearSolver::prepare. The first call, and one with another pattern, plans anew.
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
+
+    // z = M^-1 r, M symmetric positive definite.
+    void apply(const std::vector<Vec3>& r, std::vector<Vec3>& z);
+
+    const FrameSpace& space() const { return *space_; }
+    const TreeCholesky& coarse_factor() const { return *coarse_factor_; }
+
+  private:
+    FrameSkeleton skeleton_;
+    FrameBinding binding_;
+    std::vector<int> planned_columns_, planned_rows_;
+    std::optional<FrameSpace> space_;
+    std::optional<GaussSeidel> smoother_;
+    std::optional<TreeCholesky> coarse_factor_;
+    BlockMatrix coarse_;
+    std::vector<Vec3> remainder_, coarse_remainder_;
+};
+
+class SkeletonSolver final : public LinearSolver {
+  public:
+    SkeletonSolver(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm)
+        : preconditioner_(std::move(skeleton), rest_positions_mm) {}
+
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                      const SolveLimits& limits) override;
+    std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
+
+  private:
+    const BlockMatrix* matrix_ = nullptr;
+    SkeletonPreconditioner preconditioner_;
+    ConjugateGradient iteration_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/tree_cholesky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/parallel.h"
+#include "core/deform/solvers/dense_front.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double smallest_pivot = 1e-14;
+
+// Calls visit(s) for every supernode, children before parents, chains of a stage in parallel.
+template <class Visit>
+void climb(const EliminationTree& tree, const Visit& visit) {
+    for (const auto& stage : tree.stages) {
+        parallel_blocks(stage.size(), 1, [&](std::size_t begin, std::size_t) {
+            for (int k = stage[begin].begin; k < stage[begin].end; ++k) {
+                visit(tree.chain_supernodes[k]);
+            }
+        });
+    }
+}
+
+// The same, parents before children.
+template <class Visit>
+void descend(const EliminationTree& tree, const Visit& visit) {
+    for (std::size_t level = tree.stages.size(); level-- > 0;) {
+        const auto& stage = tree.stages[level];
+        parallel_blocks(stage.size(), 1, [&](std::size_t begin, std::size_t) {
+            for (int k = stage[begin].end; k-- > stage[begin].begin;) {
+                visit(tree.chain_supernodes[k]);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+TreeCholesky::TreeCholesky(const BlockMatrix& pattern, std::span<const int> order)
+    : tree_(analyse(pattern, order)) {
+    std::size_t panel = 0, remainder = 0, head = 0, tail = 0;
+    for (const Supernode& own : tree_.supernodes) {
+        panel_begin_.push_back(panel);
+        remainder_begin_.push_back(remainder);
+        head_begin_.push_back(head);
+        tail_begin_.push_back(tail);
+        const std::size_t columns = 3 * static_cast<std::size_t>(own.count);
+        const std::size_t rows = 3 * static_cast<std::size_t>(own.rest());
+        panel += static_cast<std::size_t>(padded(static_cast<int>(columns + rows))) * columns +
+                 front_alignment;
+        remainder +=
+            static_cast<std::size_t>(padded(static_cast<int>(rows))) * rows + front_alignment;
+        head += columns;
+        tail += rows;
+    }
+    panels_.resize(panel);
+    remainders_.resize(remainder);
+    heads_.resize(head);
+    tails_.resize(tail + front_alignment);
+    dropped_.assign(tree_.supernodes.size(), 0);
+    dirty_.assign(tree_.supernodes.size(), 0);
+
+    block_row_.assign(pattern.column.size(), -1);
+    for (int j = 0; j < static_cast<int>(order.size()); ++j) {
+        const Supernode& own = tree_.supernodes[tree_.supernode_of[j]];
+        const int v = tree_.vertex_at[j];
+        for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
+            const int i = tree_.position_of[pattern.column[k]];
+            if (i < j) continue;
+            if (i < own.first + own.count) {
+                block_row_[k] = i - own.first;
+                continue;
+            }
+            const auto first = tree_.rows.begin() + own.rows_begin;
+            const auto found = std::lower_bound(first, tree_.rows.begin() + own.rows_end, i);
+            block_row_[k] = own.count + static_cast<int>(found - first);
+        }
+    }
+}
+
+std::size_t TreeCholesky::bytes() const {
+    return sizeof(double) * (panels_.size() + remainders_.size() + heads_.size() + tails_.size()) +
+           sizeof(int) * (block_row_.size() + 2 * tree_.rows.size() + 3 * dropped_.size());
+}
+
+void TreeCholesky::factor_supernode(const BlockMatrix& matrix, int s) {
+    const Supernode& own = tree_.supernodes[s];
+    const int columns = 3 * own.count, rest = 3 * own.rest();
+    const std::ptrdiff_t stride = padded(columns + rest), rest_stride = padded(rest);
+    double* panel = panels_.data() + panel_begin_[s];
+    double* remainder = remainders_.data() + remainder_begin_[s];
+    std::fill(panel, panel + stride * columns, 0.0);
+    std::fill(remainder, remainder + rest_stride * rest, 0.0);
+    for (int c = 0; c < own.count; ++c) {
+        const int v = tree_.vertex_at[own.first + c];
+        for (int k = matrix.row_begin[v]; k < matrix.row_begin[v + 1]; ++k) {
+            if (block_row_[k] < 0) continue;
+            double* target = panel + 3 * c * stride + 3 * block_row_[k];
+            const Mat3& block = matrix.block[k];
+            for (int a = 0; a < 3; ++a) {
+                for (int b = 0; b < 3; ++b) target[a * stride + b] = block(a, b);
+            }
+        }
+    }
+    for (int k = own.children_begin; k < own.children_end; ++k) {
+        const Supernode& child = tree_.supernodes[tree_.children[k]];
+        const double* passed = remainders_.data() + remainder_begin_[tree_.children[k]];
+        const int count = child.rest();
+        const std::ptrdiff_t passed_stride = padded(3 * count);
+        const int* place = tree_.place_in_parent.data() + child.rows_begin;
+        for (int c = 0; c < count; ++c) {
+            const bool eliminated_here = place[c] < own.count;
+            double* base = eliminated_here
+                               ? panel + 3 * place[c] * stride
+                               : remainder + 3 * (place[c] - own.count) * (rest_stride + 0);
+            const std::ptrdiff_t base_stride = eliminated_here ? stride : rest_stride;
+            const int shift = eliminated_here ? 0 : own.count;
+            for (int a = 0; a < 3; ++a) {
+                const double* source = passed + (3 * c + a) * passed_stride;
+                double* target = base + a * base_stride;
+                for (int r = c; r < count; ++r) {
+                    double* to = target + 3 * (place[r] - shift);
+                    to[0] += source[3 * r];
+                    to[1] += source[3 * r + 1];
+                    to[2] += source[3 * r + 2];
+                }
+            }
+        }
+    }
+    dropped_[s] = factor_front(panel, remainder, columns, rest, smallest_pivot);
+}
+
+int TreeCholesky::factor(const BlockMatrix& matrix) {
+    climb(tree_, [&](int s) { factor_supernode(matrix, s); });
+    eliminated_ = static_cast<int>(tree_.supernodes.size());
+    return std::accumulate(dropped_.begin(), dropped_.end(), 0);
+}
+
+bool TreeCholesky::changed_beyond(int s, std::span<const double> before, double tolerance) const {
+    const int rest = 3 * tree_.supernodes[s].rest();
+    const std::ptrdiff_t stride = padded(rest);
+    const double* after = remainders_.data() + remainder_begin_[s];
+    for (int c = 0; c < rest; ++c) {
+        for (int r = c; r < rest; ++r) {
+            const double change = after[c * stride + r] - before[c * stride + r];
+            const double scale = std::abs(after[c * stride + c] * after[r * stride + r]);
+            if (change * change > tolerance * tolerance * scale) return true;
+        }
+    }
+    return false;
+}
+
+void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
+                            double tolerance) {
+    std::fill(dirty_.begin(), dirty_.end(), 0);
+    for (const int v : changed_vertices) dirty_[tree_.supernode_of[tree_.position_of[v]]] = 1;
+    std::vector<char> passes_on(dirty_.size(), 0);
+    climb(tree_, [&](int s) {
+        const Supernode& own = tree_.supernodes[s];
+        for (int k = own.children_begin; k < own.children_end; ++k) {
+            if (passes_on[tree_.children[k]]) dirty_[s] = 1;
+        }
+        if (!dirty_[s]) return;
+        const std::size_t begin = remainder_begin_[s];
+        const std::size_t size = static_cast<std::size_t>(padded(3 * own.rest())) *
+                                 static_cast<std::size_t>(3 * own.rest());
+        std::vector<double> before;
+        if (tolerance > 0.0) {
+            before.assign(remainders_.begin() + static_cast<std::ptrdiff_t>(begin),
+                          remainders_.begin() + static_cast<std::ptrdiff_t>(begin + size));
+        }
+        factor_supernode(matrix, s);
+        passes_on[s] = tolerance == 0.0 || changed_beyond(s, before, tolerance);
+    });
+    eliminated_ = static_cast<int>(std::count(dirty_.begin(), dirty_.end(), 1));
+}
+
+double TreeCholesky::refactor_multiplications(std::span<const int> changed_vertices) const {
+    std::vector<char> dirty(tree_.supernodes.size(), 0);
+    for (const int v : changed_vertices) dirty[tree_.supernode_of[tree_.position_of[v]]] = 1;
+    double sum = 0.0;
+    for (std::size_t s = 0; s < dirty.size(); ++s) {
+        if (!dirty[s]) continue;
+        const Supernode& own = tree_.supernodes[s];
+        sum += multiplications(own);
+        if (own.parent >= 0) dirty[own.parent] = 1;
+    }
+    return sum;
+}
+
+void TreeCholesky::forward(std::span<const Vec3> b) {
+    climb(tree_, [&](int s) {
+        const Supernode& own = tree_.supernodes[s];
+        double* head = heads_.data() + head_begin_[s];
+        double* tail = tails_.data() + tail_begin_[s];
+        for (int c = 0; c < own.count; ++c) {
+            Eigen::Map<Vec3>(head + 3 * c) = b[tree_.vertex_at[own.first + c]];
+        }
+        std::fill(tail, tail + 3 * own.rest(), 0.0);
+        for (int k = own.children_begin; k < own.children_end; ++k) {
+            const Supernode& child = tree_.supernodes[tree_.children[k]];
+            const double* passed = tails_.data() + tail_begin_[tree_.children[k]];
+            for (int r = 0; r < child.rest(); ++r) {
+                const int place = tree_.place_in_parent[child.rows_begin + r];
+                double* to = place < own.count ? head + 3 * place : tail + 3 * (place - own.count);
+                for (int a = 0; a < 3; ++a) to[a] += passed[3 * r + a];
+            }
+        }
+        forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
+    });
+}
+
+double TreeCholesky::inverse_form(std::span<const Vec3> b) {
+    forward(b);
+    return parallel_sum(heads_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i) sum += heads_[i] * heads_[i];
+        return sum;
+    });
+}
+
+void TreeCholesky::solve(std::span<const Vec3> b, std::span<Vec3> x) {
+    forward(b);
+    descend(tree_, [&](int s) {
+        const Supernode& own = tree_.supernodes[s];
+        double* head = heads_.data() + head_begin_[s];
+        double* tail = tails_.data() + tail_begin_[s];
+        if (own.parent >= 0) {
+            const Supernode& parent = tree_.supernodes[own.parent];
+            const double* parent_head = heads_.data() + head_begin_[own.parent];
+            const double* parent_tail = tails_.data() + tail_begin_[own.parent];
+            for (int r = 0; r < own.rest(); ++r) {
+                const int place = tree_.place_in_parent[own.rows_begin + r];
+                const double* from = place < parent.count
+                                         ? parent_head + 3 * place
+                                         : parent_tail + 3 * (place - parent.count);
+                for (int a = 0; a < 3; ++a) tail[3 * r + a] = from[a];
+            }
+        }
+        backward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
+        for (int c = 0; c < own.count; ++c) {
+            x[tree_.vertex_at[own.first + c]] = Eigen::Map<const Vec3>(head + 3 * c);
+        }
+    });
+}
+
+}  // namespace hepatica

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sparse Cholesky factorisation of a tree-shaped body by fronts (multifrontal, Duff and Reid 1983),
+// which keeps what each branch passes on to the next, so that after a change only the fronts that
+// changed and those between them and the root are eliminated again.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/elimination_tree.h"
+
+namespace hepatica {
+
+// The same bits for any number of threads. Not thread-safe.
+class TreeCholesky {
+  public:
+    // Fixes pattern and order (a permutation of the vertices, see elimination_order.h).
+    TreeCholesky(const BlockMatrix& pattern, std::span<const int> order);
+
+    // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
+    // 1e-14 of its diagonal entry is dropped: solves give zero for it.
+    // Returns the number of dropped pivots.
+    int factor(const BlockMatrix& matrix);
+
+    // The same for a matrix that differs from the last one only in blocks between two
+    // `changed_vertices`. A front whose contribution to its parent changes by less than
+    // `tolerance`, relative to its diagonal, does not pass the change on (0: every change is passed
+    // on, and the factor is that of factor() to the last bit).
+    void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
+                  double tolerance);
+
+    // x = A^-1 b. b and x may be the same.
+    void solve(std::span<const Vec3> b, std::span<Vec3> x);
+
+    // b . A^-1 b, for half the work of solve: the squared energy norm of an error with residual b.
+    double inverse_form(std::span<const Vec3> b);
+
+    // Multiplications that refactor(changed_vertices, 0) would take.
+    double refactor_multiplications(std::span<const int> changed_vertices) const;
+
+    const EliminationTree& tree() const { return tree_; }
+    // Supernodes eliminated by the last factor or refactor.
+    int eliminated() const { return eliminated_; }
+    std::size_t bytes() const;
+
+  private:
+    void factor_supernode(const BlockMatrix& matrix, int s);
+    void forward(std::span<const Vec3> b);
+    bool changed_beyond(int s, std::span<const double> before, double tolerance) const;
+
+    EliminationTree tree_;
+    std::vector<std::size_t> panel_begin_, remainder_begin_;
+    std::vector<double> panels_, remainders_;
+    std::vector<int> block_row_;  // of each block of A: its row in the front; -1 if above
+    std::vector<int> dropped_;    // per supernode
+    std::vector<std::size_t> head_begin_, tail_begin_;
+    std::vector<double> heads_, tails_;  // right-hand sides and contributions of each front
+    std::vector<char> dirty_;
+    int eliminated_ = 0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints how well each method segments the patients that have a truth. For the tables of the
+// documentation and for whoever changes a parameter:
+//   segmentation_scores [ircadb|ircadb-thick|vascusynth|phantom|phantom-thick ...]
+//       [--method coherent|multi_layer|vesselness] [--noise-hu S] [--no-liver] [--refine N]
+//       [--seeds N] [--spacing MM]
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/anatomy/segmentation/liver_region.h"
+#include "core/base/error.h"
+#include "tests/anatomy/segmentation/segmentation_score.h"
+
+namespace {
+
+using namespace hepatica;
+using namespace hepatica::testing_support;
+
+struct Request {
+    std::vector<std::string> cases;
+    std::vector<SegmentationMethod> methods;
+    double noise_hu = 0.0;
+    double spacing_mm = 0.0;
+    bool liver = true;
+    int refine = -1;
+    int seeds = 1;
+};
+
+const char* name_of(SegmentationMethod method) {
+    switch (method) {
+        case SegmentationMethod::multi_layer:
+            return "multi_layer";
+        case SegmentationMethod::vesselness:
+            return "vesselness";
+        case SegmentationMethod::coherent:
+            return "coherent";
+    }
+    return "";
+}
+
+Request parse(int count, char** words) {
+    Request request;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        const auto value = [&] { return std::string(i + 1 < count ? words[++i] : ""); };
+        if (word == "--method") {
+            const std::string wanted = value();
+            for (const auto m : {SegmentationMethod::multi_layer, SegmentationMethod::vesselness,
+                                 SegmentationMethod::coherent})
+                if (wanted == "all" || wanted == name_of(m)) request.methods.push_back(m);
+        } else if (word == "--noise-hu") {
+            request.noise_hu = std::atof(value().c_str());
+        } else if (word == "--spacing") {
+            request.spacing_mm = std::atof(value().c_str());
+        } else if (word == "--refine") {
+            request.refine = std::atoi(value().c_str());
+        } else if (word == "--seeds") {
+            request.seeds = std::atoi(value().c_str());
+        } else if (word == "--no-liver") {
+            request.liver = false;
+        } else {
+            request.cases.push_back(word);
+        }
+    }
+    if (request.methods.empty()) request.methods = {SegmentationMethod::coherent};
+    if (request.cases.empty()) request.cases = {"ircadb", "vascusynth", "phantom"};
+    return request;
+}
+
+std::vector<Patient> patients(const std::string& name, int seeds, Job& job) {
+    std::vector<Patient> list;
+    if (name == "ircadb") list.push_back(ircadb_patient(job));
+    if (name == "ircadb-thick") list.push_back(thinned_out(ircadb_patient(job), 2));
+    if (name == "vascusynth") list.push_back(vascusynth_patient(job));
+    for (int seed = 1; seed <= seeds; ++seed) {
+        if (name == "phantom") list.push_back(phantom_patient(std::uint64_t(seed), 1.0, job));
+        if (name == "phantom-thick") list.push_back(phantom_patient(std::uint64_t(seed), 3.0, job));
+    }
+    return list;
+}
+
+void run(const Patient& patient, SegmentationMethod method, const Request& request) {
+    SegmentationOptions options;
+    options.method = method;
+    options.spacing_mm = request.spacing_mm;
+    if (request.liver) options.liver = patient.liver;
+    if (request.refine >= 0) options.refinement_recursions = request.refine;
+    Job job;
+    const auto start = std::chrono::steady_clock::now();
+    const Segmentation found = segment_vessels(patient.ct, options, job);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Score s = score(found.mask, patient, job);
+    if (!request.liver) {
+        Patient organ = patient;
+        organ.truth = close_liver(patient.liver, 8.0, job);
+        organ.judged = Mask(patient.ct.grid, 1);
+        const Score l = score(found.liver, organ, job);
+        std::printf("liver found without a mask: dice %.3f P %.3f R %.3f\n", l.dice, l.precision,
+                    l.recall);
+    }
+    std::printf(
+        "%-24s %-11s dice %.4f P %.3f R %.3f cldice %.4f P %.3f R %.3f length>1.2 %.3f  "
+        "components %d  parenchyma %.0f contrast %.0f noise %.1f HU  %.1f s\n",
+        patient.name.c_str(), name_of(method), s.dice, s.precision, s.recall, s.cldice,
+        s.centreline_precision, s.centreline_recall,
+        length_found(found.mask, patient, 1.2, 2.0, job), found.components,
+        found.statistics.parenchyma_hu, found.statistics.contrast_hu(), found.statistics.noise_hu,
+        seconds);
+    for (const StageTime& stage : job.stage_times())
+        std::printf("    %-28s %.2f s\n", stage.name.c_str(), stage.seconds);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        const Request request = parse(count, words);
+        for (const std::string& name : request.cases) {
+            Job job;
+            for (Patient& patient : patients(name, request.seeds, job)) {
+                if (request.noise_hu > 0.0) add_noise(patient.ct, request.noise_hu, 1, job);
+                for (const SegmentationMethod method : request.methods)
+                    run(patient, method, request);
+            }
+        }
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n%s\n", error.what(), error.remedy().c_str());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/anatomy/tree/tree_extraction.h"
+
+#include <gtest/gtest.h>
+
+#include "core/anatomy/accuracy.h"
+#include "core/anatomy/phantom/phantom.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "tests/anatomy/test_masks.h"
+
+namespace hepatica {
+
+using namespace test;
+
+namespace {
+
+VesselTree tree_of(const Mask& mask, const Volume* ct = nullptr, const TreeOptions& options = {}) {
+    Job job;
+    const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
+    return extract_tree(skeleton, mask, ct, options, job);
+}
+
+double distance_to_stretch(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (p - a - share * (b - a)).norm();
+}
+
+// A tube of the given radius from a to b with round ends.
+auto tube(const Vec3& a, const Vec3& b, double radius) {
+    return [=](const Vec3& p) { return distance_to_stretch(p, a, b) < radius; };
+}
+
+// A Y in the plane z = 20: a trunk along y that parts into two branches.
+Mask y_mask(double spacing_mm = 0.8) {
+    Grid grid;
+    grid.spacing_mm = Vec3::Constant(spacing_mm);
+    for (int a = 0; a < 3; ++a) grid.dims[a] = static_cast<int>((a == 2 ? 40 : 64) / spacing_mm);
+    const Vec3 fork(30, 30, 20);
+    const auto trunk = tube(Vec3(30, 4, 20), fork, 4.0);
+    const auto left = tube(fork, Vec3(10, 58, 20), 2.5);
+    const auto right = tube(fork, Vec3(52, 56, 20), 3.2);
+    return mask_where(grid, [&](const Vec3& p) { return trunk(p) || left(p) || right(p); });
+}
+
+}  // namespace
+
+//     left   right      one bifurcation, three ends, the trunk is the root
+//        \   /
+//         \ /
+//          |
+TEST(TreeExtraction, ForkHasOneBifurcationAndItsTrunkIsTheRoot) {
+    const VesselTree tree = tree_of(y_mask());
+    validate(tree);
+    ASSERT_EQ(tree.segments.size(), 3u);
+    EXPECT_EQ(bifurcation_count(tree), 1);
+    EXPECT_EQ(end_count(tree), 3);
+    EXPECT_EQ(roots(tree), std::vector<int>{0});
+    EXPECT_EQ(tree.segments[1].parent, 0);
+    EXPECT_EQ(tree.segments[2].parent, 0);
+    EXPECT_EQ(tree.segments[0].strahler_order, 2);
+    EXPECT_LT((tree.segments[0].points_mm.back() - Vec3(30, 30, 20)).norm(), 2.5);
+    EXPECT_LT(tree.segments[0].points_mm.front().y(), 8.0);
+}
+
+TEST(TreeExtraction, RadiiOfAForkAreThoseItWasDrawnWith) {
+    const VesselTree tree = tree_of(y_mask());
+    ASSERT_EQ(tree.segments.size(), 3u);
+    // Far enough from the fork and from the round ends each branch has its own radius.
+    for (const VesselSegment& segment : tree.segments) {
+        const std::size_t middle = segment.radii_mm.size() * 6 / 10;
+        const double x = segment.points_mm[middle].x();
+        const double expected = std::abs(x - 30.0) < 1.5 ? 4.0 : x < 30.0 ? 2.5 : 3.2;
+        EXPECT_NEAR(segment.radii_mm[segment.parent < 0 ? segment.radii_mm.size() / 2 : middle],
+                    expected, 0.16)
+            << "at x = " << x;
+    }
+}
+
+TEST(TreeExtraction, CentrelineIsSmoothAndAboutAVoxelFromPointToPoint) {
+    const VesselTree tree = tree_of(y_mask());
+    for (const VesselSegment& segment : tree.segments)
+        for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
+            const double gap = (segment.points_mm[i] - segment.points_mm[i - 1]).norm();
+            EXPECT_GT(gap, 0.3);
+            EXPECT_LT(gap, 1.6);
+        }
+}
+
+TEST(TreeExtraction, RingIsKeptAndMarked) {
+    const VesselTree tree = tree_of(torus_mask());
+    validate(tree);
+    ASSERT_EQ(tree.segments.size(), 2u);
+    EXPECT_FALSE(tree.segments[0].closes_loop);
+    EXPECT_TRUE(tree.segments[1].closes_loop);
+    EXPECT_NEAR(length_mm(tree), 2.0 * 3.14159 * 10.0, 4.0);
+}
+
+TEST(TreeExtraction, NothingBecomesAnEmptyTree) {
+    EXPECT_TRUE(tree_of(Mask(cube_grid(5))).segments.empty());
+}
+
+TEST(TreeExtraction, RefusesMasksOfDifferentGrids) {
+    Job job;
+    EXPECT_THROW(extract_tree(Mask(cube_grid(5)), Mask(cube_grid(6)), nullptr, {}, job),
+                 InputError);
+}
+
+TEST(TreeExtraction, SameBytesForAnyNumberOfThreads) {
+    const Mask mask = y_mask(1.5);
+    const VesselTree whole = tree_of(mask);
+    const ThreadLimit one(1);
+    const VesselTree again = tree_of(mask);
+    ASSERT_EQ(whole.segments.size(), again.segments.size());
+    for (std::size_t s = 0; s < whole.segments.size(); ++s) {
+        EXPECT_EQ(whole.segments[s].points_mm, again.segments[s].points_mm);
+        EXPECT_EQ(whole.segments[s].radii_mm, again.segments[s].radii_mm);
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/cholesky_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/deform/automatic_solver.h"
+#include "tests/deform/support/test_bodies.h"
+
+namespace hepatica {
+namespace {
+
+using test::SampleBody;
+
+// A bar whose far part turns a little more in every frame.
+struct Motion {
+    SampleBody body = test::make_bar(120.0, 6.0, 60, 3);
+
+    std::vector<Vec3> positions(double bend_rad, double from_mm) const {
+        std::vector<Vec3> moved = body.mesh.vertices_mm;
+        std::vector<Vec3> tail;
+        for (const Vec3& x : moved) tail.push_back(x - Vec3(from_mm, 0, 0));
+        const std::vector<Vec3> bent = test::bend(tail, bend_rad, 120.0 - from_mm);
+        for (std::size_t v = 0; v < moved.size(); ++v) {
+            if (tail[v].x() > 0.0) moved[v] = bent[v] + Vec3(from_mm, 0, 0);
+        }
+        return moved;
+    }
+};
+
+TEST(CholeskySolver, SolvesDirectlyAndReportsItsError) {
+    const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    solver.prepare(matrix, positions);
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    std::vector<Vec3> x(load.size(), Vec3::Zero());
+    const SolveReport report = solver.solve(load, x, {});
+    EXPECT_EQ(report.iterations, 0);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(report.relative_residual, 1e-8);
+    EXPECT_LT(report.energy_error, 1e-7);
+    EXPECT_EQ(report.method, "cholesky");
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
+}
+
+TEST(CholeskySolver, KeepsTheErrorWhileTheBodyTurnsUnderAnOldFactor) {
+    const Motion motion;
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    int most = 0;
+    for (int frame = 0; frame < 20; ++frame) {
+        const auto positions = motion.positions(0.02 * frame + 1e-3, 80.0);
+        const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+        solver.prepare(matrix, positions);
+        std::vector<Vec3> x(load.size(), Vec3::Zero());
+        const SolveReport report = solver.solve(load, x, {.energy_tolerance = 1e-2});
+        EXPECT_TRUE(report.converged);
+        EXPECT_LE(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
+        most = std::max(most, report.iterations);
+    }
+    EXPECT_LE(most, 30);
+}
+
+TEST(CholeskySolver, ExactSettingRefactorsOnlyTheBranchThatTurned) {
+    const Motion motion;
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm, {.exact = true});
+    const BlockMatrix rest = test::assemble(motion.body, motion.body.mesh.vertices_mm, {});
+    solver.prepare(rest, motion.body.mesh.vertices_mm);
+    const int all = solver.factor().eliminated();
+    std::vector<Vec3> x(load.size());
+    for (int frame = 1; frame < 4; ++frame) {
+        const auto positions = motion.positions(0.1 * frame, 100.0);
+        const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+        solver.prepare(matrix, positions);
+        EXPECT_LT(solver.factor().eliminated(), 0.6 * all);
+        const SolveReport report = solver.solve(load, x, {});
+        EXPECT_EQ(report.iterations, 0);
+        EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
+    }
+}
+
+TEST(CholeskySolver, RecoversFromAMatrixThatIsNotFinite) {
+    const Motion motion;
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix good = test::assemble(motion.body, positions, {});
+    BlockMatrix bad = good;
+    for (Mat3& block : bad.block) block *= std::numeric_limits<double>::quiet_NaN();
+    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    std::vector<Vec3> x(load.size(), Vec3::Zero());
+    for (const bool broken : {true, false, false}) {
+        solver.prepare(broken ? bad : good, positions);
+        std::fill(x.begin(), x.end(), Vec3::Zero());
+        const SolveReport report = solver.solve(load, x, {});
+        EXPECT_EQ(report.converged, !broken);
+        for (const Vec3& value : x) EXPECT_TRUE(value.allFinite());
+    }
+    EXPECT_LT(test::energy_error(good, x, test::solve_exactly(good, load)), 1e-2);
+}
+
+TEST(CholeskySolver, FollowsAChangeOfPattern) {
+    const Motion motion;
+    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    std::vector<Vec3> x(load.size());
+    BlockMatrix matrix = test::assemble(motion.body, motion.body.mesh.vertices_mm, {});
+    solver.prepare(matrix, motion.body.mesh.vertices_mm);
+    // The bar tears in the middle: tetrahedra of one slice are gone.
+    SampleBody torn = motion.body;
+    std::erase_if(torn.mesh.tetrahedra, [&](const auto& t) {
+        return std::abs(torn.mesh.vertices_mm[t[0]].x() - 60.0) < 0.1 &&
+               torn.mesh.vertices_mm[t[3]].x() > 60.0;
+    });
+    matrix = test::assemble(torn, torn.mesh.vertices_mm, {});
+    solver.prepare(matrix, torn.mesh.vertices_mm);
+    EXPECT_TRUE(solver.solve(load, x, {}).converged);
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
+}
+
+TEST(AutomaticSolver, FactorsThinBodiesAndIteratesBulkyOnes) {
+    for (const bool bulky : {false, true}) {
+        const SampleBody body =
+            bulky ? test::make_bar(60.0, 36.0, 15, 9) : test::make_bar(120.0, 6.0, 40, 2);
+        const BlockMatrix matrix = test::assemble(body, body.mesh.vertices_mm, {});
+        const auto solver =
+            make_linear_solver(LinearSolverKind::automatic, body.skeleton, body.mesh.vertices_mm);
+        solver->prepare(matrix, body.mesh.vertices_mm);
+        const std::vector<Vec3> load = test::make_load(body, {});
+        std::vector<Vec3> x(load.size(), Vec3::Zero());
+        const SolveReport report = solver->solve(load, x, {.energy_tolerance = 1e-2});
+        EXPECT_TRUE(report.converged);
+        EXPECT_EQ(report.method, bulky ? "skeleton" : "cholesky");
+        EXPECT_LE(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
+    }
+}
+
+TEST(LinearSolver, NamesAndKindsBelongTogether) {
+    for (const auto kind : {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton,
+                            LinearSolverKind::cholesky, LinearSolverKind::automatic}) {
+        EXPECT_EQ(linear_solver_kind(name_of(kind)), kind);
+        const SampleBody bar = test::make_bar(12.0, 6.0, 4, 2);
+        EXPECT_EQ(make_linear_solver(kind, bar.skeleton, bar.mesh.vertices_mm)->name(),
+                  name_of(kind));
+    }
+    EXPECT_THROW(linear_solver_kind("magic"), UsageError);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/tree_cholesky.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "core/base/parallel.h"
+#include "core/deform/solvers/elimination_order.h"
+#include "tests/deform/support/test_bodies.h"
+
+namespace hepatica {
+namespace {
+
+using test::SampleBody;
+
+// A random symmetric positive definite matrix on a random graph.
+BlockMatrix random_matrix(int rows, int edges, std::mt19937& random) {
+    std::vector<std::set<int>> columns(static_cast<std::size_t>(rows));
+    for (int i = 0; i < rows; ++i) columns[i].insert(i);
+    for (int e = 0; e < edges; ++e) {
+        const int i = static_cast<int>(random() % static_cast<unsigned>(rows));
+        const int j = static_cast<int>(random() % static_cast<unsigned>(rows));
+        columns[i].insert(j);
+        columns[j].insert(i);
+    }
+    BlockMatrix matrix;
+    for (int i = 0; i < rows; ++i) {
+        for (const int j : columns[i]) {
+            if (j == i) matrix.diagonal.push_back(static_cast<int>(matrix.column.size()));
+            matrix.column.push_back(j);
+        }
+        matrix.row_begin.push_back(static_cast<int>(matrix.column.size()));
+    }
+    matrix.block.assign(matrix.column.size(), Mat3::Zero());
+    for (int i = 0; i < rows; ++i) {
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
+            const int j = matrix.column[k];
+            if (j >= i) continue;
+            Mat3 block;
+            for (int n = 0; n < 9; ++n) {
+                block(n) = static_cast<double>(random()) / 2147483648.0 - 1.0;
+            }
+            matrix.block[k] = block;
+            matrix.block[matrix.find(j, i)] = block.transpose();
+            matrix.block[matrix.diagonal[i]] += 3.1 * Mat3::Identity();
+            matrix.block[matrix.diagonal[j]] += 3.1 * Mat3::Identity();
+        }
+        matrix.block[matrix.diagonal[i]] += 0.1 * Mat3::Identity();
+    }
+    return matrix;
+}
+
+std::vector<Vec3> random_vectors(int count, std::mt19937& random) {
+    std::vector<Vec3> values(static_cast<std::size_t>(count));
+    for (Vec3& value : values) {
+        for (int a = 0; a < 3; ++a) value[a] = static_cast<double>(random()) / 2147483648.0 - 1.0;
+    }
+    return values;
+}
+
+double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double largest = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
+        scale = std::max(scale, b[i].cwiseAbs().maxCoeff());
+    }
+    return largest / scale;
+}
+
+TEST(TreeCholesky, SolvesRandomSystemsInAnyOrder) {
+    std::mt19937 random(3);
+    for (const int rows : {1, 2, 3, 7, 20, 61, 150}) {
+        for (const int density : {0, 1, 3, 10}) {
+            const BlockMatrix matrix = random_matrix(rows, rows * density, random);
+            std::vector<int> order(static_cast<std::size_t>(rows));
+            std::iota(order.begin(), order.end(), 0);
+            std::shuffle(order.begin(), order.end(), random);
+            TreeCholesky factor(matrix, order);
+            EXPECT_EQ(factor.factor(matrix), 0);
+            const std::vector<Vec3> b = random_vectors(rows, random);
+            std::vector<Vec3> x(b.size());
+            factor.solve(b, x);
+            EXPECT_LT(largest_difference(x, test::solve_exactly(matrix, b)), 1e-11)
+                << rows << " rows, density " << density;
+        }
+    }
+}
+
+TEST(TreeCholesky, FactorsABentTreeFromItsEnds) {
+    const SampleBody body = test::make_brick_tree(4, 3.0, 1.0);
+    const auto positions = test::bend(body.mesh.vertices_mm, 2.0, 90.0);
+    const BlockMatrix matrix = test::assemble(body, positions, {});
+    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    TreeCholesky factor(matrix, order_from_ends(body.skeleton, binding));
+    EXPECT_EQ(factor.factor(matrix), 0);
+    const std::vector<Vec3> load = test::make_load(body, {});
+    std::vector<Vec3> x(load.size());
+    factor.solve(load, x);
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-8);
+}
+
+TEST(TreeCholesky, SameBitsForAnyNumberOfThreads) {
+    const auto body = test::make_brick_tree(4, 3.0, 1.0);
+    const BlockMatrix matrix = test::assemble(body, body.mesh.vertices_mm, {});
+    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    const std::vector<Vec3> load = test::make_load(body, {});
+    std::vector<std::vector<Vec3>> results;
+    for (const int threads : {1, 2, 4}) {
+        const ThreadLimit limit(threads);
+        TreeCholesky factor(matrix, order_from_ends(body.skeleton, binding));
+        factor.factor(matrix);
+        results.emplace_back(load.size());
+        factor.solve(load, results.back());
+    }
+    EXPECT_EQ(results[0], results[1]);
+    EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(TreeCholesky, RefactorsWhatChangedToTheSameBits) {
+    const auto body = test::make_brick_tree(4, 3.0, 1.2);
+    const std::vector<Vec3>& rest = body.mesh.vertices_mm;
+    const BlockMatrix matrix = test::assemble(body, rest, {});
+    const FrameBinding binding = bind_vertices(body.skeleton, rest);
+    const std::vector<int> order = order_from_ends(body.skeleton, binding);
+    // One twig turns by 0.3 rad about its tip.
+    std::vector<Vec3> moved = rest;
+    std::vector<int> changed;
+    const Vec3 tip = body.skeleton.positions_mm.back();
+    std::vector<char> touched(rest.size(), 0);
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        if ((rest[v] - tip).norm() > 9.0) continue;
+        touched[v] = 1;
+        const Vec3 arm = rest[v] - tip;
+        moved[v] = tip + Vec3(std::cos(0.3) * arm.x() - std::sin(0.3) * arm.y(),
+                              std::sin(0.3) * arm.x() + std::cos(0.3) * arm.y(), arm.z());
+    }
+    std::vector<char> marked(rest.size(), 0);
+    for (const auto& t : body.mesh.tetrahedra) {
+        if (touched[t[0]] || touched[t[1]] || touched[t[2]] || touched[t[3]]) {
+            for (const int v : t) marked[v] = 1;
+        }
+    }
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        if (marked[v]) changed.push_back(static_cast<int>(v));
+    }
+    const BlockMatrix turned = test::assemble(body, moved, {});
+    const std::vector<Vec3> load = test::make_load(body, {});
+    TreeCholesky fresh(matrix, order), updated(matrix, order), stopped(matrix, order);
+    fresh.factor(turned);
+    updated.factor(matrix);
+    updated.refactor(turned, changed, 0.0);
+    stopped.factor(matrix);
+    stopped.refactor(turned, changed, 1e-3);
+    EXPECT_LT(updated.eliminated(), fresh.eliminated());
+    EXPECT_LT(stopped.eliminated(), updated.eliminated());
+    EXPECT_GT(stopped.eliminated(), 0);
+    std::vector<Vec3> x(load.size()), y(load.size()), z(load.size());
+    fresh.solve(load, x);
+    updated.solve(load, y);
+    stopped.solve(load, z);
+    EXPECT_EQ(x, y);
+    EXPECT_LT(test::energy_error(turned, z, x), 0.05);
+    stopped.refactor(turned, changed, 0.0);
+}
+
+TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {
+    std::mt19937 random(11);
+    BlockMatrix matrix = random_matrix(30, 60, random);
+    // Vertex 7 takes part in nothing and weighs nothing.
+    for (int k = matrix.row_begin[7]; k < matrix.row_begin[8]; ++k) {
+        const int other = matrix.find(matrix.column[k], 7);
+        matrix.block[k].setZero();
+        matrix.block[other].setZero();
+    }
+    std::vector<int> order(30);
+    std::iota(order.begin(), order.end(), 0);
+    TreeCholesky factor(matrix, order);
+    EXPECT_EQ(factor.factor(matrix), 3);
+    std::vector<Vec3> b = random_vectors(30, random), x(30), product;
+    factor.solve(b, x);
+    EXPECT_EQ(x[7], Vec3(Vec3::Zero()));
+    multiply(matrix, x, product);
+    b[7].setZero();
+    EXPECT_LT(largest_difference(product, b), 1e-11);
+}
+
+}  // namespace
+}  // namespace hepatica
