@@ -19,7 +19,7 @@ struct Options {
 
 Json run(const Options& options, Job& job) {
     const PatientCase patient = read_case(options.patient);
-    const VesselTree truth_tree = read_tree_vtp(options.truth_tree);
+    const VesselTree truth_tree = read_tree(options.truth_tree);
     const Mask truth_mask = read_mask(options.truth_mask, job);
     job.begin_stage("Comparing");
     const Accuracy found =
@@ -47,7 +47,8 @@ void add_compare(CommandLine& line) {
     CLI::App& verb = line.add_verb("compare", "Judge a case by a known truth",
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("case", options->patient, "Case to judge")->required();
-    verb.add_option("--truth-tree", options->truth_tree, "Centrelines with radii (VTP)")
+    verb.add_option("--truth-tree", options->truth_tree,
+                    "Centrelines with radii (.vtp, .swc or .json)")
         ->required();
     verb.add_option("--truth-mask", options->truth_mask, "Vessel voxels (NIfTI ...)")->required();
 }

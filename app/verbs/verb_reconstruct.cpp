@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/output_place.h"
+#include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
-#include "core/mesh/quality.h"
 #include "core/patient/reconstruct.h"
 
 namespace hepatica {
@@ -70,27 +70,6 @@ Json to_json(const VoxelCounts& counts) {
             {"cavities", counts.cavities}};
 }
 
-Json to_json(const VesselTree& tree) {
-    double root_radius_mm = 0.0;
-    for (const int root : roots(tree))
-        root_radius_mm = std::max(root_radius_mm, tree.segments[root].radii_mm.front());
-    return {{"segments", tree.segments.size()}, {"bifurcations", bifurcation_count(tree)},
-            {"ends", end_count(tree)},          {"components", roots(tree).size()},
-            {"length_mm", length_mm(tree)},     {"root_radius_mm", root_radius_mm}};
-}
-
-Json to_json(const TetMesh& mesh) {
-    const MeshQuality quality = quality_of(mesh);
-    return {{"vertices", mesh.vertices_mm.size()},
-            {"tetrahedra", mesh.tetrahedra.size()},
-            {"min_dihedral_deg", quality.min_dihedral_deg},
-            {"max_dihedral_deg", quality.max_dihedral_deg},
-            {"components", quality.components},
-            {"closed", quality.closed},
-            {"handles", quality.handles},
-            {"volume_mm3", quality.volume_mm3}};
-}
-
 Json run(Options options, Job& job) {
     parse(options);
     require_writable(options.out);
@@ -113,6 +92,7 @@ Json run(Options options, Job& job) {
     answer["skeleton"] = to_json(made.skeleton);
     answer["skeleton"]["crowded_points"] = made.crowded_points;
     answer["tree"] = to_json(made.patient.tree);
+    answer["bridges"] = to_json(made.patient.corrections.bridges);
     answer["mesh"] = to_json(made.patient.mesh);
     answer["warnings"] = made.warnings;
     return answer;
@@ -136,6 +116,16 @@ void add_reconstruct(CommandLine& line) {
                     "X,Y,Z[,SYSTEM] inside a vessel [LPS mm]; may be repeated");
     verb.add_option("--method", options->method, "How vessels are segmented")
         ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
+        ->capture_default_str();
+    verb.add_option("--liver-label", reconstruct.liver_labels,
+                    "Labels of the liver mask that are liver; without it all that are not 0")
+        ->delimiter(',');
+    verb.add_option("--vessel-label", reconstruct.vessel_labels,
+                    "Labels of the vessel mask that are vessels: systems 1, 2 ... in this order")
+        ->delimiter(',');
+    verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
+                    "Bridge gaps of this confidence or more; the others are offered")
+        ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     verb.add_option("--refine", reconstruct.refinement_recursions,
                     "Recursions of the Gaussian refinement, 0 to 10")

@@ -6,6 +6,7 @@ namespace hepatica {
 void add_all_verbs(CommandLine& line) {
     add_phantom(line);
     add_reconstruct(line);
+    add_edit(line);
     add_compare(line);
     add_pressure_drop(line);
     add_inject(line);

@@ -23,6 +23,15 @@ double length_mm(const VesselTree& tree) {
     return length;
 }
 
+double bridged_length_mm(const VesselTree& tree) {
+    double length = 0.0;
+    for (const VesselSegment& segment : tree.segments)
+        for (std::size_t i = 1; i < segment.bridged.size(); ++i)
+            if (segment.bridged[i] != 0 || segment.bridged[i - 1] != 0)
+                length += (segment.points_mm[i] - segment.points_mm[i - 1]).norm();
+    return length;
+}
+
 std::vector<int> roots(const VesselTree& tree) {
     std::vector<int> ids;
     for (std::size_t i = 0; i < tree.segments.size(); ++i)
@@ -90,6 +99,8 @@ void validate_points(const VesselSegment& segment, std::size_t id) {
     if (segment.points_mm.size() < 2) reject("has fewer than two points", id);
     if (segment.radii_mm.size() != segment.points_mm.size())
         reject("does not have one radius per point", id);
+    if (!segment.bridged.empty() && segment.bridged.size() != segment.points_mm.size())
+        reject("does not say of each point whether it bridges a gap", id);
     for (std::size_t i = 0; i < segment.points_mm.size(); ++i) {
         if (!segment.points_mm[i].allFinite()) reject("has a point that is not finite", id);
         if (!(segment.radii_mm[i] > 0.0) || !std::isfinite(segment.radii_mm[i]))

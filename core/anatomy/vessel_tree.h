@@ -4,6 +4,7 @@
 // tree_extraction.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -27,6 +28,8 @@ struct VesselSegment {
     std::vector<Vec3> points_mm;   // centreline from node to node, both included; 2 or more,
                                    // no two consecutive ones equal
     std::vector<double> radii_mm;  // lumen radius at each point, > 0
+    // Per point: 1 where no segmentation showed a vessel and a gap was bridged. Empty: nowhere.
+    std::vector<std::uint8_t> bridged;
 };
 
 // A forest (one tree per system and component) plus the links that close loops. Segments are
@@ -38,6 +41,8 @@ struct VesselTree {
 
 double length_mm(const VesselSegment& segment);
 double length_mm(const VesselTree& tree);
+// Length of the stretches that bridge gaps.
+double bridged_length_mm(const VesselTree& tree);
 
 // Ids of the segments without parent, in order.
 std::vector<int> roots(const VesselTree& tree);

@@ -14,6 +14,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 void Job::throw_if_cancelled() const {
+    notify(JobEvent::check);
     if (cancelled_) throw Cancelled();
 }
 
@@ -24,19 +25,25 @@ void Job::expect_stages(int count) {
 
 void Job::begin_stage(const std::string& name) {
     throw_if_cancelled();
-    const std::scoped_lock lock(mutex_);
-    if (progress_.stage_number > 0)
-        finished_.push_back({progress_.stage, seconds_since(stage_start_)});
-    progress_.stage = name;
-    progress_.fraction = 0.0;
-    ++progress_.stage_number;
-    stage_start_ = Clock::now();
+    {
+        const std::scoped_lock lock(mutex_);
+        if (progress_.stage_number > 0)
+            finished_.push_back({progress_.stage, seconds_since(stage_start_)});
+        progress_.stage = name;
+        progress_.fraction = 0.0;
+        ++progress_.stage_number;
+        stage_start_ = Clock::now();
+    }
+    notify(JobEvent::progress);
 }
 
 void Job::advance(double fraction) {
     throw_if_cancelled();
-    const std::scoped_lock lock(mutex_);
-    progress_.fraction = fraction;
+    {
+        const std::scoped_lock lock(mutex_);
+        progress_.fraction = fraction;
+    }
+    notify(JobEvent::progress);
 }
 
 JobProgress Job::progress() const {

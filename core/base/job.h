@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ struct StageTime {
     double seconds = 0.0;
 };
 
+// What the worker has just done with its job.
+enum class JobEvent {
+    check,     // asked whether to stop
+    progress,  // reported progress, or began a stage; asked as well
+};
+
 // Thread-safe: the worker calls the first three, anybody calls the rest.
 class Job {
   public:
@@ -38,6 +45,10 @@ class Job {
     bool cancelled() const { return cancelled_; }
     void throw_if_cancelled() const;
 
+    // For measurements: called at every event, on whatever thread it happens, before the worker
+    // learns whether to stop. Set it before the work begins.
+    void observe(std::function<void(JobEvent)> observer) { observer_ = std::move(observer); }
+
     JobProgress progress() const;
     // Stages so far with their wall time; the last one is still running.
     std::vector<StageTime> stage_times() const;
@@ -45,7 +56,12 @@ class Job {
   private:
     using Clock = std::chrono::steady_clock;
 
+    void notify(JobEvent event) const {
+        if (observer_) observer_(event);
+    }
+
     std::atomic<bool> cancelled_{false};
+    std::function<void(JobEvent)> observer_;
     mutable std::mutex mutex_;
     JobProgress progress_;
     std::vector<StageTime> finished_;

@@ -124,6 +124,18 @@ LabelMap read_label_map(const fs::path& path, Job& job) {
     return labels;
 }
 
+Mask narrow_labels(const LabelMap& labels, const std::string& place) {
+    Mask mask(labels.grid);
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+        const std::uint16_t label = labels.voxels[i];
+        if (label > 255)
+            throw InputError("holds label " + std::to_string(label), place,
+                             "Labels of a mask go from 1 to 255: give it others");
+        mask.voxels[i] = static_cast<std::uint8_t>(label);
+    }
+    return mask;
+}
+
 Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     require_existing(path);
     job.begin_stage("Reading the mask");

@@ -34,6 +34,9 @@ Volume read_volume(const std::filesystem::path& file_or_folder, Job& job,
 // .seg.nrrd. Throws InputError as above, and where a value is negative or not whole.
 LabelMap read_label_map(const std::filesystem::path& file, Job& job);
 
+// A mask with the same values. Throws InputError, naming `place`, where one is above 255.
+Mask narrow_labels(const LabelMap& labels, const std::string& place);
+
 // Reads a mask from the same formats, or from a DICOM series of its own: 1 where the value is one
 // of `labels`, or is not zero where `labels` is empty; else 0. Throws InputError as above, and
 // where no voxel is left.

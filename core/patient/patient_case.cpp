@@ -26,6 +26,8 @@ constexpr const char* tree_file = "tree.vtp";
 constexpr const char* swc_file = "tree.swc";
 constexpr const char* surface_file = "surface.vtp";
 constexpr const char* mesh_file = "mesh.vtu";
+constexpr const char* corrections_file = "corrections.json";
+constexpr const char* extracted_file = "tree_extracted.vtp";
 
 [[noreturn]] void refuse(const fs::path& place, const std::string& problem) {
     throw InputError(problem, place.string(),
@@ -82,15 +84,47 @@ void check_file(const fs::path& folder, const Json& header, const char* name) {
         refuse(file, "is not the file that case.json was written for (its hash differs)");
 }
 
-Mask read_voxels(const fs::path& folder, const Json& header, const char* name) {
-    if (!header.at("hashes").contains(name)) return {};
+// Whether the case holds a file that not every case has; it is checked then.
+bool holds(const fs::path& folder, const Json& header, const char* name) {
+    if (!header.at("hashes").contains(name)) return false;
     check_file(folder, header, name);
+    return true;
+}
+
+Mask read_voxels(const fs::path& folder, const Json& header, const char* name) {
+    if (!holds(folder, header, name)) return {};
     Job job;
     const LabelMap labels = read_label_map(folder / name, job);
-    Mask mask(labels.grid);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-        mask.voxels[i] = static_cast<std::uint8_t>(labels.voxels[i]);
-    return mask;
+    return narrow_labels(labels, (folder / name).string());
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) refuse(file, "cannot be read");
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Corrections read_corrections(const fs::path& folder, const Json& header) {
+    Corrections corrections;
+    if (holds(folder, header, corrections_file)) {
+        const fs::path file = folder / corrections_file;
+        const Json json = Json::parse(text_of(file));
+        corrections.bridges = bridges_from_json(json.at("bridges").dump(), file.string());
+        corrections.edits = edits_from_json(json.at("edits").dump(), file.string());
+    }
+    if (holds(folder, header, extracted_file))
+        corrections.extracted = read_tree_vtp(folder / extracted_file);
+    if (corrections.edits.empty() != corrections.extracted.segments.empty())
+        refuse(folder, "holds edits without the tree that they were made on");
+    return corrections;
+}
+
+void write_corrections(const fs::path& folder, const Corrections& corrections) {
+    if (corrections.bridges.empty() && corrections.edits.empty()) return;
+    const Json json{{"bridges", Json::parse(bridges_to_json(corrections.bridges))},
+                    {"edits", Json::parse(edits_to_json(corrections.edits))}};
+    write_text_atomically(folder / corrections_file, json.dump(1) + "\n");
+    if (!corrections.edits.empty()) write_tree_vtp(folder / extracted_file, corrections.extracted);
 }
 
 PatientCase read(const fs::path& folder, bool with_voxels) {
@@ -103,6 +137,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
         patient.source.parameters_json = header.at("parameters").dump();
         for (const char* name : {tree_file, surface_file, mesh_file})
             check_file(folder, header, name);
+        patient.corrections = read_corrections(folder, header);
         if (with_voxels) {
             patient.mask = read_voxels(folder, header, mask_file);
             patient.skeleton = read_voxels(folder, header, skeleton_file);
@@ -134,6 +169,7 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         write_tree_swc(temporary / swc_file, patient.tree);
         write_vtp(temporary / surface_file, patient.surface);
         write_vtu(temporary / mesh_file, patient.mesh);
+        write_corrections(temporary, patient.corrections);
 
         Json header;
         header["format"] = "hepatica-case";
@@ -142,8 +178,8 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         header["source"] = {{"image", patient.source.image_path},
                             {"grid", to_json(patient.source.image_grid)}};
         header["parameters"] = Json::parse(patient.source.parameters_json);
-        for (const char* name :
-             {mask_file, skeleton_file, tree_file, swc_file, surface_file, mesh_file})
+        for (const char* name : {mask_file, skeleton_file, tree_file, swc_file, surface_file,
+                                 mesh_file, corrections_file, extracted_file})
             if (fs::exists(temporary / name))
                 header["hashes"][name] = to_hex(hash_of_file(temporary / name));
         write_text_atomically(temporary / "case.json", header.dump(2) + "\n");

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One patient on disk: NAME.hep, a folder of open formats.
 //   case.json (version, source, parameters, hashes of the rest), mask.nii.gz, skeleton.nii.gz,
-//   tree.vtp, tree.swc, surface.vtp, mesh.vtu
+//   tree.vtp, tree.swc, surface.vtp, mesh.vtu, and where the tree was corrected by hand
+//   corrections.json (bridges offered, edits) and tree_extracted.vtp (the tree before the edits)
 // The CT itself is referred to, not copied.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "core/anatomy/tree/gap_bridging.h"
+#include "core/anatomy/tree/tree_edit.h"
 #include "core/anatomy/vessel_tree.h"
 #include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
@@ -22,6 +26,13 @@ struct CaseSource {
     std::string parameters_json = "{}";  // options of the reconstruction, one JSON object
 };
 
+// What may be corrected by hand and what was; see corrections.h.
+struct Corrections {
+    std::vector<Bridge> bridges;  // gaps found: bridged by the reconstruction, or only offered
+    std::vector<TreeEdit> edits;  // in order; they made `tree` out of `extracted`
+    VesselTree extracted;         // the tree before the first edit; empty where there are none
+};
+
 struct PatientCase {
     CaseSource source;
     Mask mask;      // vessels, on the grid they were segmented on; may be empty
@@ -29,6 +40,7 @@ struct PatientCase {
     VesselTree tree;
     TriangleMesh surface;  // boundary of `mesh`
     TetMesh mesh;
+    Corrections corrections;
 };
 
 // A folder that holds a case.json. Says nothing about whether it can be read.

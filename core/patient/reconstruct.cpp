@@ -42,6 +42,9 @@ nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
         json["seeds"].push_back(
             {{"position_mm", {seed.position_mm.x(), seed.position_mm.y(), seed.position_mm.z()}},
              {"system", seed.system}});
+    if (!options.liver_labels.empty()) json["liver_labels"] = options.liver_labels;
+    if (!options.vessel_labels.empty()) json["vessel_labels"] = options.vessel_labels;
+    json["bridge_confidence"] = options.bridge_confidence;
     json["refinement_recursions"] = options.refinement_recursions;
     json["spacing_mm"] = options.spacing_mm;
     json["mesh"] = {{"facet_size_in_radii", options.mesh.facet_size_in_radii},
@@ -72,14 +75,21 @@ void require_vessels(const Mask& mask, const std::string& place) {
                          "vessel mask (--vessel-mask)");
 }
 
+// Labels that are named become 1, 2 ..., the others 0; without names all stay what they are.
+void keep_named(LabelMap& labels, const std::vector<int>& names) {
+    if (names.empty()) return;
+    for (std::uint16_t& label : labels.voxels) {
+        const auto name = std::ranges::find(names, static_cast<int>(label));
+        label = name == names.end() ? 0 : static_cast<std::uint16_t>(name - names.begin() + 1);
+    }
+}
+
 // A mask that somebody drew, cut to what it holds.
 Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
-    const LabelMap labels = read_label_map(*options.vessel_mask, job);
+    LabelMap labels = read_label_map(*options.vessel_mask, job);
     require_same_grid(labels.grid, ct_grid, options.vessel_mask->string());
-    Mask mask(labels.grid);
-    std::ranges::transform(labels.voxels, mask.voxels.begin(), [](std::uint16_t label) {
-        return static_cast<std::uint8_t>(std::min<int>(label, 255));
-    });
+    keep_named(labels, options.vessel_labels);
+    Mask mask = narrow_labels(labels, options.vessel_mask->string());
     require_vessels(mask, options.vessel_mask->string());
     constexpr double margin_mm = 5.0;
     mask = crop(mask, grow_box(bounding_box(mask), mask.grid, margin_mm));
@@ -96,7 +106,7 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
     if (options.liver_mask) {
-        segmentation.liver = read_mask(*options.liver_mask, job);
+        segmentation.liver = read_mask(*options.liver_mask, job, options.liver_labels);
         require_same_grid(segmentation.liver->grid, ct.grid, options.liver_mask->string());
     }
     Segmentation found = segment_vessels(ct, segmentation, job);
@@ -140,7 +150,11 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
     TreeOptions tree_options;
     for (const VesselSeed& seed : options.seeds)
         tree_options.seeds.push_back({seed.position_mm, seed.system});
-    patient.tree = extract_tree(patient.skeleton, patient.mask, &ct, tree_options, job);
+    tree_options.bridging.confidence = options.bridge_confidence;
+    TreeExtraction extraction =
+        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
+    patient.tree = std::move(extraction.tree);
+    patient.corrections.bridges = std::move(extraction.bridges);
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");

@@ -23,6 +23,13 @@ struct ReconstructOptions {
                                                          // done; several labels: several systems
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
+    // Which labels of the masks count; empty: all. Vessel labels that are named become the systems
+    // 1, 2 ... in the order in which they stand.
+    std::vector<int> liver_labels;
+    std::vector<int> vessel_labels;
+    // Gaps in a vessel are bridged from this confidence on (see gap_bridging.h), and the stretch is
+    // marked; the others are only offered.
+    double bridge_confidence = BridgeOptions{}.confidence;
     SegmentationMethod method = SegmentationMethod::coherent;
     int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
     double spacing_mm = 0.0;        // isotropic working grid; 0: chosen from the CT

@@ -307,6 +307,7 @@ class Bridging {
         }
         link.points_mm = even.points_mm;
         link.radii_mm = even.radii_mm;
+        bridge.path_mm = even.points_mm;
         graph.links.push_back(std::move(link));
     }
 

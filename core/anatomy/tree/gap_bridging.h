@@ -4,6 +4,7 @@
 // be shown to the user instead of being taken.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/anatomy/tree/vessel_graph.h"
@@ -19,7 +20,9 @@ struct BridgeOptions {
 
 // A proposed link.
 struct Bridge {
-    std::vector<Vec3> path_mm;  // from an open end to a point on another piece's centreline
+    // From an open end to a point on another piece's centreline; of a bridge that is built, the
+    // centreline as it was built.
+    std::vector<Vec3> path_mm;
     double from_radius_mm = 0.0;
     double to_radius_mm = 0.0;
     double gap_mm = 0.0;  // length of the path outside the mask
@@ -36,5 +39,9 @@ struct Bridge {
 // Deterministic; throws Cancelled.
 std::vector<Bridge> bridge_gaps(VesselGraph& graph, const Mask& vessels, const Volume* ct,
                                 const BridgeOptions& options, Job& job);
+
+// Bridges as a JSON array, and back. Reading throws InputError that names `place` (the file).
+std::string bridges_to_json(const std::vector<Bridge>& bridges);
+std::vector<Bridge> bridges_from_json(const std::string& text, const std::string& place);
 
 }  // namespace hepatica

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/anatomy/tree/bridged_points.h"
 #include "core/anatomy/tree/centreline.h"
 #include "core/anatomy/tree/vessel_graph.h"
 #include "core/base/error.h"
@@ -55,7 +56,9 @@ void merge_touching_nodes(VesselGraph& graph, std::vector<RootWish>& wishes) {
 class Edit {
   public:
     explicit Edit(const VesselTree& tree)
-        : tree_(tree), graph_(to_graph(tree)), wishes_(root_wishes(tree)) {}
+        : tree_(tree), graph_(to_graph(tree)), wishes_(root_wishes(tree)) {
+        bridged_.add(tree);
+    }
 
     void cut(const TreeEdit& edit) {
         const TreePoint at = locate(tree_, edit.at_mm);
@@ -134,7 +137,9 @@ class Edit {
             for (std::size_t n = 0; n < graph_.nodes.size(); ++n)
                 if (graph_.nodes[n].position_mm == place)
                     wishes.push_back({static_cast<int>(n), system});
-        return directed(std::move(graph_), wishes);
+        VesselTree tree = directed(std::move(graph_), wishes);
+        bridged_.mark(tree);
+        return tree;
     }
 
   private:
@@ -150,6 +155,7 @@ class Edit {
         const double radius = std::min(start.radius_mm, end.radius_mm);
         curve.radii_mm.assign(at.size(), radius);
         curve = resampled(curve, std::max(0.5 * radius, 0.5));
+        bridged_.add(curve.points_mm);
         graph_.links.push_back({from, to, system, curve.points_mm, curve.radii_mm});
     }
 
@@ -173,6 +179,7 @@ class Edit {
     const VesselTree& tree_;
     VesselGraph graph_;
     std::vector<RootWish> wishes_;
+    BridgedPoints bridged_;
 };
 
 }  // namespace

@@ -25,6 +25,8 @@ struct TreeEdit {
     Vec3 to_mm = Vec3::Zero();  // add_link
     std::vector<Vec3> path_mm;  // add_link: points between the two vessels; empty: straight
     int system = 0;             // reassign_system
+
+    bool operator==(const TreeEdit&) const = default;
 };
 
 // The tree after the edit. Throws InputError where the edit cannot be done (an empty tree, a place

@@ -33,9 +33,7 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     edit.at_mm = vec3_from(value.at("at_mm"));
     if (edit.kind == TreeEditKind::add_link) {
         edit.to_mm = vec3_from(value.at("to_mm"));
-        if (value.contains("path_mm"))
-            for (const nlohmann::json& point : value.at("path_mm"))
-                edit.path_mm.push_back(vec3_from(point));
+        if (value.contains("path_mm")) edit.path_mm = path_from(value.at("path_mm"));
     }
     if (edit.kind == TreeEditKind::reassign_system) edit.system = value.at("system").get<int>();
     return edit;
@@ -49,7 +47,7 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
         nlohmann::json value{{"edit", name_of(edit.kind)}, {"at_mm", json_of(edit.at_mm)}};
         if (edit.kind == TreeEditKind::add_link) {
             value["to_mm"] = json_of(edit.to_mm);
-            for (const Vec3& point : edit.path_mm) value["path_mm"].push_back(json_of(point));
+            if (!edit.path_mm.empty()) value["path_mm"] = json_of(edit.path_mm);
         }
         if (edit.kind == TreeEditKind::reassign_system) value["system"] = edit.system;
         list.push_back(std::move(value));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/anatomy/tree/bridged_points.h"
 #include "core/anatomy/tree/lumen_measurement.h"
 #include "core/anatomy/tree/skeleton_graph.h"
 #include "core/anatomy/tree/spur_pruning.h"
@@ -49,6 +50,10 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     std::vector<RootWish> wishes;
     for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
     result.tree = directed(std::move(graph), wishes);
+    BridgedPoints bridged;
+    for (const Bridge& bridge : result.bridges)
+        if (bridge.built) bridged.add(bridge.path_mm);
+    bridged.mark(result.tree);
     job.advance(1.0);
     return result;
 }

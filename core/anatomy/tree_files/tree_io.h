@@ -13,10 +13,10 @@ namespace hepatica {
 // be written. Readers throw InputError, naming the file, for whatever is not a vessel tree.
 
 // One polyline per segment. Field data SPACE = LPS and NodeRadius; point arrays
-// MaximumInscribedSphereRadius, Radius (mm), and SimVascular's Path (distance from the root, mm)
-// and CenterlineSectionArea; cell arrays SegmentId, ParentId, System, StrahlerOrder, ClosesLoop,
-// ProximalNode, DistalNode, VMTK's GroupIds, CenterlineIds, TractIds, Blanking, and SimVascular's
-// BranchId, BifurcationId, CenterlineId.
+// MaximumInscribedSphereRadius, Radius (mm), Bridged (1 where a gap was), and SimVascular's Path
+// (distance from the root, mm) and CenterlineSectionArea; cell arrays SegmentId, ParentId, System,
+// StrahlerOrder, ClosesLoop, ProximalNode, DistalNode, VMTK's GroupIds, CenterlineIds, TractIds,
+// Blanking, and SimVascular's BranchId, BifurcationId, CenterlineId.
 void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree);
 
 // Reads its own files back to the bit. From files of other programs the tree is rebuilt: polylines

@@ -20,16 +20,15 @@ void write_tree_json(const std::filesystem::path& file, const VesselTree& tree) 
         nodes.push_back(
             {{"position_mm", json_of(node.position_mm)}, {"radius_mm", node.radius_mm}});
     for (const VesselSegment& s : tree.segments) {
-        nlohmann::json points = nlohmann::json::array();
-        for (const Vec3& p : s.points_mm) points.push_back(json_of(p));
         segments.push_back({{"proximal_node", s.proximal_node},
                             {"distal_node", s.distal_node},
                             {"parent", s.parent},
                             {"system", s.system},
                             {"strahler_order", s.strahler_order},
                             {"closes_loop", s.closes_loop},
-                            {"points_mm", std::move(points)},
+                            {"points_mm", json_of(s.points_mm)},
                             {"radii_mm", s.radii_mm}});
+        if (!s.bridged.empty()) segments.back()["bridged"] = s.bridged;
     }
     const nlohmann::json whole{{"format", "hepatica vessel tree"},
                                {"version", tree_version},
@@ -57,9 +56,10 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
             s.system = value.at("system").get<int>();
             s.strahler_order = value.at("strahler_order").get<int>();
             s.closes_loop = value.at("closes_loop").get<bool>();
-            for (const nlohmann::json& point : value.at("points_mm"))
-                s.points_mm.push_back(vec3_from(point));
+            s.points_mm = path_from(value.at("points_mm"));
             s.radii_mm = value.at("radii_mm").get<std::vector<double>>();
+            if (value.contains("bridged"))
+                s.bridged = value.at("bridged").get<std::vector<std::uint8_t>>();
         }
     } catch (const nlohmann::json::exception& error) {
         throw InputError(error.what(), file.string(), "Give a JSON file that holds a vessel tree");

@@ -46,7 +46,29 @@ vtkDoubleArray* add_doubles(vtkFieldData* data, const char* name) {
     return array;
 }
 
-void add_points(const VesselTree& tree, vtkPolyData* lines) {
+// Where each segment stands in its tree.
+struct Place {
+    int tree = 0;           // number of its tree, by root
+    int depth = 0;          // bifurcations between its tree's root and its beginning
+    double start_mm = 0.0;  // way from its tree's root to its beginning
+};
+
+std::vector<Place> places_of(const VesselTree& tree) {
+    std::vector<Place> places(tree.segments.size());
+    int trees = 0;
+    for (std::size_t s = 0; s < places.size(); ++s) {
+        const int parent = tree.segments[s].parent;
+        if (parent < 0) {
+            places[s].tree = trees++;
+            continue;
+        }
+        places[s] = {places[parent].tree, places[parent].depth + 1,
+                     places[parent].start_mm + length_mm(tree.segments[parent])};
+    }
+    return places;
+}
+
+void add_points(const VesselTree& tree, const std::vector<Place>& places, vtkPolyData* lines) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> cells;
@@ -58,17 +80,12 @@ void add_points(const VesselTree& tree, vtkPolyData* lines) {
     auto* branch = add_ints(data, "BranchId");
     auto* bifurcation = add_ints(data, "BifurcationId");
     auto* centreline = add_ints(data, "CenterlineId");
+    auto* bridged = add_ints(data, "Bridged");
     const std::vector<int> degrees = node_degrees(tree);
-    std::vector<double> start_mm(tree.segments.size(), 0.0);
-    std::vector<int> tree_number(tree.segments.size(), -1);
-    int trees = 0;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         const VesselSegment& segment = tree.segments[s];
         const std::size_t last = segment.points_mm.size() - 1;
-        tree_number[s] = segment.parent < 0 ? trees++ : tree_number[segment.parent];
-        if (segment.parent >= 0)
-            start_mm[s] = start_mm[segment.parent] + length_mm(tree.segments[segment.parent]);
-        double along_mm = start_mm[s];
+        double along_mm = places[s].start_mm;
         cells->InsertNextCell(static_cast<int>(last) + 1);
         for (std::size_t i = 0; i <= last; ++i) {
             if (i > 0) along_mm += (segment.points_mm[i] - segment.points_mm[i - 1]).norm();
@@ -82,14 +99,15 @@ void add_points(const VesselTree& tree, vtkPolyData* lines) {
             area->InsertNextValue(std::numbers::pi * r * r);
             branch->InsertNextValue(at_bifurcation ? -1 : static_cast<int>(s));
             bifurcation->InsertNextValue(at_bifurcation ? node : -1);
-            centreline->InsertNextValue(tree_number[s]);
+            centreline->InsertNextValue(places[s].tree);
+            bridged->InsertNextValue(segment.bridged.empty() ? 0 : segment.bridged[i]);
         }
     }
     lines->SetPoints(points);
     lines->SetLines(cells);
 }
 
-void add_segments(const VesselTree& tree, vtkPolyData* lines) {
+void add_segments(const VesselTree& tree, const std::vector<Place>& places, vtkPolyData* lines) {
     vtkCellData* data = lines->GetCellData();
     auto* id = add_ints(data, "SegmentId");
     auto* parent = add_ints(data, "ParentId");
@@ -102,13 +120,8 @@ void add_segments(const VesselTree& tree, vtkPolyData* lines) {
     auto* centreline = add_ints(data, "CenterlineIds");
     auto* tract = add_ints(data, "TractIds");
     auto* blanking = add_ints(data, "Blanking");
-    std::vector<int> tree_number(tree.segments.size()), depth(tree.segments.size());
-    int trees = 0;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         const VesselSegment& segment = tree.segments[s];
-        const bool root = segment.parent < 0;
-        tree_number[s] = root ? trees++ : tree_number[segment.parent];
-        depth[s] = root ? 0 : depth[segment.parent] + 1;
         id->InsertNextValue(static_cast<int>(s));
         parent->InsertNextValue(segment.parent);
         system->InsertNextValue(segment.system);
@@ -117,8 +130,8 @@ void add_segments(const VesselTree& tree, vtkPolyData* lines) {
         proximal->InsertNextValue(segment.proximal_node);
         distal->InsertNextValue(segment.distal_node);
         group->InsertNextValue(static_cast<int>(s));
-        centreline->InsertNextValue(tree_number[s]);
-        tract->InsertNextValue(depth[s]);
+        centreline->InsertNextValue(places[s].tree);
+        tract->InsertNextValue(places[s].depth);
         blanking->InsertNextValue(0);
     }
 }
@@ -192,6 +205,7 @@ VesselTree own_tree(vtkPolyData* lines, const std::filesystem::path& file) {
     VesselTree tree;
     vtkDataArray* node_radii = lines->GetFieldData()->GetArray("NodeRadius");
     vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
+    vtkDataArray* bridged = lines->GetPointData()->GetArray("Bridged");  // may be missing
     tree.nodes.resize(node_radii->GetNumberOfTuples());
     for (std::size_t n = 0; n < tree.nodes.size(); ++n)
         tree.nodes[n].radius_mm = node_radii->GetComponent(static_cast<vtkIdType>(n), 0);
@@ -211,7 +225,9 @@ VesselTree own_tree(vtkPolyData* lines, const std::filesystem::path& file) {
         for (const vtkIdType id : ids) {
             segment.points_mm.push_back(point_at(lines, id));
             segment.radii_mm.push_back(radii->GetComponent(id, 0));
+            segment.bridged.push_back(bridged && bridged->GetComponent(id, 0) != 0.0 ? 1 : 0);
         }
+        if (std::ranges::count(segment.bridged, 1) == 0) segment.bridged.clear();
         tree.segments.push_back(std::move(segment));
     });
     validate_from_file(tree, file);  // the node numbers are used below
@@ -257,8 +273,9 @@ VesselTree foreign_tree(vtkPolyData* lines) {
 
 void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
     vtkNew<vtkPolyData> lines;
-    add_points(tree, lines);
-    add_segments(tree, lines);
+    const std::vector<Place> places = places_of(tree);
+    add_points(tree, places, lines);
+    add_segments(tree, places, lines);
     add_field_data(tree, lines);
     write_file_atomically(file, [&](const std::filesystem::path& temporary) {
         vtkNew<vtkXMLPolyDataWriter> writer;

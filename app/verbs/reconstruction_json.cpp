@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verbs/reconstruction_json.h"
+
+#include "core/mesh/quality.h"
+
+namespace hepatica {
+
+Json to_json(const VesselTree& tree) {
+    double root_radius_mm = 0.0;
+    for (const int root : roots(tree))
+        root_radius_mm = std::max(root_radius_mm, tree.segments[root].radii_mm.front());
+    Json systems = Json::object();  // length of each
+    for (const VesselSegment& segment : tree.segments) {
+        Json& length = systems[std::to_string(segment.system)];
+        length = (length.is_null() ? 0.0 : length.get<double>()) + length_mm(segment);
+    }
+    return {{"segments", tree.segments.size()}, {"bifurcations", bifurcation_count(tree)},
+            {"ends", end_count(tree)},          {"components", roots(tree).size()},
+            {"length_mm", length_mm(tree)},     {"bridged_mm", bridged_length_mm(tree)},
+            {"length_mm_of_system", systems},   {"root_radius_mm", root_radius_mm}};
+}
+
+Json to_json(const TetMesh& mesh) {
+    const MeshQuality quality = quality_of(mesh);
+    return {{"vertices", mesh.vertices_mm.size()},
+            {"tetrahedra", mesh.tetrahedra.size()},
+            {"min_dihedral_deg", quality.min_dihedral_deg},
+            {"max_dihedral_deg", quality.max_dihedral_deg},
+            {"components", quality.components},
+            {"closed", quality.closed},
+            {"handles", quality.handles},
+            {"volume_mm3", quality.volume_mm3}};
+}
+
+Json to_json(const std::vector<Bridge>& bridges) {
+    Json list = Json::array();
+    for (const Bridge& bridge : bridges) {
+        const Vec3& from = bridge.path_mm.front();
+        const Vec3& to = bridge.path_mm.back();
+        list.push_back({{"confidence", bridge.confidence},
+                        {"gap_mm", bridge.gap_mm},
+                        {"from_mm", {from.x(), from.y(), from.z()}},
+                        {"to_mm", {to.x(), to.y(), to.z()}},
+                        {"built", bridge.built}});
+    }
+    return list;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What reconstruct and edit both report of a case.
+#pragma once
+
+#include <vector>
+
+#include "app/command_line.h"
+#include "core/anatomy/tree/gap_bridging.h"
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+Json to_json(const VesselTree& tree);
+Json to_json(const TetMesh& mesh);
+// Confidence, length, ends, and whether they are built already.
+Json to_json(const std::vector<Bridge>& bridges);
+
+}  // namespace hepatica

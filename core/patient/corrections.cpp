@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/corrections.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+
+namespace hepatica {
+
+namespace {
+
+// The root segment of each segment's component.
+std::vector<int> root_of_segments(const VesselTree& tree) {
+    std::vector<int> root(tree.segments.size());
+    for (std::size_t i = 0; i < root.size(); ++i)
+        root[i] = tree.segments[i].parent < 0 ? static_cast<int>(i) : root[tree.segments[i].parent];
+    return root;
+}
+
+bool joins_two_vessels(const VesselTree& tree, const Bridge& bridge) {
+    const std::vector<int> root = root_of_segments(tree);
+    const int from = nearest_point(tree, bridge.path_mm.front()).segment;
+    const int to = nearest_point(tree, bridge.path_mm.back()).segment;
+    return root[from] != root[to];
+}
+
+bool is_taken_up(const Bridge& bridge, const std::vector<TreeEdit>& edits) {
+    return std::ranges::any_of(edits, [&](const TreeEdit& edit) {
+        return edit.kind == TreeEditKind::add_link && edit.path_mm == bridge.path_mm;
+    });
+}
+
+MeshOptions mesh_options_of(const PatientCase& patient) {
+    MeshOptions options;
+    const auto parameters = nlohmann::json::parse(patient.source.parameters_json, nullptr, false);
+    if (!parameters.is_object() || !parameters.contains("mesh")) return options;
+    const auto& mesh = parameters["mesh"];
+    options.facet_size_in_radii = mesh.value("facet_size_in_radii", options.facet_size_in_radii);
+    options.cell_size_in_radii = mesh.value("cell_size_in_radii", options.cell_size_in_radii);
+    options.target_tetrahedra = mesh.value("target_tetrahedra", options.target_tetrahedra);
+    options.minimum_radius_mm = mesh.value("minimum_radius_mm", options.minimum_radius_mm);
+    return options;
+}
+
+VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        try {
+            tree = edited(tree, edits[i]);
+        } catch (const InputError& error) {
+            throw InputError(error.problem(),
+                             "edit " + std::to_string(i + 1) + " at " + error.place(),
+                             error.remedy());
+        }
+    }
+    if (tree.segments.empty())
+        throw InputError("the edits leave nothing of the tree", "the last edit",
+                         "Take it back, or delete a smaller branch");
+    return tree;
+}
+
+}  // namespace
+
+std::vector<Bridge> open_bridges(const PatientCase& patient) {
+    std::vector<Bridge> open;
+    if (patient.tree.segments.empty()) return open;
+    for (const Bridge& bridge : patient.corrections.bridges)
+        if (!bridge.built && !is_taken_up(bridge, patient.corrections.edits) &&
+            joins_two_vessels(patient.tree, bridge))
+            open.push_back(bridge);
+    return open;
+}
+
+TreeEdit acceptance_of(const Bridge& bridge) {
+    return {TreeEditKind::add_link, bridge.path_mm.front(), bridge.path_mm.back(), bridge.path_mm,
+            0};
+}
+
+std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {
+    std::vector<TreeEdit> accepted;
+    VesselTree tree = patient.tree;
+    for (const Bridge& bridge : open_bridges(patient)) {
+        if (bridge.confidence < confidence || !joins_two_vessels(tree, bridge)) continue;
+        accepted.push_back(acceptance_of(bridge));
+        tree = edited(tree, accepted.back());
+    }
+    return accepted;
+}
+
+PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeEdit>& edits) {
+    PatientCase result = patient;
+    Corrections& corrections = result.corrections;
+    if (corrections.edits.empty()) corrections.extracted = result.tree;
+    result.tree = edited_by_all(corrections.extracted, edits);
+    corrections.edits = edits;
+    if (edits.empty()) corrections.extracted = {};
+    return result;
+}
+
+PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job) {
+    if (edits == patient.corrections.edits) return patient;
+    job.begin_stage("Editing the tree");
+    PatientCase result = with_edited_tree(patient, edits);
+    job.begin_stage("Meshing the vessels");
+    result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
+    result.surface = surface_of(result.mesh).mesh;
+    return result;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Correcting a case: gaps that the reconstruction offers to bridge, and edits by hand. Edits are
+// kept with the case as commands on the tree as it was extracted, so that any of them can be
+// undone; the body always belongs to the tree.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+// The bridges that are still to be decided, best first: not built, not taken up by an edit, and
+// between two vessels that nothing joins yet.
+std::vector<Bridge> open_bridges(const PatientCase& patient);
+
+// The edit that builds a bridge.
+TreeEdit acceptance_of(const Bridge& bridge);
+
+// The edits that build all open bridges of this confidence or more, best first. A bridge that
+// another one made needless is left out.
+std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence);
+
+// The case with another list of edits, but with the body it had: for looking ahead. Throws as
+// with_edits() does.
+PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeEdit>& edits);
+
+// The case with these edits, and no others, made on the tree as it was extracted; mesh and surface
+// are made anew, as `source.parameters_json` says. An unchanged list changes nothing.
+// Throws InputError that names the edit which cannot be done, or where nothing of the tree is left;
+// Cancelled. `patient` itself stays as it is.
+PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job);
+
+}  // namespace hepatica
