@@ -9,6 +9,7 @@
 
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
+#include "render/bridge_actor.h"
 #include "render/camera.h"
 #include "render/chart.h"
 #include "render/picture.h"
@@ -25,6 +26,7 @@ struct PictureOptions {
     std::string caption;
     bool annotations = true;          // legend, scale bar, orientation
     std::vector<int> vertex_systems;  // vascular system per vertex; empty: all portal
+    std::vector<BridgeView> bridges;  // gaps that might be bridged
     TriangleMesh liver;               // drawn as a ghost; may be empty
 };
 

@@ -34,6 +34,14 @@ void add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour, do
     renderer.AddLight(light);
 }
 
+double distance_to_stretch(const Pixel& point, const Pixel& from, const Pixel& to) {
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const double square = dx * dx + dy * dy;
+    const double along = ((point.x - from.x) * dx + (point.y - from.y) * dy);
+    const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    return std::hypot(point.x - from.x - share * dx, point.y - from.y - share * dy);
+}
+
 }  // namespace
 
 std::string renderer_name(vtkRenderWindow& window) {
@@ -72,6 +80,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver;
     GrabActor grab;
+    BridgeActor bridges{*renderer};
     Annotations annotations;
     OrientationMarker orientation;
     DrugView drug;
@@ -134,6 +143,7 @@ void SceneView::render(double pixel_ratio) {
                                          parts_->picture_size().height * pixel_ratio
                                    : 1.0);
     }
+    parts_->bridges.set_pixel_ratio(pixel_ratio);
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
@@ -150,6 +160,9 @@ void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
     parts_->tree.set_highlight(std::move(vertices));
 }
 
+void SceneView::set_bridges(std::vector<BridgeView> bridges) {
+    parts_->bridges.set_bridges(std::move(bridges));
+}
 void SceneView::set_liver(const TriangleMesh& surface) {
     parts_->liver.set_surface(surface);
 }
@@ -218,6 +231,24 @@ Pixel SceneView::pixel_of(const Vec3& position_mm) const {
                              std::max(size.height, 1) * offset.dot(forward);
     return {0.5 * size.width + offset.dot(right) / per_pixel,
             0.5 * size.height - offset.dot(up) / per_pixel};
+}
+
+int SceneView::bridge_at(const Pixel& pixel, double reach) const {
+    int nearest = -1;
+    double least = reach;
+    const std::vector<BridgeView>& bridges = parts_->bridges.bridges();
+    for (std::size_t b = 0; b < bridges.size(); ++b) {
+        const std::vector<Vec3>& path = bridges[b].path_mm;
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const Pixel from = pixel_of(path[i - 1]);
+            const Pixel to = pixel_of(path[i]);
+            const double distance = distance_to_stretch(pixel, from, to);
+            if (distance > least) continue;
+            least = distance;
+            nearest = static_cast<int>(b);
+        }
+    }
+    return nearest;
 }
 
 void SceneView::drag_orbit(const Pixel& from, const Pixel& to) {

@@ -11,6 +11,7 @@
 
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
+#include "render/bridge_actor.h"
 #include "render/camera.h"
 #include "render/surface_geometry.h"
 
@@ -57,6 +58,8 @@ class SceneView {
 
     void set_vertex_systems(std::vector<int> systems);
     void set_highlight(std::vector<std::uint8_t> vertices);
+    // Gaps that might be bridged; drawn as dashed lines.
+    void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
     void set_liver_visible(bool visible);
     void set_caption(const std::string& text);
@@ -74,6 +77,9 @@ class SceneView {
     Vec3 point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const;
     // Where a point of the patient appears in the picture.
     Pixel pixel_of(const Vec3& position_mm) const;
+
+    // The bridge whose line passes nearest to a pixel, within `reach` pixels; -1 for none.
+    int bridge_at(const Pixel& pixel, double reach) const;
 
     // Orbit, pan and zoom by the movement of the mouse in pixels.
     void drag_orbit(const Pixel& from, const Pixel& to);

@@ -30,6 +30,12 @@ constexpr std::array table{
     ActionSpec{quit, "&File", "&Quit", "Ctrl+Q", "Leave the program"},
     ActionSpec{pull_mode, "&Play", "&Pull", "1", "Left drag on a vessel pulls it", true},
     ActionSpec{inject_mode, "&Play", "&Inject", "2", "Left click on a vessel injects there", true},
+    ActionSpec{edit_mode, "&Play", "&Edit the vessels", "3",
+               "Left click on a vessel corrects the tree there", true},
+    ActionSpec{undo_edit, "&Play", "&Undo the last edit", "Ctrl+Z",
+               "Take back the last correction of the tree", false, true},
+    ActionSpec{redo_edit, "&Play", "Red&o the edit", "Ctrl+Shift+Z", "Do again what was taken back",
+               false, true},
     ActionSpec{play_pause, "&Play", "Run the &drug", "Space", "Start and stop the drug's front",
                false, true},
     ActionSpec{remove_drug, "&Play", "Re&move the drug", "Del", "Take the drug out again", false,
@@ -53,12 +59,14 @@ constexpr std::array table{
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 7> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 9> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
     {"Wheel", "zoom"},
     {"Click in Inject mode, Ctrl + click, double-click on a vessel", "inject there"},
+    {"Click in Edit mode", "what the panel says: cut, link, delete, root, system"},
+    {"Click on a dashed line", "bridge that gap"},
     {"Hover", "show what lies downstream, and its share of the flow"},
     {"Drop a file or folder", "open it"},
 }};

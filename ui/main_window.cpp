@@ -22,6 +22,8 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "ui/case_editing.h"
+#include "ui/edit_panel.h"
 #include "ui/inject_panel.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -97,10 +99,16 @@ void MainWindow::build_view() {
     column->setSpacing(0);
     messages_ = new MessageBar(centre);
     progress_ = new ProgressStrip([this] { cancel_job(); }, centre);
-    view_ = new VtkWidget({[this](Command command) { post(std::move(command)); },
-                           [this](const SurfacePick& pick) { inject(pick); },
-                           [this](const SurfacePick& pick) { show_hover(pick); }},
-                          centre);
+    view_ =
+        new VtkWidget({[this](Command command) { post(std::move(command)); },
+                       [this](const SurfacePick& pick) { inject(pick); },
+                       [this](const SurfacePick& pick) { show_hover(pick); },
+                       [this](const SurfacePick& pick) {
+                           if (patient_)
+                               editing_->click(patient_->anatomy.tree_point(pick.nearest_vertex));
+                       },
+                       [this](int bridge) { editing_->accept(bridge); }},
+                      centre);
     view_->on_painted([this](double ms) { picture_painted(ms); });
     column->addWidget(messages_);
     column->addWidget(view_, 1);
@@ -114,6 +122,18 @@ void MainWindow::build_panels() {
     quality_ = new QualityPanel([this](Command command) { post(std::move(command)); });
     make_dock(*this, "Injection", inject_);
     make_dock(*this, "Simulation", quality_);
+    edit_panel_ = new EditPanel;
+    QDockWidget* edit_dock = make_dock(*this, "Corrections", edit_panel_);
+    tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
+    findChild<QDockWidget*>("Injection")->raise();
+    editing_ = std::make_unique<CaseEditing>(
+        *edit_panel_, CaseEditing::Callbacks{
+                          [this](std::vector<TreeEdit> edits) { rebuild(std::move(edits)); },
+                          [this](std::vector<BridgeView> bridges) {
+                              view_->scene().set_bridges(std::move(bridges));
+                              view_->draw_again();
+                          },
+                          [this](const QString& text) { statusBar()->showMessage(text, 8000); }});
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     plots_ = new PlotPanel;
     plots_->on_save = [this](bool picture) { save_plots(picture); };
@@ -130,7 +150,7 @@ void MainWindow::build_tool_bar() {
     bar->setObjectName("Tools");
     bar->setMovable(false);
     auto* modes = new QActionGroup(this);
-    for (const ActionId id : {ActionId::pull_mode, ActionId::inject_mode}) {
+    for (const ActionId id : {ActionId::pull_mode, ActionId::inject_mode, ActionId::edit_mode}) {
         modes->addAction(&(*actions_)[id]);
         bar->addAction(&(*actions_)[id]);
     }
@@ -171,6 +191,9 @@ void MainWindow::connect_files() {
 void MainWindow::connect_play() {
     actions_->on(ActionId::pull_mode, [this] { set_mouse_mode(MouseMode::pull); });
     actions_->on(ActionId::inject_mode, [this] { set_mouse_mode(MouseMode::inject); });
+    actions_->on(ActionId::edit_mode, [this] { set_mouse_mode(MouseMode::edit); });
+    actions_->on(ActionId::undo_edit, [this] { editing_->undo(); });
+    actions_->on(ActionId::redo_edit, [this] { editing_->redo(); });
     (*actions_)[ActionId::pull_mode].setChecked(true);
     actions_->on(ActionId::play_pause, [this] { inject_->toggle_playing(); });
     actions_->on(ActionId::remove_drug, [this] { post(RemoveDrug{}); });
@@ -267,6 +290,7 @@ void MainWindow::start_job(const QString& title, BackgroundJob::Work work) {
     callbacks.cancelled = [this] { statusBar()->showMessage("Cancelled", 4000); };
     callbacks.ended = [this] {
         progress_->finish();
+        editing_->job_ended();
         job_.reset();
     };
     job_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
@@ -279,20 +303,9 @@ void MainWindow::cancel_job() {
 }
 
 void MainWindow::show_patient(LoadedPatient patient) {
-    plot_job_.reset();
-    plots_->clear();
-    patient_ = std::move(patient);
-    hovered_segment_ = -1;
-    welcome_->hide();
-    setWindowTitle(QString::fromStdString(patient_->title) + " - Hepatica");
-    SceneView& scene = view_->scene();
-    scene.show(Frame{});  // forgets the patient before, so that the camera finds the new one
-    scene.set_caption(patient_->title);
-    scene.set_highlight({});
-    scene.set_vertex_systems(patient_->anatomy.vertex_systems());
-    actions_->set_patient_shown(true);
-    (*actions_)[ActionId::save_case].setEnabled(!patient_->on_disk);
-    (*actions_)[ActionId::pause_simulation].setChecked(false);
+    view_->scene().show(Frame{});  // forgets the patient before: the camera finds the new one
+    show_play(std::move(patient));
+    editing_->show(patient_->patient, false);
     if (!patient_->warnings.empty()) {
         QStringList lines;
         for (const std::string& warning : patient_->warnings) {
@@ -300,6 +313,39 @@ void MainWindow::show_patient(LoadedPatient patient) {
         }
         messages_->show_notice(lines.join("\n"));
     }
+}
+
+void MainWindow::rebuild(std::vector<TreeEdit> edits) {
+    if (!patient_) return;
+    start_job(
+        "Correcting the tree", [this, edits = std::move(edits), title = patient_->title,
+                                folder = patient_->folder, patient = patient_->patient](Job& job) {
+            auto corrected = std::make_shared<const PatientCase>(with_edits(*patient, edits, job));
+            auto loaded = std::make_shared<LoadedPatient>(play(std::move(corrected), job));
+            loaded->title = title;
+            loaded->folder = folder;
+            return [this, loaded] {
+                show_play(std::move(*loaded));
+                editing_->show(patient_->patient, true);
+            };
+        });
+}
+
+void MainWindow::show_play(LoadedPatient patient) {
+    plot_job_.reset();
+    plots_->clear();
+    patient_ = std::move(patient);
+    hovered_segment_ = -1;
+    welcome_->hide();
+    setWindowTitle(QString::fromStdString(patient_->title) + "[*] - Hepatica");
+    setWindowModified(!patient_->on_disk);
+    SceneView& scene = view_->scene();
+    scene.set_caption(patient_->title);
+    scene.set_highlight({});
+    scene.set_vertex_systems(patient_->anatomy.vertex_systems());
+    actions_->set_patient_shown(true);
+    (*actions_)[ActionId::save_case].setEnabled(!patient_->on_disk);
+    (*actions_)[ActionId::pause_simulation].setChecked(false);
     frame_timer_->start(16);
 }
 
@@ -387,9 +433,12 @@ void MainWindow::post(Command command) {
 
 void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
-    view_->setCursor(mode == MouseMode::inject ? Qt::CrossCursor : Qt::ArrowCursor);
-    statusBar()->showMessage(mode == MouseMode::inject ? "Click on a vessel to inject there"
-                                                       : "Drag a vessel to pull it",
+    view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
+    if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
+    if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
+    statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
+                             : mode == MouseMode::inject ? "Click on a vessel to inject there"
+                                                         : "Click on a vessel to correct the tree",
                              6000);
 }
 
@@ -411,10 +460,14 @@ void MainWindow::ask_where_to_save() {
 void MainWindow::save_case(const QString& folder) {
     if (!patient_) return;
     start_job("Saving " + QFileInfo(folder).fileName(),
-              [this, folder, patient = patient_->patient, save = patients_.save](Job& job) {
+              [this, folder, patient = patient_->patient, voxels = patient_->folder,
+               save = patients_.save](Job& job) {
                   job.begin_stage("write");
-                  save(to_path(folder), *patient);
+                  PatientCase whole = *patient;
+                  if (!voxels.empty()) add_voxels(voxels, whole);
+                  save(to_path(folder), whole);
                   return [this, folder] {
+                      setWindowModified(false);
                       settings_.add_recent_file(folder);
                       statusBar()->showMessage("Saved " + folder, 6000);
                   };

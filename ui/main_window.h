@@ -20,6 +20,8 @@ class QTimer;
 
 namespace hepatica {
 
+class CaseEditing;
+class EditPanel;
 class InjectPanel;
 class MessageBar;
 class PlotPanel;
@@ -77,6 +79,8 @@ class MainWindow : public QMainWindow {
     void fill_recent_files();
     void show_cheat_sheet();
     void show_patient(LoadedPatient patient);
+    void show_play(LoadedPatient patient);
+    void rebuild(std::vector<TreeEdit> edits);
     void show_newest_frame();
     void show_figures();
     void show_hover(const SurfacePick& pick);
@@ -100,6 +104,8 @@ class MainWindow : public QMainWindow {
     MessageBar* messages_ = nullptr;
     ProgressStrip* progress_ = nullptr;
     InjectPanel* inject_ = nullptr;
+    EditPanel* edit_panel_ = nullptr;
+    std::unique_ptr<CaseEditing> editing_;
     QualityPanel* quality_ = nullptr;
     PlotPanel* plots_ = nullptr;
     QDockWidget* plots_dock_ = nullptr;

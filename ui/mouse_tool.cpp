@@ -22,10 +22,14 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = Action::pan;
         return;
     }
-    const SurfacePick pick = button == MouseButton::left ? view_.pick(at) : SurfacePick{};
-    if (pick.triangle < 0) {
+    const bool left = button == MouseButton::left;
+    pressed_bridge_ = left ? view_.bridge_at(at, 1.5 * click_radius_px_) : -1;
+    const SurfacePick pick = left ? view_.pick(at) : SurfacePick{};
+    if (pressed_bridge_ >= 0) {
+        action_ = Action::wait_for_click;
+    } else if (pick.triangle < 0) {
         action_ = Action::orbit;
-    } else if (mode_ == MouseMode::inject || modifiers.control) {
+    } else if (mode_ != MouseMode::pull || modifiers.control) {
         action_ = Action::wait_for_click;
     } else {
         action_ = Action::pull;
@@ -57,13 +61,14 @@ void MouseTool::move(const Pixel& at) {
 }
 
 void MouseTool::release(const Pixel& at) {
-    if (action_ == Action::wait_for_click) inject_at(at);
+    const bool clicked = action_ == Action::wait_for_click;
     cancel();
+    if (clicked) click_at(at);
 }
 
 void MouseTool::double_click(const Pixel& at) {
     cancel();
-    inject_at(at);
+    if (mode_ != MouseMode::edit) inject_at(at);
 }
 
 void MouseTool::wheel(double steps) {
@@ -73,6 +78,13 @@ void MouseTool::wheel(double steps) {
 void MouseTool::cancel() {
     if (action_ == Action::pull) callbacks_.post(ReleaseGrab{});
     action_ = Action::none;
+}
+
+void MouseTool::click_at(const Pixel& at) {
+    if (pressed_bridge_ >= 0) return callbacks_.accept_bridge(pressed_bridge_);
+    if (mode_ != MouseMode::edit) return inject_at(at);
+    const SurfacePick pick = view_.pick(at);
+    if (pick.triangle >= 0) callbacks_.edit(pick);
 }
 
 void MouseTool::inject_at(const Pixel& at) {

@@ -5,7 +5,8 @@
 //   left drag on a vessel    pull it                left drag beside the vessels   orbit
 //   right drag               orbit                  middle drag, Shift + left      pan
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
-// In inject mode a plain click on a vessel injects, and a drag that began on it orbits.
+// In inject and edit mode a plain click on a vessel injects or edits there, and a drag that began
+// on it orbits. In every mode a click on the dashed line of a gap bridges it.
 #pragma once
 
 #include <functional>
@@ -16,7 +17,7 @@
 namespace hepatica {
 
 enum class MouseButton { left, middle, right };
-enum class MouseMode { pull, inject };
+enum class MouseMode { pull, inject, edit };
 
 struct MouseModifiers {
     bool shift = false;
@@ -30,6 +31,8 @@ class MouseTool {
         std::function<void(Command)> post;                    // to the simulation
         std::function<void(const SurfacePick& pick)> inject;  // the user chose this point
         std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
+        std::function<void(const SurfacePick& pick)> edit;    // the user chose it in edit mode
+        std::function<void(int bridge)> accept_bridge;        // of those that the view shows
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
@@ -53,6 +56,7 @@ class MouseTool {
   private:
     enum class Action { none, pull, orbit, pan, wait_for_click };
 
+    void click_at(const Pixel& at);
     void inject_at(const Pixel& at);
 
     SceneView& view_;
@@ -62,6 +66,7 @@ class MouseTool {
     Pixel pressed_;
     Pixel last_;
     Vec3 held_mm_ = Vec3::Zero();  // where the vessel was when it was taken
+    int pressed_bridge_ = -1;      // waits for the click
     double click_radius_px_ = 4.0;
 };
 

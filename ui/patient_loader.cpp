@@ -100,6 +100,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     loaded.title = request.built_in ? "Built-in patient" : path.filename().string();
     loaded.warnings = std::move(warnings);
     loaded.on_disk = on_disk;
+    if (on_disk) loaded.folder = path;
     return loaded;
 }
 

@@ -27,7 +27,8 @@ struct LoadedPatient {
     std::vector<double> flow_shares;         // per segment, see vessel_flow.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running
     std::vector<std::string> warnings;
-    bool on_disk = false;  // opened from a case folder: nothing to save
+    bool on_disk = false;          // opened from a case folder: nothing to save
+    std::filesystem::path folder;  // the case that holds the voxels which `patient` lacks; or none
 };
 
 // A patient that is in memory, with its simulation running.

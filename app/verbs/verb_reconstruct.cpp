@@ -26,6 +26,7 @@ struct Options {
     std::vector<double> window;
     std::vector<std::string> seeds;
     std::string method = "coherent";
+    std::string thinning = "queue";
 };
 
 // "X,Y,Z" or "X,Y,Z,SYSTEM".
@@ -61,6 +62,7 @@ void parse(Options& options) {
     }
     for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
     reconstruct.method = methods.at(options.method);
+    if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
 }
 
 Json to_json(const VoxelCounts& counts) {
@@ -126,6 +128,9 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")
         ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    verb.add_option("--thinning", options->thinning, "How the mask is thinned")
+        ->check(CLI::IsMember({"queue", "parallel"}))
         ->capture_default_str();
     verb.add_option("--refine", reconstruct.refinement_recursions,
                     "Recursions of the Gaussian refinement, 0 to 10")

@@ -7,6 +7,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/patient/corrections.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
@@ -126,6 +127,7 @@ Json run(const Options& options, Job& job) {
                          "check the options of the injection");
     job.begin_stage("Drawing");
     picture.vertex_systems = vertex_systems(session->world(), patient->tree);
+    picture.bridges = views_of(open_bridges(*patient));
     picture.caption = options.patient.stem().string();
     const OffscreenPicture drawn = draw_frame(frame, picture);
     write_png(options.out, drawn.picture);

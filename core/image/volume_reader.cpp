@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ranges>
 
 #include "core/base/error.h"
@@ -178,6 +179,46 @@ void require_same_grid(const Grid& mask, const Grid& volume, const std::string& 
             ? "lies elsewhere in space than the CT"
             : "has " + sizes(mask) + " voxels, but the CT has " + sizes(volume);
     throw InputError(problem, place, "Choose a mask that was drawn on this CT");
+}
+
+namespace {
+
+// Where a grid begins in another of the same voxels; nothing where it does not lie in it.
+std::optional<Index3> place_in(const Grid& volume, const Grid& box) {
+    Grid corner = volume;
+    corner.dims = box.dims;
+    const Vec3 start = volume.to_index(box.origin_mm);
+    Index3 place{};
+    for (int a = 0; a < 3; ++a) {
+        place[a] = static_cast<int>(std::lround(start[a]));
+        if (place[a] < 0 || place[a] + box.dims[a] > volume.dims[a]) return std::nullopt;
+    }
+    corner.origin_mm = volume.to_mm(place[0], place[1], place[2]);
+    return same_grid(box, corner) ? std::optional(place) : std::nullopt;
+}
+
+template <class Labels>
+Labels placed(const Grid& volume, Labels labels, const std::string& place) {
+    if (same_grid(labels.grid, volume)) return labels;
+    const auto start = place_in(volume, labels.grid);
+    if (!start) require_same_grid(labels.grid, volume, place);
+    Labels whole(volume);
+    const Index3& dims = labels.grid.dims;
+    for (int z = 0; z < dims[2]; ++z)
+        for (int y = 0; y < dims[1]; ++y)
+            std::copy_n(&labels.at(0, y, z), dims[0],
+                        &whole.at((*start)[0], (*start)[1] + y, (*start)[2] + z));
+    return whole;
+}
+
+}  // namespace
+
+Mask on_grid_of(const Grid& volume, Mask mask, const std::string& place) {
+    return placed(volume, std::move(mask), place);
+}
+
+LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& place) {
+    return placed(volume, std::move(labels), place);
 }
 
 void require_plausible_ct(const Volume& volume, const std::string& place) {

@@ -45,6 +45,11 @@ Mask read_mask(const std::filesystem::path& file, Job& job, std::span<const int>
 // Throws InputError, naming `place`, where the mask does not cover the volume voxel by voxel.
 void require_same_grid(const Grid& mask, const Grid& volume, const std::string& place);
 
+// The same on the volume's grid where it covers a box of the volume's voxels, as segmentations are
+// often saved: the rest is 0. Throws as require_same_grid() does where it does not fit.
+Mask on_grid_of(const Grid& volume, Mask mask, const std::string& place);
+LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& place);
+
 // Throws InputError, naming `place`, where nothing can be reconstructed from the volume: fewer
 // than 8 voxels along an axis, all values equal, or no soft tissue (-200 to 400 HU) in sight.
 void require_plausible_ct(const Volume& volume, const std::string& place);

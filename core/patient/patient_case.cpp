@@ -186,6 +186,12 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
     });
 }
 
+void add_voxels(const fs::path& folder, PatientCase& patient) {
+    const Json header = read_header(folder);
+    patient.mask = read_voxels(folder, header, mask_file);
+    patient.skeleton = read_voxels(folder, header, skeleton_file);
+}
+
 PatientCase read_case(const fs::path& folder) {
     return read(folder, true);
 }

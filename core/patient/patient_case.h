@@ -57,6 +57,10 @@ PatientCase read_case(const std::filesystem::path& folder);
 // The same without the voxels (mask and skeleton stay empty): for simulation, which needs neither.
 PatientCase read_case_without_voxels(const std::filesystem::path& folder);
 
+// Reads a case's voxels into a patient that was read without them.
+// Throws InputError as above.
+void add_voxels(const std::filesystem::path& folder, PatientCase& patient);
+
 // Hash of what the simulation reads (tree and mesh): a recording names the case that it belongs to.
 std::uint64_t hash_of(const PatientCase& patient);
 

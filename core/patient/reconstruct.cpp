@@ -44,6 +44,7 @@ nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
              {"system", seed.system}});
     if (!options.liver_labels.empty()) json["liver_labels"] = options.liver_labels;
     if (!options.vessel_labels.empty()) json["vessel_labels"] = options.vessel_labels;
+    json["thinning"] = options.thinning == ThinningMethod::queue ? "queue" : "parallel";
     json["bridge_confidence"] = options.bridge_confidence;
     json["refinement_recursions"] = options.refinement_recursions;
     json["spacing_mm"] = options.spacing_mm;
@@ -86,8 +87,8 @@ void keep_named(LabelMap& labels, const std::vector<int>& names) {
 
 // A mask that somebody drew, cut to what it holds.
 Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
-    LabelMap labels = read_label_map(*options.vessel_mask, job);
-    require_same_grid(labels.grid, ct_grid, options.vessel_mask->string());
+    LabelMap labels = on_grid_of(ct_grid, read_label_map(*options.vessel_mask, job),
+                                 options.vessel_mask->string());
     keep_named(labels, options.vessel_labels);
     Mask mask = narrow_labels(labels, options.vessel_mask->string());
     require_vessels(mask, options.vessel_mask->string());
@@ -106,8 +107,9 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
     if (options.liver_mask) {
-        segmentation.liver = read_mask(*options.liver_mask, job, options.liver_labels);
-        require_same_grid(segmentation.liver->grid, ct.grid, options.liver_mask->string());
+        segmentation.liver =
+            on_grid_of(ct.grid, read_mask(*options.liver_mask, job, options.liver_labels),
+                       options.liver_mask->string());
     }
     Segmentation found = segment_vessels(ct, segmentation, job);
     warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
@@ -140,7 +142,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
     result.mask = counts_of(patient.mask);
 
     job.begin_stage("Thinning to the skeleton");
-    const Mask skeleton = thin(patient.mask, ThinningMethod::queue, job);
+    const Mask skeleton = thin(patient.mask, options.thinning, job);
     job.begin_stage("Making the skeleton one voxel wide");
     patient.skeleton = unit_width(skeleton, job);
     result.skeleton = counts_of(patient.skeleton);

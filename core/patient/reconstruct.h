@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/anatomy/segmentation/vessel_segmentation.h"
+#include "core/anatomy/skeleton/thinning.h"
 #include "core/base/job.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
@@ -19,6 +20,7 @@ namespace hepatica {
 struct ReconstructOptions {
     std::filesystem::path ct;                            // DICOM folder or volume file
     std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
+                                                         // or a box of its voxels
     std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation is
                                                          // done; several labels: several systems
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
@@ -32,7 +34,8 @@ struct ReconstructOptions {
     double bridge_confidence = BridgeOptions{}.confidence;
     SegmentationMethod method = SegmentationMethod::coherent;
     int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
-    double spacing_mm = 0.0;        // isotropic working grid; 0: chosen from the CT
+    ThinningMethod thinning = ThinningMethod::queue;
+    double spacing_mm = 0.0;  // isotropic working grid; 0: chosen from the CT
     MeshOptions mesh{.target_tetrahedra = 20000};
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps that might be bridged: dashed lines from vessel to vessel, each with the confidence that it
+// is one vessel. They stand where the vessels are at rest.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+#include "core/anatomy/tree/gap_bridging.h"
+#include "core/base/vector.h"
+
+class vtkActor;
+class vtkBillboardTextActor3D;
+class vtkRenderer;
+
+namespace hepatica {
+
+struct BridgeView {
+    std::vector<Vec3> path_mm;
+    std::string label;
+    bool chosen = false;  // brighter and wider than the others
+};
+
+std::vector<BridgeView> views_of(const std::vector<Bridge>& bridges);
+
+// Draws into one renderer, which must outlive it; not thread-safe.
+class BridgeActor {
+  public:
+    explicit BridgeActor(vtkRenderer& renderer);
+    ~BridgeActor();
+    BridgeActor(const BridgeActor&) = delete;
+    BridgeActor& operator=(const BridgeActor&) = delete;
+
+    void set_bridges(std::vector<BridgeView> bridges);
+    const std::vector<BridgeView>& bridges() const { return bridges_; }
+    // Of lines and letters; follows the screen.
+    void set_pixel_ratio(double pixel_ratio);
+
+  private:
+    void remove_actors();
+
+    vtkRenderer& renderer_;
+    std::vector<BridgeView> bridges_;
+    std::vector<vtkSmartPointer<vtkActor>> lines_;
+    std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;
+    double pixel_ratio_ = 1.0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/corrections.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/image/volume_reader.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+#include "tests/anatomy/test_trees.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The tree of test_trees.h, and a straight vessel that begins 8 mm beyond its last end.
+VesselTree parted_tree() {
+    VesselGraph graph = test::forked_graph();
+    const int first = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({Vec3(29, 49, 3), 2.0});
+    graph.nodes.push_back({Vec3(45, 60, 5), 1.8});
+    graph.links.push_back(test::straight_link(graph, first, first + 1, 2.0, 1.8));
+    return directed(graph);
+}
+
+Bridge bridge_over(const std::vector<Vec3>& path, double confidence) {
+    Bridge bridge;
+    bridge.path_mm = path;
+    bridge.gap_mm = 8.0;
+    bridge.confidence = confidence;
+    bridge.from_radius_mm = 2.0;
+    bridge.to_radius_mm = 2.2;
+    return bridge;
+}
+
+const std::vector<Vec3> last_gap{Vec3(29, 49, 3), Vec3(25.5, 47.5, 2.5), Vec3(22, 45, 2)};
+const std::vector<Vec3> other_gap{Vec3(29, 49, 3), Vec3(17, 50, 0), Vec3(5, 50, -4)};
+
+PatientCase patient_with_bridges() {
+    PatientCase patient;
+    Job job;
+    patient.tree = parted_tree();
+    patient.source.parameters_json = R"({"mesh":{"target_tetrahedra":2000}})";
+    patient.mesh = tetrahedralize(patient.tree, {.target_tetrahedra = 2000}, job);
+    patient.surface = surface_of(patient.mesh).mesh;
+    patient.corrections.bridges = {bridge_over(last_gap, 0.22), bridge_over(other_gap, 0.1)};
+    return patient;
+}
+
+TreeEdit deletion_at(const Vec3& at) {
+    TreeEdit edit;
+    edit.kind = TreeEditKind::delete_branch;
+    edit.at_mm = at;
+    return edit;
+}
+
+TEST(Corrections, ABridgeIsOpenUntilItIsAcceptedOrNeedless) {
+    const PatientCase patient = patient_with_bridges();
+    ASSERT_EQ(roots(patient.tree).size(), 2u);
+    ASSERT_EQ(open_bridges(patient).size(), 2u);
+    Job job;
+    const PatientCase joined =
+        with_edits(patient, {acceptance_of(patient.corrections.bridges[0])}, job);
+    validate(joined.tree);
+    EXPECT_EQ(roots(joined.tree).size(), 1u);
+    EXPECT_TRUE(open_bridges(joined).empty());
+    // Marked, and only the gap itself.
+    EXPECT_NEAR(bridged_length_mm(joined.tree), 8.4, 0.5);
+    EXPECT_EQ(bridged_length_mm(patient.tree), 0.0);
+    EXPECT_NE(hash_of(joined), hash_of(patient));
+}
+
+TEST(Corrections, AcceptsByConfidenceTheBestFirst) {
+    const PatientCase patient = patient_with_bridges();
+    EXPECT_EQ(acceptances(patient, 0.3).size(), 0u);
+    EXPECT_EQ(acceptances(patient, 0.2).size(), 1u);
+    // Both are confident enough, but the first joins what the second would have.
+    const auto all = acceptances(patient, 0.0);
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].path_mm, last_gap);
+}
+
+TEST(Corrections, TakingAllEditsBackGivesTheCaseBeforeToTheByte) {
+    const PatientCase patient = patient_with_bridges();
+    Job job;
+    const std::vector<TreeEdit> edits{acceptance_of(patient.corrections.bridges[0]),
+                                      deletion_at(Vec3(5, 50, -4))};
+    const PatientCase edited = with_edits(patient, edits, job);
+    EXPECT_EQ(edited.corrections.edits, edits);
+    const PatientCase one_less = with_edits(edited, {edits[0]}, job);
+    EXPECT_EQ(hash_of(one_less), hash_of(with_edits(patient, {edits[0]}, job)));
+    const PatientCase back = with_edits(edited, {}, job);
+    EXPECT_EQ(hash_of(back), hash_of(patient));
+    EXPECT_TRUE(back.corrections.extracted.segments.empty());
+    EXPECT_EQ(open_bridges(back).size(), 2u);
+}
+
+TEST(Corrections, NamesTheEditThatCannotBeDone) {
+    const PatientCase patient = patient_with_bridges();
+    Job job;
+    try {
+        with_edits(patient, {deletion_at(Vec3(5, 50, -4)), deletion_at(Vec3(500, 0, 0))}, job);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("edit 2"), std::string::npos) << error.what();
+    }
+    EXPECT_THROW(
+        with_edits(patient, {deletion_at(Vec3(0, 1, 0)), deletion_at(Vec3(40, 57, 4))}, job),
+        InputError);
+}
+
+TEST(Corrections, ComeBackFromDisk) {
+    const fs::path folder = fs::path(testing::TempDir()) / "corrections.hep";
+    fs::remove_all(folder);
+    PatientCase patient = patient_with_bridges();
+    Grid grid;
+    grid.dims = {4, 4, 4};
+    patient.mask = Mask(grid, 1);
+    Job job;
+    const PatientCase edited =
+        with_edits(patient, {acceptance_of(patient.corrections.bridges[0])}, job);
+    write_case(folder, edited);
+    PatientCase back = read_case_without_voxels(folder);
+    EXPECT_EQ(back.corrections.edits, edited.corrections.edits);
+    ASSERT_EQ(back.corrections.bridges.size(), 2u);
+    EXPECT_EQ(back.corrections.bridges[0].path_mm, last_gap);
+    EXPECT_EQ(back.corrections.bridges[0].confidence, 0.22);
+    EXPECT_EQ(bridged_length_mm(back.tree), bridged_length_mm(edited.tree));
+    EXPECT_TRUE(open_bridges(back).empty());
+    EXPECT_EQ(hash_of(with_edits(back, {}, job)), hash_of(patient));
+    add_voxels(folder, back);
+    EXPECT_EQ(back.mask.voxels, edited.mask.voxels);
+
+    fs::remove(folder / "tree_extracted.vtp");
+    EXPECT_THROW(read_case(folder), InputError);
+    write_case(folder, patient);  // without edits there is no such file
+    EXPECT_FALSE(fs::exists(folder / "tree_extracted.vtp"));
+    EXPECT_EQ(read_case(folder).corrections.bridges.size(), 2u);
+    fs::remove_all(folder);
+}
+
+TEST(Corrections, AMaskWithALabelThatDoesNotFitIsRefused) {
+    LabelMap labels(Grid{{3, 3, 3}});
+    labels.at(1, 1, 1) = 256;  // one byte of it would be 0: no vessel at all
+    try {
+        narrow_labels(labels, "case.hep/mask.nii.gz");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("256"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("mask.nii.gz"), std::string::npos);
+    }
+    labels.at(1, 1, 1) = 255;
+    EXPECT_EQ(narrow_labels(labels, "").at(1, 1, 1), 255);
+}
+
+}  // namespace
+}  // namespace hepatica

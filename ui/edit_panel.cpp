@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/edit_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <array>
+
+namespace hepatica {
+namespace {
+
+struct Tool {
+    TreeEditKind kind;
+    const char* name;
+    const char* tip;
+};
+
+constexpr std::array<Tool, 5> tools{{
+    {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
+    {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
+    {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
+    {TreeEditKind::set_root, "Set the root", "Click near the end where blood comes in"},
+    {TreeEditKind::reassign_system, "Give to a system",
+     "Click a branch; all that hangs on it goes with it"},
+}};
+
+QListWidget* make_list(QWidget* parent, const QString& name) {
+    auto* list = new QListWidget(parent);
+    list->setAccessibleName(name);
+    list->setMaximumHeight(6 * list->fontMetrics().height() + 8);
+    return list;
+}
+
+}  // namespace
+
+EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(make_tools());
+    column->addWidget(make_bridges());
+    column->addWidget(make_edits());
+    state_ = new QLabel(this);
+    state_->setObjectName("quiet");
+    state_->setWordWrap(true);
+    column->addWidget(state_);
+    column->addStretch(1);
+    show_bridges({});
+    show_edits({}, false, false);
+}
+
+QWidget* EditPanel::make_tools() {
+    auto* box = new QGroupBox("A click in Edit mode", this);
+    auto* form = new QFormLayout(box);
+    tool_ = new QComboBox(box);
+    tool_->setAccessibleName("Tool of the edit");
+    for (const Tool& tool : tools) {
+        tool_->addItem(tool.name);
+        tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);
+    }
+    form->addRow("does", tool_);
+    auto* tip = new QLabel(tools[0].tip, box);
+    tip->setObjectName("quiet");
+    tip->setWordWrap(true);
+    form->addRow(tip);
+    system_ = new QSpinBox(box);
+    system_->setRange(0, 99);
+    system_->setToolTip("0 portal vein, 1 hepatic veins, 2 artery, or as the seeds were numbered");
+    system_->setEnabled(false);
+    form->addRow("System", system_);
+    connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
+        tip->setText(tools.at(static_cast<std::size_t>(index)).tip);
+        system_->setEnabled(tool() == TreeEditKind::reassign_system);
+        if (callbacks_.tool_changed) callbacks_.tool_changed();
+    });
+    return box;
+}
+
+QWidget* EditPanel::make_bridges() {
+    auto* box = new QGroupBox("Gaps that might be bridged", this);
+    auto* column = new QVBoxLayout(box);
+    bridges_ = make_list(box, "Gaps that might be bridged");
+    bridges_->setToolTip(
+        "Dashed in the view, with the confidence that it is one vessel. A click "
+        "on the dashed line bridges it, too.");
+    column->addWidget(bridges_);
+    accept_ = new QPushButton("Bridge it", box);
+    column->addWidget(accept_);
+    connect(bridges_, &QListWidget::currentRowChanged, this, [this](int row) {
+        accept_->setEnabled(row >= 0);
+        if (callbacks_.choose_bridge) callbacks_.choose_bridge(row);
+    });
+    const auto accept = [this] {
+        if (bridges_->currentRow() >= 0) callbacks_.accept_bridge(bridges_->currentRow());
+    };
+    connect(accept_, &QPushButton::clicked, this, accept);
+    connect(bridges_, &QListWidget::itemDoubleClicked, this, accept);
+    return box;
+}
+
+QWidget* EditPanel::make_edits() {
+    auto* box = new QGroupBox("Done so far", this);
+    auto* column = new QVBoxLayout(box);
+    edits_ = make_list(box, "Edits");
+    edits_->setSelectionMode(QAbstractItemView::NoSelection);
+    column->addWidget(edits_);
+    auto* row = new QHBoxLayout;
+    undo_ = new QPushButton("Undo", box);
+    redo_ = new QPushButton("Redo", box);
+    connect(undo_, &QPushButton::clicked, this, [this] { callbacks_.undo(); });
+    connect(redo_, &QPushButton::clicked, this, [this] { callbacks_.redo(); });
+    row->addWidget(undo_);
+    row->addWidget(redo_);
+    column->addLayout(row);
+    return box;
+}
+
+TreeEditKind EditPanel::tool() const {
+    return tools.at(static_cast<std::size_t>(tool_->currentIndex())).kind;
+}
+
+int EditPanel::system() const {
+    return system_->value();
+}
+
+void EditPanel::show_bridges(const QStringList& lines) {
+    const QSignalBlocker quiet(bridges_);
+    bridges_->clear();
+    bridges_->addItems(lines);
+    bridges_->setCurrentRow(-1);
+    accept_->setEnabled(false);
+    bridges_->setEnabled(!lines.isEmpty());
+    if (lines.isEmpty()) bridges_->addItem("none");
+}
+
+void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {
+    edits_->clear();
+    edits_->addItems(lines);
+    edits_->scrollToBottom();
+    undo_->setEnabled(can_undo);
+    redo_->setEnabled(can_redo);
+}
+
+void EditPanel::show_state(const QString& text) {
+    state_->setText(text);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the vessel tree is corrected: the tool for the next click, the gaps that might be bridged,
+// and what has been done so far.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <functional>
+
+#include "core/anatomy/tree/tree_edit.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+
+namespace hepatica {
+
+class EditPanel : public QWidget {
+  public:
+    struct Callbacks {
+        std::function<void(int)> choose_bridge;  // lit up in the view; -1: none
+        std::function<void(int)> accept_bridge;
+        std::function<void()> undo;
+        std::function<void()> redo;
+        std::function<void()> tool_changed;
+    };
+
+    explicit EditPanel(QWidget* parent = nullptr);
+    void set_callbacks(Callbacks callbacks) { callbacks_ = std::move(callbacks); }
+
+    TreeEditKind tool() const;
+    int system() const;  // for reassign_system
+
+    void show_bridges(const QStringList& lines);
+    void show_edits(const QStringList& lines, bool can_undo, bool can_redo);
+    void show_state(const QString& text);
+
+  private:
+    QWidget* make_tools();
+    QWidget* make_bridges();
+    QWidget* make_edits();
+
+    Callbacks callbacks_;
+    QComboBox* tool_ = nullptr;
+    QSpinBox* system_ = nullptr;
+    QListWidget* bridges_ = nullptr;
+    QPushButton* accept_ = nullptr;
+    QListWidget* edits_ = nullptr;
+    QPushButton* undo_ = nullptr;
+    QPushButton* redo_ = nullptr;
+    QLabel* state_ = nullptr;
+};
+
+}  // namespace hepatica
