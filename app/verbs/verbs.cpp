@@ -23,6 +23,7 @@ void add_all_verbs(CommandLine& line) {
     add_bench_iterations(line);
     add_bench_peers(line);
     add_bench_region(line);
+    add_bench_refinement(line);
     add_bench_reconstruct(line);
     add_diagnose(line);
     add_extremes(line);

@@ -131,7 +131,8 @@ Mask narrow_labels(const LabelMap& labels, const std::string& place) {
         const std::uint16_t label = labels.voxels[i];
         if (label > 255)
             throw InputError("holds label " + std::to_string(label), place,
-                             "Labels of a mask go from 1 to 255: give it others");
+                             "Labels of a mask go from 1 to 255: give it others, or name those "
+                             "that are vessels (--vessel-label)");
         mask.voxels[i] = static_cast<std::uint8_t>(label);
     }
     return mask;

@@ -3,11 +3,12 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_3/Slivers_exuder.h>
+#include <CGAL/Mesh_3/sliver_criteria.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/exude_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 
@@ -43,14 +44,50 @@ struct SizeByRadius {
     }
 };
 
+// CGAL's measure of slivers, the smallest dihedral angle. Moving vertices asks it far more often
+// than it asks the field: here, too, it is heard that work goes on.
+class WatchedCriterion : public CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation> {
+    using Base = CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>;
+
+  public:
+    WatchedCriterion(double bound_deg, const Triangulation& triangulation,
+                     const std::function<void(int)>& on_calls)
+        : Base(bound_deg, triangulation), on_calls_(&on_calls) {}
+
+    using Base::operator();
+    double operator()(const Tetrahedron_3& tetrahedron) const override {
+        if (++asked_ % 2048 == 0) (*on_calls_)(0);
+        return Base::operator()(tetrahedron);
+    }
+
+  private:
+    const std::function<void(int)>* on_calls_;
+    mutable unsigned asked_ = 0;
+};
+
+// Perturbs and exudes slivers, as CGAL's own functions do.
+void remove_slivers(Complex& complex, const Domain& domain,
+                    const std::function<void(int)>& on_calls) {
+    constexpr double bound_deg = 15.0;
+    const WatchedCriterion criterion(bound_deg, complex.triangulation(), on_calls);
+    CGAL::perturb_mesh_3(complex, domain, parameters::sliver_criterion = criterion);
+    on_calls(0);
+    CGAL::Mesh_3::Slivers_exuder<Complex, WatchedCriterion> exuder(complex, criterion);
+    exuder.set_time_limit(0.0);  // none
+    exuder();
+}
+
 // Without these starting points refinement may never notice a thin vessel: it only sees what the
 // edges of its Voronoi diagram happen to cross.
-void insert_surface_points(Complex& complex, const Domain& domain, const TubeField& field) {
+void insert_surface_points(Complex& complex, const Domain& domain, const TubeField& field,
+                           const std::function<void(int)>& on_calls) {
+    unsigned inserted = 0;
     Triangulation& triangulation = complex.triangulation();
     Triangulation::Vertex_handle hint;
     const Domain::Index index =
         domain.index_from_surface_patch_index(Domain::Surface_patch_index(0, 1));
     for (const Vec3& point : field.surface_points_mm()) {
+        if (++inserted % 256 == 0) on_calls(0);
         const Triangulation::Vertex_handle vertex = triangulation.insert(
             Triangulation::Weighted_point(Kernel::Point_3(point.x(), point.y(), point.z())), hint);
         if (vertex == Triangulation::Vertex_handle()) continue;
@@ -107,14 +144,10 @@ TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& optio
         parameters::cell_size = SizeByRadius{&field, options.cell_size_in_radii});
 
     Complex complex;
-    insert_surface_points(complex, domain, field);
+    insert_surface_points(complex, domain, field, on_calls);
     CGAL::refine_mesh_3(complex, domain, criteria, parameters::manifold(), parameters::no_perturb(),
                         parameters::no_exude());
-    if (options.optimise) {
-        CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = 15);
-        on_calls(0);
-        CGAL::exude_mesh_3(complex, parameters::sliver_bound = 15);
-    }
+    if (options.optimise) remove_slivers(complex, domain, on_calls);
     return to_tet_mesh(complex);
 }
 

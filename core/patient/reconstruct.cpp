@@ -2,6 +2,7 @@
 #include "core/patient/reconstruct.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/anatomy/segmentation/gaussian_refinement.h"
@@ -85,12 +86,24 @@ void keep_named(LabelMap& labels, const std::vector<int>& names) {
     }
 }
 
+// A map of all organs is no mask of vessels.
+void require_few_systems(const Mask& mask, const std::string& place) {
+    constexpr int most_systems = 16;
+    std::array<std::uint8_t, 256> seen{};
+    for (const std::uint8_t label : mask.voxels) seen[label] = 1;
+    const auto labels = std::count(seen.begin() + 1, seen.end(), 1);
+    if (labels > most_systems)
+        throw InputError("holds " + std::to_string(labels) + " labels", place,
+                         "Name those that are vessels, one label a system: --vessel-label A,B");
+}
+
 // A mask that somebody drew, cut to what it holds.
 Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
     LabelMap labels = on_grid_of(ct_grid, read_label_map(*options.vessel_mask, job),
                                  options.vessel_mask->string());
     keep_named(labels, options.vessel_labels);
     Mask mask = narrow_labels(labels, options.vessel_mask->string());
+    require_few_systems(mask, options.vessel_mask->string());
     require_vessels(mask, options.vessel_mask->string());
     constexpr double margin_mm = 5.0;
     mask = crop(mask, grow_box(bounding_box(mask), mask.grid, margin_mm));
@@ -139,7 +152,9 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
     patient.mask = options.vessel_mask ? given_vessels(options, ct.grid, job)
                                        : segmented_vessels(options, ct, result.warnings, job);
     fill_cavities(patient.mask);
+    job.advance(0.8);
     result.mask = counts_of(patient.mask);
+    job.advance(1.0);
 
     job.begin_stage("Thinning to the skeleton");
     const Mask skeleton = thin(patient.mask, options.thinning, job);

@@ -47,7 +47,7 @@ void JobWatch::record(JobEvent event) {
         if (!stages_.empty())
             lengthen(stages_.back().longest_progress, since(last_progress_, time));
         stage_number_ = progress.stage_number;
-        stages_.push_back({.name = progress.stage});
+        stages_.emplace_back().name = progress.stage;
         stage_start_ = last_check_ = last_progress_ = time;
     }
     if (stages_.empty()) return;

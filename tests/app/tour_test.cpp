@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/anatomy/tree_files/tree_io.h"
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
 #include "tests/app/run_program.h"
 
 namespace hepatica {
@@ -75,6 +79,67 @@ TEST_F(Tour, CompareFindsTheTruthItself) {
     for (const char* key : {"cldice", "centreline_p95_mm", "radius_mae_mm", "bifurcation_recall",
                             "bifurcation_precision"})
         EXPECT_TRUE(found.contains(key)) << key;
+}
+
+TEST_F(Tour, CompareReadsTreesInEveryFormat) {
+    const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));
+    for (const char* name : {"truth.swc", "truth.json"}) {
+        write_tree(path(name), tree);
+        const Json found = answer({"compare", path("p.hep"), "--truth-tree", path(name),
+                                   "--truth-mask", path("p/truth_mask.nii.gz")});
+        EXPECT_LT(found.value("centreline_mean_mm", 99.0), 1.0) << name;
+    }
+}
+
+TEST_F(Tour, EditsAreMadeListedAndTakenBack) {
+    const Json before = answer({"edit", path("p.hep"), "--list"});
+    EXPECT_TRUE(before["edits"].empty());
+    // The end of the first line of the tree's table: a place on a vessel.
+    const VesselTree tree = read_tree_vtp(path("p.hep/tree.vtp"));
+    const VesselSegment& last = tree.segments.back();
+    const Vec3 at = last.points_mm[last.points_mm.size() / 2];
+    std::ofstream(path("edits.json")) << "[{\"edit\": \"delete_branch\", \"at_mm\": [" << at.x()
+                                      << ", " << at.y() << ", " << at.z() << "]}]";
+    const Json after =
+        answer({"edit", path("p.hep"), "--edits", path("edits.json"), "--out", path("e.hep")});
+    EXPECT_EQ(after["edits"].size(), 1u);
+    EXPECT_LT(after["tree"]["length_mm"], before["tree"]["length_mm"]);
+    EXPECT_EQ(answer({"edit", path("e.hep"), "--list"})["edits"].size(), 1u);
+    const Json back = answer({"edit", path("e.hep"), "--undo", "1"});
+    EXPECT_EQ(back["tree"], before["tree"]);
+    EXPECT_EQ(back["mesh"], before["mesh"]);
+    EXPECT_EQ(run_cli({"edit", path("e.hep"), "--undo", "1"}).exit_code, 2);
+}
+
+// A label map of a whole body part, cropped to what it shows, as segmentation programs save it.
+TEST_F(Tour, LabelMapsServeAsMasksByTheirLabels) {
+    Job job;
+    const LabelMap vessels = read_label_map(path("p/truth_mask.nii.gz"), job);
+    Grid box = vessels.grid;
+    const Index3 start{1, 2, 3};
+    for (int a = 0; a < 3; ++a) box.dims[a] -= 2 * start[a];
+    box.origin_mm = vessels.grid.to_mm(start[0], start[1], start[2]);
+    LabelMap labels(box);
+    for (int z = 0; z < box.dims[2]; ++z)
+        for (int y = 0; y < box.dims[1]; ++y)
+            for (int x = 0; x < box.dims[0]; ++x) {
+                const bool vessel = vessels.at(x + start[0], y + start[1], z + start[2]) != 0;
+                labels.at(x, y, z) = vessel ? (x < box.dims[0] / 2 ? 364 : 363) : 5;
+            }
+    const std::vector<SegmentDescription> segments{{364, "portal"}, {363, "hepatic"}, {5, "liver"}};
+    write_segmentation(path("body.seg.nrrd"), labels, segments);
+    const std::vector<std::string> arguments{
+        "reconstruct",  path("p/ct"), "--vessel-mask", path("body.seg.nrrd"),
+        "--tetrahedra", "3000",       "--out",         path("labels.hep")};
+    const Outcome all = run_cli(arguments);
+    EXPECT_EQ(all.exit_code, 1);
+    EXPECT_NE(all.errors.find("--vessel-label"), std::string::npos) << all.errors;
+    std::vector<std::string> named = arguments;
+    named.insert(named.end(), {"--vessel-label", "364,363"});
+    const Json made = answer(named);
+    EXPECT_EQ(made["mask"]["voxels"], case_["mask"]["voxels"]);
+    EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("1"));
+    EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("2"));
 }
 
 TEST_F(Tour, SimulatesRecordsAndReplaysAlikeForAnyNumberOfThreads) {

@@ -84,7 +84,12 @@ TEST_F(SmallPatient, StopsAtTheNextLookInEveryStage) {
 TEST_F(SmallPatient, EveryStageLooksAtItsJobManyTimes) {
     const auto stages = looks_of_stages(options());
     EXPECT_GE(stages.size(), 9u);
-    for (const auto& [number, looks] : stages) EXPECT_GE(looks.count, 8) << "stage " << number;
+    int many = 0;
+    for (const auto& [number, looks] : stages) {
+        EXPECT_GE(looks.count, 4) << "stage " << number;
+        many += looks.count >= 100 ? 1 : 0;
+    }
+    EXPECT_GE(many, 5);  // those that take long on a real patient
 }
 
 }  // namespace

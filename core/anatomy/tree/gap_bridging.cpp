@@ -2,6 +2,7 @@
 #include "core/anatomy/tree/gap_bridging.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -124,10 +125,10 @@ struct Candidate {
 class Bridging {
   public:
     Bridging(VesselGraph& graph, const Mask& vessels, const Volume* ct,
-             const BridgeOptions& options, Job& job)
+             const BridgeOptions& options, const std::function<void(double)>& progress)
         : graph_(graph),
           options_(options),
-          job_(job),
+          progress_(progress),
           pieces_(graph, vessels),
           brightness_(graph, vessels, ct),
           grid_(vessels.grid),
@@ -177,7 +178,7 @@ class Bridging {
                                options_.longest_gap_mm};
         parallel_blocks(ends.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                job_.throw_if_cancelled();
+                progress_(ends_done_++ / static_cast<double>(ends.size()));
                 const int node = ends[i];
                 const int piece = pieces_.of_node(node);
                 const Index3 start = pieces_.voxel_at(graph_.nodes[node].position_mm);
@@ -313,7 +314,8 @@ class Bridging {
 
     VesselGraph& graph_;
     const BridgeOptions& options_;
-    Job& job_;
+    const std::function<void(double)>& progress_;
+    std::atomic<int> ends_done_ = 0;
     Pieces pieces_;
     Brightness brightness_;
     Grid grid_;
@@ -323,8 +325,9 @@ class Bridging {
 }  // namespace
 
 std::vector<Bridge> bridge_gaps(VesselGraph& graph, const Mask& vessels, const Volume* ct,
-                                const BridgeOptions& options, Job& job) {
-    return Bridging(graph, vessels, ct, options, job).run();
+                                const BridgeOptions& options,
+                                const std::function<void(double)>& progress) {
+    return Bridging(graph, vessels, ct, options, progress).run();
 }
 
 }  // namespace hepatica

@@ -4,11 +4,11 @@
 // be shown to the user instead of being taken.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/anatomy/tree/vessel_graph.h"
-#include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
@@ -36,9 +36,11 @@ struct Bridge {
 // Finds at most one bridge for each pair of pieces, best first, builds those that are confident
 // enough into the graph, and returns those and the best of each remaining piece. `ct` may be null:
 // then only nearness and direction count. The masks' grid is that of the graph's skeleton.
-// Deterministic; throws Cancelled.
+// `progress` is told the share that is done, from any thread; what it throws ends the work.
+// Deterministic.
 std::vector<Bridge> bridge_gaps(VesselGraph& graph, const Mask& vessels, const Volume* ct,
-                                const BridgeOptions& options, Job& job);
+                                const BridgeOptions& options,
+                                const std::function<void(double share)>& progress);
 
 // Bridges as a JSON array, and back. Reading throws InputError that names `place` (the file).
 std::string bridges_to_json(const std::vector<Bridge>& bridges);

@@ -2,6 +2,7 @@
 #include "core/anatomy/tree/lumen_measurement.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -48,11 +49,12 @@ void smooth_link(VesselLink& link, double voxel_mm) {
 
 class Measurement {
   public:
-    Measurement(VesselGraph& graph, const Mask& vessels, const Volume* ct, Job& job)
+    Measurement(VesselGraph& graph, const Mask& vessels, const Volume* ct,
+                const std::function<void(double)>& progress)
         : graph_(graph),
           vessels_(vessels),
           ct_(ct),
-          job_(job),
+          progress_(progress),
           voxel_mm_(std::cbrt(vessels.grid.spacing_mm.prod())),
           at_node_(links_of_nodes(graph)),
           stations_(graph.links.size()) {}
@@ -89,7 +91,8 @@ class Measurement {
     void for_each_link(const Work& work) {
         parallel_blocks(graph_.links.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t id = begin; id < end; ++id) {
-                job_.throw_if_cancelled();
+                const double all = rounds * static_cast<double>(graph_.links.size());
+                progress_(std::min(1.0, links_done_++ / all));
                 work(id);
             }
         });
@@ -213,7 +216,9 @@ class Measurement {
     VesselGraph& graph_;
     const Mask& vessels_;
     const Volume* ct_;
-    Job& job_;
+    static constexpr double rounds = 3.0;
+    const std::function<void(double)>& progress_;
+    std::atomic<int> links_done_ = 0;  // in all rounds
     double voxel_mm_;
     std::vector<std::vector<int>> at_node_;
     std::vector<Stations> stations_;
@@ -222,8 +227,9 @@ class Measurement {
 
 }  // namespace
 
-void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct, Job& job) {
-    Measurement(graph, vessels, ct, job).run();
+void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct,
+                   const std::function<void(double)>& progress) {
+    Measurement(graph, vessels, ct, progress).run();
 }
 
 }  // namespace hepatica

@@ -3,8 +3,9 @@
 // radii from cross-sections (see lumen_radius.h).
 #pragma once
 
+#include <functional>
+
 #include "core/anatomy/tree/vessel_graph.h"
-#include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
@@ -12,7 +13,9 @@ namespace hepatica {
 // Links come in with points at voxel centres and inscribed radii, and leave with smooth points a
 // voxel apart and radii smooth along the link. Inside a node's lumen a link has the radius that it
 // has outside, so that a thin branch does not begin as wide as its parent. Links are independent of
-// each other but for the contrast of their system. `ct` may be null. Throws Cancelled.
-void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct, Job& job);
+// each other but for the contrast of their system. `ct` may be null. `progress` is told
+// the share that is done, from any thread; what it throws ends the work.
+void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct,
+                   const std::function<void(double share)>& progress);
 
 }  // namespace hepatica

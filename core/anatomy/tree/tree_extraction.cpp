@@ -42,9 +42,9 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     prune_spurs(graph, options.spur_radii, 1.5 * skeleton.grid.spacing_mm.minCoeff());
     remove_short_components(graph, options.minimum_piece_mm);
     job.advance(0.3);
-    measure_lumen(graph, vessels, ct, job);
-    job.advance(0.7);
-    result.bridges = bridge_gaps(graph, vessels, ct, options.bridging, job);
+    measure_lumen(graph, vessels, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
+    result.bridges = bridge_gaps(graph, vessels, ct, options.bridging,
+                                 [&](double share) { job.advance(0.8 + 0.15 * share); });
     remove_short_components(graph, options.minimum_component_mm);
     if (!assign_systems_by_labels(graph, vessels)) assign_systems(graph, options.seeds);
     std::vector<RootWish> wishes;
