@@ -58,6 +58,7 @@ QWidget* EditPanel::make_tools() {
     auto* form = new QFormLayout(box);
     tool_ = new QComboBox(box);
     tool_->setAccessibleName("Tool of the edit");
+    tool_->setObjectName("EditTool");
     for (const Tool& tool : tools) {
         tool_->addItem(tool.name);
         tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);

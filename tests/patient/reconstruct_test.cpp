@@ -22,9 +22,9 @@ class SmallPatient : public testing::Test {
     static void SetUpTestSuite() {
         fs::create_directories(folder());
         PhantomOptions options;
-        options.dims = {112, 112, 80};
-        options.spacing_mm = Vec3(1.6, 1.6, 1.6);
-        options.generations = 4;
+        options.dims = {88, 88, 64};
+        options.spacing_mm = Vec3(2.0, 2.0, 2.0);
+        options.generations = 3;
         Job job;
         const Phantom phantom = make_phantom(options, job);
         write_nifti(folder() / "ct.nii.gz", phantom.ct);
@@ -37,7 +37,7 @@ class SmallPatient : public testing::Test {
         ReconstructOptions options;
         options.ct = folder() / "ct.nii.gz";
         options.liver_mask = folder() / "liver.nii.gz";
-        options.mesh.target_tetrahedra = 3000;
+        options.mesh.target_tetrahedra = 1500;
         return options;
     }
 };

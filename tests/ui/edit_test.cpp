@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include "tests/patient/parted_patient.h"
-#include "ui/edit_panel.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -69,11 +68,11 @@ class Editing : public ::testing::Test {
         wait();
         return saved_;
     }
-    void choose_tool(TreeEditKind kind) {
-        auto* panel = window_.findChild<EditPanel*>();
-        auto* tools = panel->findChild<QComboBox*>();
-        for (int i = 0; panel->tool() != kind && i < tools->count(); ++i) tools->setCurrentIndex(i);
-        ASSERT_EQ(panel->tool(), kind);
+    void choose_tool(const QString& name) {
+        auto* tools = window_.findChild<QComboBox*>("EditTool");
+        ASSERT_NE(tools, nullptr);
+        ASSERT_GE(tools->findText(name), 0);
+        tools->setCurrentIndex(tools->findText(name));
     }
 
     QTemporaryDir folder_;
@@ -93,7 +92,7 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     EXPECT_EQ(roots(saved().tree).size(), 1u);
     EXPECT_GT(bridged_length_mm(saved_.tree), 5.0);
     EXPECT_EQ(saved_.corrections.edits.size(), 1u);
-    EXPECT_TRUE(window_.isWindowModified() == false);  // it was just saved
+    EXPECT_FALSE(window_.isWindowModified());  // it has just been saved
 
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
@@ -108,10 +107,10 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
 TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     const std::size_t before = saved().tree.segments.size();
     window_.actions()[ActionId::edit_mode].trigger();
-    choose_tool(TreeEditKind::delete_branch);
+    choose_tool("Delete a branch");
     click(Vec3(-8.6, 28, 4.4));                           // the left branch
     EXPECT_EQ(saved().tree.segments.size(), before - 2);  // the trunk goes on into the right one
-    choose_tool(TreeEditKind::reassign_system);
+    choose_tool("Give to a system");
     click(Vec3(37, 54.5, 4));  // the vessel apart
     ASSERT_EQ(saved().corrections.edits.size(), 2u);
     EXPECT_EQ(saved_.corrections.edits[1].kind, TreeEditKind::reassign_system);
@@ -123,7 +122,7 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
 
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {
     window_.actions()[ActionId::edit_mode].trigger();
-    choose_tool(TreeEditKind::delete_branch);
+    choose_tool("Delete a branch");
     click(Vec3(37, 54.5, 4));
     ASSERT_EQ(roots(saved().tree).size(), 1u);
     click(Vec3(0, 10, 1.5));  // the trunk, and all that hangs on it
