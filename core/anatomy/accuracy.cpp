@@ -12,6 +12,7 @@
 #include "core/anatomy/tree/centreline_locator.h"
 #include "core/anatomy/tree/vessel_graph.h"
 #include "core/base/error.h"
+#include "core/image/filters.h"
 
 namespace hepatica {
 
@@ -31,19 +32,14 @@ bool is_object(const Mask& mask, const Vec3& position_mm) {
 }
 
 double dice_of(const Mask& mask, const Mask& truth, Job& job) {
-    const bool same = same_grid(mask.grid, truth.grid);
+    Mask judged = mask;
+    for (std::uint8_t& v : judged.voxels) v = v != 0;  // whatever the system
+    if (!same_grid(mask.grid, truth.grid))
+        judged = resample(judged, truth.grid, Interpolation::linear, job);
     double both = 0.0, sum = 0.0;
-    const auto [nx, ny, nz] = truth.grid.dims;
-    for (int z = 0; z < nz; ++z) {
-        job.throw_if_cancelled();
-        for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x) {
-                const bool in_truth = truth.at(x, y, z) != 0;
-                const bool in_mask =
-                    same ? mask.at(x, y, z) != 0 : is_object(mask, truth.grid.to_mm(x, y, z));
-                both += in_truth && in_mask;
-                sum += in_truth + in_mask;
-            }
+    for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
+        both += truth.voxels[i] && judged.voxels[i];
+        sum += (truth.voxels[i] != 0) + (judged.voxels[i] != 0);
     }
     return share(2.0 * both, sum);
 }

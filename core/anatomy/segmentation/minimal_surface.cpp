@@ -128,12 +128,14 @@ Mask fit_surface(const FloatVolume& intensity, const FloatVolume& rise, const Ma
     const std::vector<Index3> ball = ball_of(options.peak_reach_mm / rise.grid.spacing_mm[0]);
     const auto weight = static_cast<float>(options.data_weight / deviation);
     const auto least = static_cast<float>(options.least_deviations * deviation);
+    const auto pull = static_cast<float>(options.pull_deviations * deviation);
     std::vector<float> cost(band.voxels.size());
     parallel_blocks(cost.size(), block, [&](std::size_t begin, std::size_t end) {
         job.throw_if_cancelled();
         for (std::size_t i = begin; i < end; ++i) {
-            const float level = std::max(least, static_cast<float>(options.level_share) *
-                                                    peak_near(rise, vessels, band.voxels[i], ball));
+            const float peak = peak_near(rise, vessels, band.voxels[i], ball);
+            const float level =
+                std::max(least, static_cast<float>(options.level_share) * peak - pull);
             cost[i] =
                 band.free[i] ? weight * (level - intensity.voxels[band.voxels[i]]) : outside_cost;
         }

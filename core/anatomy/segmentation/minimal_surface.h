@@ -11,10 +11,12 @@ namespace hepatica {
 struct SurfaceOptions {
     // The wall runs where the intensity has fallen to this share of the vessel's own peak. Half is
     // right for wide vessels; blur makes thin ones look wide at half of their lowered peak.
-    double level_share = 0.4;
+    double level_share = 0.42;
+    // The surface's pull inwards places the wall this many deviations too high; taken off again.
+    double pull_deviations = 0.7;
     double peak_reach_mm = 2.4;     // how far around a voxel its vessel's peak is looked for
     double least_deviations = 1.6;  // the level is never below this multiple of the deviation
-    double data_weight = 0.62;      // of one deviation against one voxel face of surface
+    double data_weight = 0.75;      // of one deviation against one voxel face of surface
     int iterations = 40;
 };
 

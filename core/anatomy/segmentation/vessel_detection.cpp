@@ -23,7 +23,7 @@ namespace {
 constexpr double surface_sigma_mm = 0.6;
 constexpr double candidate_deviations = 1.5;
 constexpr double weak_deviations = 3.0;
-constexpr double coherent_deviations = 3.0;
+constexpr double coherent_deviations = 3.5;
 constexpr double tubular_deviations = 1.5;
 // No single voxel says more than this, however bright: a line is many voxels.
 constexpr double clip_below_deviations = 3.0;

@@ -10,8 +10,13 @@
 #include "core/anatomy/segmentation/gaussian_refinement.h"
 #include "core/anatomy/segmentation/liver_frame.h"
 #include "core/anatomy/segmentation/liver_region.h"
+#include "core/anatomy/segmentation/round_lumen.h"
 #include "core/anatomy/segmentation/tissue_contrast.h"
 #include "core/anatomy/segmentation/vessel_detection.h"
+#include "core/anatomy/segmentation/vessel_growth.h"
+#include "core/anatomy/skeleton/thinning.h"
+#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/anatomy/tree/tree_extraction.h"
 #include "core/base/error.h"
 #include "core/image/morphology.h"
 
@@ -19,14 +24,19 @@ namespace hepatica {
 
 namespace {
 
-constexpr double default_spacing_mm = 0.8;
+constexpr double default_spacing_mm = 0.65;
 constexpr double coarse_slices_mm = 1.5;
 // A CT in the arterial or portal phase shows 1 to 4 % of the liver as vessels, 38 to 92 HU above
 // it.
 constexpr double least_vessel_share = 0.002;
 constexpr double least_contrast_hu = 15.0;
-// Of a piece's voxels, away from the border of a liver that was not given but found.
-constexpr double least_inner_share = 0.5;
+// Of a piece's voxels, away from the liver's border.
+constexpr double least_inner_share = 0.65;
+constexpr double thin_radius_mm = 1.6;
+constexpr double kept_branch_mm = 4.0;
+// Below this contrast, in deviations of the noise, a radius is not measured any better than an
+// outline.
+constexpr double measurable_contrast = 4.5;
 
 std::string rounded(double value, int decimals = 0) {
     std::string text = std::to_string(value);
@@ -50,13 +60,14 @@ Mask within(const Mask& vessels, const Mask& interior) {
 // Median of the excess a voxel away from the vessels' walls where they are wide enough for that,
 // else anywhere in them.
 double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
-    const Mask inner = erode(vessels, 1.1 * vessels.grid.spacing_mm[0], job);
+    constexpr double wall_mm = 1.0;
+    const Mask inner = erode(vessels, wall_mm, job);
     constexpr std::size_t enough = 200;
     return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
 }
 
-// Where the liver is the program's own guess, its border runs through other organs' walls: pieces
-// that lie mostly in its rim are theirs.
+// The liver's border runs through the walls of heart, ribs and kidneys: pieces that lie mostly in
+// its rim are theirs.
 void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
     Mask& vessels = detection.vessels;
     Mask& centreline = detection.centreline;
@@ -89,6 +100,14 @@ void require_contrast(const ContrastStatistics& found, const Mask& vessels, cons
         "phase for arteries), or give a vessel mask.");
 }
 
+Mask with_thin_vessels_round(const Mask& vessels, const Volume& ct, Job& job) {
+    const Mask skeleton = unit_width(thin(vessels, ThinningMethod::queue, job), job);
+    Mask round = round_thin_lumens(
+        vessels, extract_tree(skeleton, vessels, &ct, TreeOptions{}, job), thin_radius_mm, job);
+    rejoin(skeleton, kept_branch_mm, round);
+    return hysteresis(skeleton, round, 0.0);  // no crumbs of the outline
+}
+
 }  // namespace
 
 Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job) {
@@ -114,11 +133,16 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
 
     job.begin_stage("Segmenting the vessels");
     Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
-    if (!options.liver) drop_rooted_in_rim(detection, tissue.interior);
+    drop_rooted_in_rim(detection, tissue.interior);
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
     require_contrast(result.statistics, inner, tissue.interior);
+
+    job.begin_stage("Drawing thin vessels");
+    if (options.method == SegmentationMethod::coherent &&
+        result.statistics.contrast_hu() >= measurable_contrast * tissue.noise_hu)
+        detection.vessels = with_thin_vessels_round(detection.vessels, ct, job);
 
     job.begin_stage("Refining the surface");
     result.mask = refine(detection.vessels, options.refinement_recursions, job);

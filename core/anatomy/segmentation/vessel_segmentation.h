@@ -33,7 +33,7 @@ struct SegmentationOptions {
     std::vector<VesselSeed> seeds;
     // Recursions of the Gaussian refinement (gaussian_refinement.h); 0 leaves the surface alone.
     int refinement_recursions = 0;
-    // Edge of the cubic voxels that the work is done on, 0.3 to 1.5; 0 stands for 0.8.
+    // Edge of the cubic voxels that the work is done on, 0.3 to 1.5; 0 stands for 0.65.
     double spacing_mm = 0.0;
 };
 
