@@ -10,6 +10,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/body.h"
+#include "core/deform/element_slots.h"
 #include "core/deform/solvers/block_matrix.h"
 
 namespace hepatica {
@@ -19,11 +20,12 @@ class Assembly {
   public:
     explicit Assembly(const Body& body);
 
-    // Evaluates all elements at the positions; returns the elastic energy [nJ]. With
-    // Tangent::none only forces are written, otherwise forces and stiffness.
-    double evaluate(std::span<const Vec3> positions_mm, small::Tangent tangent);
-    // The elastic energy alone; leaves the slots as they are.
-    double energy(std::span<const Vec3> positions_mm) const;
+    // As ElementSlots.
+    double evaluate(std::span<const Vec3> positions_mm, small::Tangent tangent) {
+        return slots_.evaluate(positions_mm, tangent);
+    }
+    double energy(std::span<const Vec3> positions_mm) const { return slots_.energy(positions_mm); }
+    double quadratic_form(std::span<const Vec3> d) const { return slots_.quadratic_form(d); }
 
     // Elastic force on each node, from the last evaluate [uN].
     void gather_forces(std::span<Vec3> forces_un) const;
@@ -32,31 +34,22 @@ class Assembly {
     // `matrix` gets the pattern of `pattern()` if it does not have it.
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
-    // d^T K d over the elements' slots and differences of d, independent of any matrix.
-    double quadratic_form(std::span<const Vec3> d) const;
-
     // Rows, columns and zero blocks of the system matrix.
     const BlockMatrix& pattern() const { return pattern_; }
 
   private:
-    struct GroupSlots {
-        std::size_t first_force = 0;
-        std::size_t first_block = 0;
-    };
-
     void build_pattern();
     void build_gather_lists();
 
     const Body& body_;
-    std::vector<GroupSlots> slots_;
-    std::vector<small::Vector3<double>> element_force_;
-    std::vector<small::Matrix3<double>> element_block_;
+    ElementSlots slots_;
     BlockMatrix pattern_;
     std::vector<int> mirror_;  // position of block (j, i) for every block (i, j)
     // Slots of node i: force_slot_[force_begin_[i]] ...
     std::vector<int> force_begin_;
     std::vector<int> force_slot_;
-    // Slots of upper block k.
+    // Slots of upper block k: those written from its row to its column from block_begin_[2 k] on,
+    // those written the other way from block_begin_[2 k + 1].
     std::vector<int> block_begin_;
     std::vector<int> block_slot_;
 };

@@ -17,23 +17,40 @@ struct SignedSvd {
     Matrix3<T> v;
 };
 
+// What a scalar is made of: itself, but for the lanes of lanes.h.
+template <class T>
+struct ScalarOf {
+    using type = T;
+};
+template <class T>
+inline constexpr bool is_double = sizeof(typename ScalarOf<T>::type) == sizeof(double);
+
+// Choices as functions, so that lanes can choose each for itself.
+template <class T>
+HEPATICA_HOST_DEVICE T select(bool condition, const T& a, const T& b) {
+    return condition ? a : b;
+}
+HEPATICA_HOST_DEVICE bool any(bool condition) {
+    return condition;
+}
+
 namespace detail {
 
 template <class T>
 HEPATICA_HOST_DEVICE T epsilon() {
-    return sizeof(T) == 8 ? T(2.220446049250313e-16) : T(1.1920929e-7);
+    return is_double<T> ? T(2.220446049250313e-16) : T(1.1920929e-7);
 }
 template <class T>
 HEPATICA_HOST_DEVICE T absolute(T a) {
-    return a < T(0) ? -a : a;
+    return select(a < T(0), -a, a);
 }
 template <class T>
 HEPATICA_HOST_DEVICE T larger(T a, T b) {
-    return a > b ? a : b;
+    return select(a > b, a, b);
 }
 template <class T>
 HEPATICA_HOST_DEVICE T smaller(T a, T b) {
-    return a < b ? a : b;
+    return select(a < b, a, b);
 }
 template <class T>
 HEPATICA_HOST_DEVICE T root(T a) {
@@ -135,18 +152,30 @@ HEPATICA_HOST_DEVICE SignedSvd<T> signed_svd(const Matrix3<T>& f) {
     return svd;
 }
 
+// r where the rotation nearest to f was found, otherwise by decomposition.
+template <class T>
+HEPATICA_HOST_DEVICE Matrix3<T> rotation_by_svd(const Matrix3<T>& f, bool found,
+                                                const Matrix3<T>& r) {
+    if (found) return r;
+    const SignedSvd<T> svd = signed_svd(f);
+    return times_transposed(svd.u, svd.v);
+}
+
 // The rotation r (determinant +1) that maximises trace(r^T f). Finite for every finite f.
 template <class T>
 HEPATICA_HOST_DEVICE Matrix3<T> nearest_rotation(const Matrix3<T>& f) {
     using namespace detail;
-    Matrix3<T> x = f;
-    for (int iteration = 0; iteration < 12; ++iteration) {
-        const Matrix3<T> c = cofactor(x);
-        const T det = x(0, 0) * c(0, 0) + x(0, 1) * c(0, 1) + x(0, 2) * c(0, 2);
-        // Far from a rotation the iteration is slow, near a singular matrix it is inexact.
-        if (iteration == 0) {
-            const T size = inner(x, x);
-            if (!(det > T(0.01)) || !(size < T(100))) break;
+    // Convergence is quadratic: after a change of sqrt(epsilon) the next one is rounding.
+    const T enough = is_double<T> ? T(1e-8) : T(2e-4);
+    Matrix3<T> x = f, c = cofactor(x);
+    T det = x(0, 0) * c(0, 0) + x(0, 1) * c(0, 1) + x(0, 2) * c(0, 2);
+    // Far from a rotation the iteration is slow, near a singular matrix it is inexact.
+    const auto regular = (det > T(0.01)) & (inner(x, x) < T(100));
+    auto turning = regular;
+    for (int iteration = 0; iteration < 12 && any(turning); ++iteration) {
+        if (iteration > 0) {
+            c = cofactor(x);
+            det = x(0, 0) * c(0, 0) + x(0, 1) * c(0, 1) + x(0, 2) * c(0, 2);
         }
         const T scale = T(0.5) / det;
         T change = T(0);
@@ -154,13 +183,12 @@ HEPATICA_HOST_DEVICE Matrix3<T> nearest_rotation(const Matrix3<T>& f) {
             for (int j = 0; j < 3; ++j) {
                 const T next = T(0.5) * x(i, j) + scale * c(i, j);
                 change = larger(change, absolute(next - x(i, j)));
-                x(i, j) = next;
+                x(i, j) = select(turning, next, x(i, j));
             }
-        // Convergence is quadratic: after a change of sqrt(epsilon) the next one is rounding.
-        if (change < (sizeof(T) == 8 ? T(1e-8) : T(2e-4))) return x;
+        turning = turning & !(change < enough);
     }
-    const SignedSvd<T> svd = signed_svd(f);
-    return times_transposed(svd.u, svd.v);
+    const auto found = regular & !turning;
+    return any(!found) ? rotation_by_svd(f, found, x) : x;
 }
 
 }  // namespace hepatica::small

@@ -93,33 +93,36 @@ HEPATICA_HOST_DEVICE Law<T> law_of(const TetrahedronRest<T>& rest) {
     return {rest.mu, local, rest.lambda - local};
 }
 
-// Adds one point's share of the stiffness.
+// One point's share of the stiffness: put into the blocks by the first point, added by others.
 template <int Nodes, Tangent tangent, class Law, class T>
 HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law::Point& point,
-                                              T pressure, T weight, const Vector3<T>* g,
+                                              T pressure, T weight, const Vector3<T>* g, bool first,
                                               Matrix3<T>* blocks) {
     Vector3<T> h[Nodes];
+    const auto add = [&](int a, int b, const Matrix3<T>& share) {
+        Matrix3<T>& k = blocks[pair_index<Nodes>(a, b)];
+        k = first ? share : k + share;
+    };
     if constexpr (tangent == Tangent::rotated) {
         for (int a = 0; a < Nodes; ++a) h[a] = point.rotation * g[a];
         for (int a = 0; a < Nodes; ++a) {
             const Vector3<T> sa = (weight * law.mu) * h[a], la = (weight * law.local_lambda) * h[a];
             for (int b = a + 1; b < Nodes; ++b) {
-                Matrix3<T>& k = blocks[pair_index<Nodes>(a, b)];
+                Matrix3<T> k;
                 const T diagonal = dot(sa, h[b]);
                 for (int i = 0; i < 3; ++i) {
-                    for (int j = 0; j < 3; ++j) k(i, j) += h[b][i] * sa[j] + la[i] * h[b][j];
+                    for (int j = 0; j < 3; ++j) k(i, j) = h[b][i] * sa[j] + la[i] * h[b][j];
                     k(i, i) += diagonal;
                 }
+                add(a, b, k);
             }
         }
     } else {
         const PrincipalTangent<T> principal = law.projected_tangent(point, pressure);
         for (int a = 0; a < Nodes; ++a) h[a] = transposed_times(principal.v, g[a]);
         for (int a = 0; a < Nodes; ++a)
-            for (int b = a + 1; b < Nodes; ++b) {
-                Matrix3<T>& k = blocks[pair_index<Nodes>(a, b)];
-                k = k + weight * tangent_block(principal, h[a], h[b]);
-            }
+            for (int b = a + 1; b < Nodes; ++b)
+                add(a, b, weight * tangent_block(principal, h[a], h[b]));
     }
 }
 
@@ -150,8 +153,6 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
     const T pressure = law.mean_lambda * theta, weight = rest.volume / T(points);
     if (force)
         for (int a = 0; a < Nodes; ++a) force[a] = {{T(0), T(0), T(0)}};
-    if constexpr (tangent != Tangent::none)
-        for (int k = 0; k < pair_count<Nodes>; ++k) blocks[k] = zero_matrix<T>();
     Vector3<T> h[Nodes];  // gradient of the mean dilatation, where it differs from the point's
     for (int a = 0; a < Nodes; ++a) h[a] = {{T(0), T(0), T(0)}};
     for (int q = 0; q < points; ++q) {
@@ -161,7 +162,7 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
         }
         if constexpr (tangent != Tangent::none) {
             detail::add_point_stiffness<Nodes, tangent>(law, point[q], pressure, weight, g[q],
-                                                        blocks);
+                                                        q == 0, blocks);
             const Matrix3<T> gradient = Law::theta_gradient(point[q]);
             for (int a = 0; a < Nodes && points > 1; ++a)
                 h[a] = h[a] + (T(1) / T(points)) * (gradient * g[q][a]);
