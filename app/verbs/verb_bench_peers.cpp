@@ -2,7 +2,6 @@
 // The clamped beam of docs/solver.md in this program and in Bullet, side by side: the same mesh,
 // material, step and weight, from straight to rest.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "app/verbs/verbs.h"
 #include "core/deform/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
+#include "core/study/timing.h"
 
 namespace hepatica {
 
@@ -56,21 +56,6 @@ double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
     return sum / count;
 }
 
-// Middle of the times: neither a cold first step nor a disturbed one counts.
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<int>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
-
-template <class Step>
-double timed_ms(const Step& step) {
-    const auto start = std::chrono::steady_clock::now();
-    step();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
 Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
     const BodyDescription body = beam_body(beam);
     const Vec3 gravity(0.0, 0.0, -9810.0);
@@ -91,9 +76,9 @@ Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
     const double peer_tip = sag_mm(body, peer.positions_mm());
     return {{"peer", "Bullet deformable, corotational"},
             {"tetrahedra", body.mesh.tetrahedra.size()},
-            {"our_ms", median(our_ms)},
-            {"peer_ms", median(peer_ms)},
-            {"time_ratio", median(peer_ms) / median(our_ms)},
+            {"our_ms", quantile(our_ms, 0.5)},
+            {"peer_ms", quantile(peer_ms, 0.5)},
+            {"time_ratio", quantile(peer_ms, 0.5) / quantile(our_ms, 0.5)},
             {"our_error", our_tip / beam.same_mesh_fem_mm - 1.0},
             {"peer_error", peer_tip / beam.same_mesh_fem_mm - 1.0},
             {"our_tip_mm", our_tip},

@@ -13,7 +13,7 @@ constexpr std::size_t row_block = 256;
 
 }  // namespace
 
-Assembly::Assembly(const Body& body) : body_(body), slots_(body) {
+Assembly::Assembly(const Body& body, small::Tangent tangent) : body_(body), slots_(body, tangent) {
     build_pattern();
     build_gather_lists();
 }
@@ -49,46 +49,71 @@ void Assembly::build_pattern() {
 
 void Assembly::build_gather_lists() {
     std::vector<std::vector<int>> of_node(body_.node_count());
-    // What an element wrote from the higher to the lower node is to be transposed.
-    std::vector<std::array<std::vector<int>, 2>> of_block(pattern_.column.size());
+    using Lists = std::vector<std::vector<int>>;
+    Lists factors(pattern_.column.size()), blocks = factors, transposed = factors;
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const ElementGroup& group = body_.groups[g];
         const int n = group.nodes_per_element;
         for (int e = 0; e < group.size(); ++e) {
             const int* nodes = group.connectivity.data() + e * n;
-            int pair = 0;
-            for (int a = 0; a < n; ++a) {
-                of_node[nodes[a]].push_back(slots_.force_slot(g, e, a));
+            const int first = slots_.force_slot(g, e);
+            for (int a = 0, pair = 0; a < n; ++a) {
+                of_node[nodes[a]].push_back(first + a);
                 for (int b = a + 1; b < n; ++b, ++pair) {
-                    const auto [low, high] = std::minmax(nodes[a], nodes[b]);
-                    of_block[pattern_.find(low, high)][nodes[a] > nodes[b]].push_back(
-                        slots_.block_slot(g, e, pair));
+                    const bool turned = nodes[a] > nodes[b];
+                    const int low = turned ? b : a, high = turned ? a : b;
+                    const int k = pattern_.find(nodes[low], nodes[high]);
+                    if (slots_.in_factors(g))
+                        factors[k].push_back(first + low), factors[k].push_back(first + high);
+                    else
+                        (turned ? transposed : blocks)[k].push_back(slots_.block_slot(g, e, pair));
                 }
             }
         }
     }
-    force_begin_.assign(1, 0);
-    for (const auto& slots : of_node) {
-        force_slot_.insert(force_slot_.end(), slots.begin(), slots.end());
-        force_begin_.push_back(static_cast<int>(force_slot_.size()));
-    }
-    block_begin_.assign(1, 0);
-    for (const auto& slots : of_block)
-        for (const auto& side : slots) {
-            block_slot_.insert(block_slot_.end(), side.begin(), side.end());
-            block_begin_.push_back(static_cast<int>(block_slot_.size()));
+    const auto flatten = [](const Lists& lists, Contributions& flat) {
+        for (const auto& list : lists) {
+            flat.place.insert(flat.place.end(), list.begin(), list.end());
+            flat.begin.push_back(static_cast<int>(flat.place.size()));
         }
+    };
+    flatten(of_node, forces_);
+    flatten(factors, factors_);
+    flatten(blocks, blocks_);
+    flatten(transposed, transposed_);
 }
 
 void Assembly::gather_forces(std::span<Vec3> forces_un) const {
     parallel_blocks(forces_un.size(), row_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            Vec3 sum = Vec3::Zero();
-            for (int k = force_begin_[i]; k < force_begin_[i + 1]; ++k)
-                sum += slots_.force(force_slot_[k]);
-            forces_un[i] = sum;
+            Wide sum(0.0);
+            for (int k = forces_.begin[i]; k < forces_.begin[i + 1]; ++k)
+                sum += slots_.force()[forces_.place[k]];
+            forces_un[i] = Vec3(sum[0], sum[1], sum[2]);
         }
     });
+}
+
+// Row-major, as the elements have it.
+small::Matrix3<double> Assembly::upper_block(int k) const {
+    const Wide* turned = slots_.turned_gradient();
+    Wide column[3] = {0.0, 0.0, 0.0};  // of S, see evaluate_turned_gradients
+    for (int s = factors_.begin[k]; s < factors_.begin[k + 1]; s += 2) {
+        const Wide &a = turned[factors_.place[s]], &b = turned[factors_.place[s + 1]];
+        for (int j = 0; j < 3; ++j) column[j] += Wide(a[j]) * b;
+    }
+    const double ratio = slots_.lambda_over_mu();
+    const double trace = column[0][0] + column[1][1] + column[2][2];
+    small::Matrix3<double> sum;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) sum(i, j) = column[j][i] + ratio * column[i][j];
+        sum(i, i) += trace;
+    }
+    for (int s = blocks_.begin[k]; s < blocks_.begin[k + 1]; ++s)
+        sum = sum + slots_.block(blocks_.place[s]);
+    for (int s = transposed_.begin[k]; s < transposed_.begin[k + 1]; ++s)
+        sum = sum + transpose(slots_.block(transposed_.place[s]));
+    return sum;
 }
 
 void Assembly::gather_stiffness(double factor, BlockMatrix& matrix) const {
@@ -97,18 +122,12 @@ void Assembly::gather_stiffness(double factor, BlockMatrix& matrix) const {
     parallel_blocks(rows, row_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (int k = pattern_.diagonal[i] + 1; k < pattern_.row_begin[i + 1]; ++k) {
-                double sum[9] = {}, turned[9] = {};
-                const int* begin_slot = &block_begin_[2 * static_cast<std::size_t>(k)];
-                for (int s = begin_slot[0]; s < begin_slot[1]; ++s)
-                    slots_.add_block(block_slot_[s], sum);
-                for (int s = begin_slot[1]; s < begin_slot[2]; ++s)
-                    slots_.add_block(block_slot_[s], turned);
-                // Slots are row-major, the matrix is column-major.
-                double* upper = matrix.block[k].data();
+                const small::Matrix3<double> sum = upper_block(k);
+                double* upper = matrix.block[k].data();  // column-major
                 double* lower = matrix.block[mirror_[k]].data();
                 for (int r = 0; r < 3; ++r)
                     for (int c = 0; c < 3; ++c) {
-                        const double entry = factor * (sum[3 * r + c] + turned[3 * c + r]);
+                        const double entry = factor * sum(r, c);
                         lower[3 * r + c] = entry;
                         upper[3 * c + r] = entry;
                     }

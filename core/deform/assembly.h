@@ -18,12 +18,10 @@ namespace hepatica {
 // The slots of one body and the lists over them. Keeps a reference to the body. Not thread-safe.
 class Assembly {
   public:
-    explicit Assembly(const Body& body);
+    explicit Assembly(const Body& body, small::Tangent tangent = small::Tangent::rotated);
 
     // As ElementSlots.
-    double evaluate(std::span<const Vec3> positions_mm, small::Tangent tangent) {
-        return slots_.evaluate(positions_mm, tangent);
-    }
+    double evaluate(std::span<const Vec3> positions_mm) { return slots_.evaluate(positions_mm); }
     double energy(std::span<const Vec3> positions_mm) const { return slots_.energy(positions_mm); }
     double quadratic_form(std::span<const Vec3> d) const { return slots_.quadratic_form(d); }
 
@@ -38,6 +36,14 @@ class Assembly {
     const BlockMatrix& pattern() const { return pattern_; }
 
   private:
+    using Wide = ElementSlots::Wide;
+    // Lists over the slots: that of entry k is place[begin[k]] ... place[begin[k + 1]].
+    struct Contributions {
+        std::vector<int> begin{0};
+        std::vector<int> place;
+    };
+
+    small::Matrix3<double> upper_block(int k) const;
     void build_pattern();
     void build_gather_lists();
 
@@ -45,13 +51,10 @@ class Assembly {
     ElementSlots slots_;
     BlockMatrix pattern_;
     std::vector<int> mirror_;  // position of block (j, i) for every block (i, j)
-    // Slots of node i: force_slot_[force_begin_[i]] ...
-    std::vector<int> force_begin_;
-    std::vector<int> force_slot_;
-    // Slots of upper block k: those written from its row to its column from block_begin_[2 k] on,
-    // those written the other way from block_begin_[2 k + 1].
-    std::vector<int> block_begin_;
-    std::vector<int> block_slot_;
+    Contributions forces_;     // slots, of each node
+    Contributions factors_;  // of each upper block: two turned gradients, of its row and its column
+    Contributions blocks_;   // of each upper block: slots of blocks as they were written,
+    Contributions transposed_;  // and to be transposed
 };
 
 }  // namespace hepatica

@@ -74,7 +74,6 @@ class BackwardEuler {
     NewtonSettings settings_;
     std::unique_ptr<LinearSolver> solver_;
     Assembly assembly_;
-    small::Tangent tangent_;
     BlockMatrix matrix_;
     BlockMatrix damping_;   // beta K at the start of the step; for further iterates
     bool current_ = false;  // slots, elastic_ and elastic_force_ belong to the state

@@ -59,7 +59,7 @@ DampingFit fit_damping(const Body& body, std::span<const BodyState> recorded, do
     DampingRegression regression;
     const RayleighDamping& damping = body.damping;
     const auto damped_force = [&](const BodyState& state, std::vector<Vec3>& force) {
-        assembly.evaluate(state.positions_mm, small::Tangent::rotated);
+        assembly.evaluate(state.positions_mm);
         assembly.gather_forces(force);
         assembly.gather_stiffness(1.0, stiffness);
         multiply(stiffness, state.velocities_mm_per_s, product);

@@ -135,7 +135,7 @@ std::optional<std::vector<Vec3>> Unfolding::unfold(std::span<const Vec3> positio
     if (inverted.empty()) return std::nullopt;
     if (stiffness_.column.empty()) {
         Assembly assembly(body_);
-        assembly.evaluate(body_.rest_positions_mm, small::Tangent::rotated);
+        assembly.evaluate(body_.rest_positions_mm);
         assembly.gather_stiffness(1.0, stiffness_);
     }
     const double before = energy(positions_mm);

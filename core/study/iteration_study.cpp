@@ -102,7 +102,7 @@ StudySystem study_system(const BodyDescription& description, double bend_rad, do
     system.positions_mm = body.rest_positions_mm;
     if (bend_rad > 0.0) system.positions_mm = bent(system.positions_mm, bend_rad);
     Assembly assembly(body);
-    assembly.evaluate(system.positions_mm, small::Tangent::rotated);
+    assembly.evaluate(system.positions_mm);
     assembly.gather_stiffness(dt_s * dt_s, system.matrix);
     for (int i = 0; i < system.matrix.rows(); ++i) {
         system.matrix.block[system.matrix.diagonal[i]] += body.mass_g[i] * Mat3::Identity();

@@ -104,6 +104,32 @@ BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job) {
     return body;
 }
 
+int furthest_vertex(const BodyDescription& body) {
+    const std::vector<Vec3>& x = body.mesh.vertices_mm;
+    Vec3 clamp = Vec3::Zero();
+    int clamped = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        if (body.fixed.empty() || !body.fixed[v]) continue;
+        clamp += x[v];
+        ++clamped;
+    }
+    clamp /= std::max(clamped, 1);
+    std::size_t furthest = 0;
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if ((x[v] - clamp).norm() > (x[furthest] - clamp).norm()) furthest = v;
+    return static_cast<int>(furthest);
+}
+
+Grab led_around(int vertex, const Vec3& start_mm, int frame) {
+    const double angle = 0.05 * frame;
+    Grab grab;
+    grab.vertices[0] = vertex;
+    grab.target_mm = start_mm + Vec3(0.0, 2.0 * std::sin(angle), 2.0 - 2.0 * std::cos(angle));
+    grab.stiffness_un_per_mm = 2e4;
+    grab.force_limit_un = 1e5;
+    return grab;
+}
+
 std::vector<Vec3> bent(std::vector<Vec3> positions_mm, double angle_rad) {
     double length = 0.0;
     for (const Vec3& x : positions_mm) length = std::max(length, x.x());

@@ -5,6 +5,7 @@
 #include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/deform/body.h"
+#include "core/deform/stepper.h"
 
 namespace hepatica {
 
@@ -21,6 +22,13 @@ VesselTree study_tree(int generations, double root_radius_mm);
 BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job);
 
 FrameSkeleton skeleton_of(const VesselTree& tree);
+
+// The vertex furthest from the middle of the clamped ones.
+int furthest_vertex(const BodyDescription& body);
+
+// A pull by a compliant spring at the vertex, whose target is led around a circle of 2 mm across
+// that begins at `start_mm`, once in two seconds at 60 frames a second.
+Grab led_around(int vertex, const Vec3& start_mm, int frame);
 
 // Positions bent into an arc in the x-y plane: `angle_rad` over the body's length along x.
 std::vector<Vec3> bent(std::vector<Vec3> positions_mm, double angle_rad);

@@ -49,6 +49,13 @@ struct Lanes {
 };
 
 template <class T, int N>
+Lanes<T, N> root(const Lanes<T, N>& a) {
+    Lanes<T, N> result;
+    for (int lane = 0; lane < N; ++lane) result.set(lane, std::sqrt(a[lane]));
+    return result;
+}
+
+template <class T, int N>
 struct ScalarOf<Lanes<T, N>> {
     using type = T;
 };

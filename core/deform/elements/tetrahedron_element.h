@@ -93,6 +93,21 @@ HEPATICA_HOST_DEVICE Law<T> law_of(const TetrahedronRest<T>& rest) {
     return {rest.mu, local, rest.lambda - local};
 }
 
+// One point's share of the forces: put there by the first point, added by others. They sum to zero.
+template <int Nodes, class Law, class T>
+HEPATICA_HOST_DEVICE void add_point_force(const Law& law, const typename Law::Point& point,
+                                          T pressure, T weight, const Vector3<T>* g, bool first,
+                                          Vector3<T>* force) {
+    const Matrix3<T> stress = law.stress(point, pressure);
+    Vector3<T> sum{{T(0), T(0), T(0)}};
+    for (int a = 1; a < Nodes; ++a) {
+        const Vector3<T> share = T(-1) * (weight * (stress * g[a]));
+        force[a] = first ? share : force[a] + share;
+        sum = sum + share;
+    }
+    force[0] = first ? T(-1) * sum : force[0] - sum;
+}
+
 // One point's share of the stiffness: put into the blocks by the first point, added by others.
 template <int Nodes, Tangent tangent, class Law, class T>
 HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law::Point& point,
@@ -151,15 +166,11 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
     if (!force && !blocks) return energy;
 
     const T pressure = law.mean_lambda * theta, weight = rest.volume / T(points);
-    if (force)
-        for (int a = 0; a < Nodes; ++a) force[a] = {{T(0), T(0), T(0)}};
     Vector3<T> h[Nodes];  // gradient of the mean dilatation, where it differs from the point's
     for (int a = 0; a < Nodes; ++a) h[a] = {{T(0), T(0), T(0)}};
     for (int q = 0; q < points; ++q) {
-        if (force) {
-            const Matrix3<T> stress = law.stress(point[q], pressure);
-            for (int a = 1; a < Nodes; ++a) force[a] = force[a] - weight * (stress * g[q][a]);
-        }
+        if (force)
+            detail::add_point_force<Nodes>(law, point[q], pressure, weight, g[q], q == 0, force);
         if constexpr (tangent != Tangent::none) {
             detail::add_point_stiffness<Nodes, tangent>(law, point[q], pressure, weight, g[q],
                                                         q == 0, blocks);
@@ -168,8 +179,6 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
                 h[a] = h[a] + (T(1) / T(points)) * (gradient * g[q][a]);
         }
     }
-    if (force)
-        for (int a = 1; a < Nodes; ++a) force[0] = force[0] - force[a];
     if constexpr (tangent != Tangent::none && points > 1) {
         const T bulk = rest.volume * law.mean_lambda;
         for (int a = 0; a < Nodes; ++a) {
@@ -181,6 +190,34 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
         }
     }
     return energy;
+}
+
+// The linear corotated element with its `rotated` stiffness in factors: turned[a] is the gradient
+// of node a's shape function in the frame of the rotation, times sqrt(mu volume), and
+//   K_ab = S + (lambda / mu) S^T + trace(S) I  with  S = turned[b] turned[a]^T:
+// twelve numbers instead of fifty-four, and elements of one ratio lambda / mu can add up S first.
+template <class T>
+HEPATICA_HOST_DEVICE T evaluate_turned_gradients(const TetrahedronRest<T>& rest,
+                                                 const Vector3<T>* x, Vector3<T>* force,
+                                                 Vector3<T>* turned) {
+    using namespace detail;
+    const auto law = law_of<4, CorotatedLaw>(rest);
+    Vector3<T> g[4];
+    shape_gradients<4>(rest, 0, g);
+    const auto point = CorotatedLaw<T>::at(deformation_gradient<4>(x, g));
+    add_point_force<4>(law, point, T(0), rest.volume, g, true, force);
+    const Matrix3<T> turn = root(rest.volume * law.mu) * point.rotation;
+    for (int a = 0; a < 4; ++a) turned[a] = turn * g[a];
+    return rest.volume * law.isochoric_energy(point);
+}
+
+// d^T K d of that stiffness, u being d relative to node 0.
+template <class T>
+HEPATICA_HOST_DEVICE T quadratic_form(const Vector3<T>* turned, T lambda_over_mu,
+                                      const Vector3<T>* u) {
+    Matrix3<T> s = zero_matrix<T>();
+    for (int a = 1; a < 4; ++a) s = s + outer(u[a], turned[a]);
+    return inner(s, s) + inner(s, transpose(s)) + lambda_over_mu * trace(s) * trace(s);
 }
 
 }  // namespace hepatica::small

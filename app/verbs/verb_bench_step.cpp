@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+
+#include "app/verbs/verbs.h"
+#include "core/base/hash.h"
+#include "core/patient/patient_case.h"
+#include "core/study/step_study.h"
+
+namespace hepatica {
+
+namespace {
+
+Json json_of(const StepRow& row) {
+    return {{"threads", row.threads},
+            {"tetrahedra", row.tetrahedra},
+            {"ms", row.ms},
+            {"longest_ms", row.longest_ms},
+            {"steps_per_s", 1000.0 / row.ms},
+            {"iterations", row.iterations},
+            {"energy_error", row.energy_error},
+            {"ledger_imbalance", row.ledger_imbalance},
+            {"hash", to_hex(row.hash)}};
+}
+
+}  // namespace
+
+void add_bench_step(CommandLine& line) {
+    const auto options = std::make_shared<StepStudyOptions>();
+    const auto patient = std::make_shared<std::filesystem::path>();
+    CLI::App& verb = line.add_verb(
+        "bench", "Benchmarks", "step",
+        "A step of a whole vessel tree: time on one core and on several, error, ledger",
+        [options, patient](Job& job) {
+            if (!patient->empty()) options->tree = read_case_without_voxels(*patient).tree;
+            const std::vector<StepRow> measured = study_steps(*options, job);
+            Json rows = Json::array();
+            for (const StepRow& row : measured) rows.push_back(json_of(row));
+            return Json{{"rows", rows}, {"thread_ratio", measured.front().ms / measured.back().ms}};
+        });
+    verb.add_option("--case", *patient, "A patient's case; without it a symmetric tree");
+    verb.add_option("--tetrahedra", options->tetrahedra, "About so many")
+        ->check(CLI::Range(1000, 1000000));
+    verb.add_option("--frames", options->frames, "Steps of 1/60 s")->check(CLI::Range(1, 100000));
+    verb.add_option("--threads", options->threads, "Numbers of threads, side by side")
+        ->check(CLI::Range(1, 256));
+}
+
+}  // namespace hepatica

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/step_study.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/base/hash.h"
+#include "core/base/parallel.h"
+#include "core/deform/cpu_stepper.h"
+#include "core/deform/energy_ledger.h"
+#include "core/study/timing.h"
+#include "core/study/vessel_body.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double dt_s = 1.0 / 60.0;
+constexpr int frames_per_batch = 20;
+
+// One stepper that is always stepped with the same number of threads.
+struct Run {
+    StepRow row;
+    std::unique_ptr<Stepper> stepper;
+    std::vector<double> ms;
+};
+
+std::uint64_t hash_of(const Stepper& stepper) {
+    Hasher hasher;
+    for (const auto& values : {stepper.positions_mm(), stepper.velocities_mm_per_s()})
+        hasher.add(std::span(values.data()->data(), 3 * values.size()));
+    return hasher.value();
+}
+
+void advance(Run& run, const Grab& grab) {
+    StepReport report;
+    run.ms.push_back(timed_ms([&] {
+        run.stepper->set_grabs(std::span(&grab, 1));
+        report = run.stepper->step(dt_s);
+    }));
+    run.row.iterations += report.linear_iterations;
+    run.row.energy_error = std::max(run.row.energy_error, report.linear_energy_error);
+    run.row.ledger_imbalance =
+        std::max(run.row.ledger_imbalance, relative_imbalance(report.energy));
+}
+
+}  // namespace
+
+std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
+    Job meshing;  // its stages are none of the caller's
+    BodyDescription body =
+        body_of(options.tree.segments.empty() ? study_tree(6, 6.0) : options.tree,
+                options.tetrahedra, meshing);
+    body.material.damping_ratio = 0.3;
+    const int tip = furthest_vertex(body);
+    std::vector<Run> runs;
+    for (const int threads : options.threads) {
+        Run run;
+        run.row.threads = threads;
+        run.row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
+        run.stepper = make_cpu_stepper(body, {.sleeping = false});
+        run.stepper->set_gravity(Vec3(0.0, 0.0, -9810.0));
+        runs.push_back(std::move(run));
+    }
+    for (int first = 0; first < options.frames; first += frames_per_batch) {
+        for (Run& run : runs) {
+            const ThreadLimit limit(run.row.threads);
+            for (int k = first; k < std::min(options.frames, first + frames_per_batch); ++k) {
+                job.advance(static_cast<double>(k) / options.frames);
+                advance(run, led_around(tip, body.mesh.vertices_mm[tip], k));
+            }
+        }
+    }
+    std::vector<StepRow> rows;
+    for (Run& run : runs) {
+        run.row.ms = quantile(run.ms, 0.5);
+        run.row.longest_ms = quantile(run.ms, 0.95);
+        run.row.iterations /= options.frames;
+        run.row.hash = hash_of(*run.stepper);
+        rows.push_back(run.row);
+    }
+    return rows;
+}
+
+}  // namespace hepatica
