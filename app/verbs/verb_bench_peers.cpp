@@ -8,6 +8,7 @@
 
 #include "app/peers/bullet_beam.h"
 #include "app/verbs/verbs.h"
+#include "core/base/parallel.h"
 #include "core/deform/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/study/timing.h"
@@ -29,6 +30,7 @@ constexpr double dt_s = 0.01;
 struct PeerOptions {
     int steps = 200;
     int largest = 10290;
+    int threads = 2;
     std::string solver = "automatic";
 };
 
@@ -56,35 +58,61 @@ double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
     return sum / count;
 }
 
+// The beam in this program, stepped with so many threads.
+struct Ours {
+    std::unique_ptr<Stepper> stepper;
+    int threads;
+    std::vector<double> ms;
+    int iterations = 0;
+    double energy_error = 0.0;
+
+    void step() {
+        const ThreadLimit limit(threads);
+        StepReport report;
+        ms.push_back(timed_ms([&] { report = stepper->step(dt_s); }));
+        iterations += report.linear_iterations;
+        energy_error = std::max(energy_error, report.linear_energy_error);
+    }
+};
+
+// One step of each in turn, so that what disturbs one disturbs the others.
 Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
     const BodyDescription body = beam_body(beam);
     const Vec3 gravity(0.0, 0.0, -9810.0);
     StepperOptions ours_options;
     ours_options.solver = linear_solver_kind(options.solver);
     ours_options.sleeping = false;
-    const auto ours = make_cpu_stepper(body, ours_options);
-    ours->set_gravity(gravity);
+    std::vector<Ours> ours;
+    for (const int threads : {1, options.threads}) {
+        ours.push_back({make_cpu_stepper(body, ours_options), threads, {}});
+        ours.back().stepper->set_gravity(gravity);
+    }
     BulletBeam peer(body.mesh, body.fixed, body.material, gravity);
-    std::vector<double> our_ms, peer_ms;
-    int iterations = 0;
+    std::vector<double> peer_ms;
     for (int k = 0; k < options.steps; ++k) {
         job.advance(static_cast<double>(k) / options.steps);
-        our_ms.push_back(timed_ms([&] { iterations += ours->step(dt_s).linear_iterations; }));
+        for (Ours& run : ours) run.step();
         peer_ms.push_back(timed_ms([&] { peer.step(dt_s); }));
     }
-    const double our_tip = sag_mm(body, ours->positions_mm());
+    const double our_tip = sag_mm(body, ours[0].stepper->positions_mm());
     const double peer_tip = sag_mm(body, peer.positions_mm());
+    const double single_ms = quantile(ours[0].ms, 0.5), our_ms = quantile(ours[1].ms, 0.5);
     return {{"peer", "Bullet deformable, corotational"},
             {"tetrahedra", body.mesh.tetrahedra.size()},
-            {"our_ms", quantile(our_ms, 0.5)},
+            {"our_threads", options.threads},
+            {"our_ms", our_ms},
+            {"our_one_thread_ms", single_ms},
+            {"peer_threads", 1},
             {"peer_ms", quantile(peer_ms, 0.5)},
-            {"time_ratio", quantile(peer_ms, 0.5) / quantile(our_ms, 0.5)},
+            {"time_ratio", quantile(peer_ms, 0.5) / our_ms},
+            {"time_ratio_one_thread", quantile(peer_ms, 0.5) / single_ms},
             {"our_error", our_tip / beam.same_mesh_fem_mm - 1.0},
             {"peer_error", peer_tip / beam.same_mesh_fem_mm - 1.0},
             {"our_tip_mm", our_tip},
             {"peer_tip_mm", peer_tip},
             {"fem_tip_mm", beam.same_mesh_fem_mm},
-            {"our_iterations_per_step", static_cast<double>(iterations) / options.steps}};
+            {"our_linear_energy_error", ours[0].energy_error},
+            {"our_iterations_per_step", static_cast<double>(ours[0].iterations) / options.steps}};
 }
 
 }  // namespace
@@ -107,6 +135,8 @@ void add_bench_peers(CommandLine& line) {
         ->check(CLI::Range(1, 100000));
     verb.add_option("--largest", options->largest,
                     "Leave out beams of more tetrahedra (1080, 10290, 51840)");
+    verb.add_option("--threads", options->threads, "Of ours; Bullet's deformable world has one")
+        ->check(CLI::Range(1, 256));
     verb.add_option("--solver", options->solver, "Our linear solver");
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/deform/assembly.h"
 #include "core/deform/solvers/cholesky_solver.h"
+#include "core/deform/solvers/skeleton_preconditioner.h"
 #include "core/study/vessel_body.h"
 
 namespace hepatica {
@@ -147,10 +148,13 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
                                 const StudySystem& system, double slenderness,
                                 LinearSolverKind kind) {
     const std::vector<Vec3>& rest = body.mesh.vertices_mm;
-    std::unique_ptr<LinearSolver> solver =
-        kind == LinearSolverKind::cholesky
-            ? std::make_unique<CholeskySolver>(body.skeleton, rest, CholeskySettings{.exact = true})
-            : make_linear_solver(kind, body.skeleton, rest);
+    std::unique_ptr<LinearSolver> solver;
+    if (kind == LinearSolverKind::cholesky)
+        solver = std::make_unique<CholeskySolver>(body.skeleton, rest, CholeskySettings{true});
+    else if (kind == LinearSolverKind::skeleton)
+        solver = std::make_unique<SkeletonSolver>(body.skeleton, rest, SkeletonSettings{true});
+    else
+        solver = make_linear_solver(kind, body.skeleton, rest);
     IterationRow row;
     row.body = name;
     row.solver = name_of(kind);

@@ -18,6 +18,7 @@ struct SolveLimits {
     double energy_tolerance = 1e-2;   // on |x - x_exact|_A / |x_exact|_A, estimated
     double residual_tolerance = 0.0;  // on |b - A x| / |b|
     int max_iterations = 10000;
+    bool operator==(const SolveLimits&) const = default;
 };
 
 struct SolveReport {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/solvers/skeleton_preconditioner.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/deform/solvers/elimination_order.h"
@@ -8,6 +10,11 @@
 namespace hepatica {
 
 namespace {
+
+// Preparing costs about as much as this many iterations. Measured.
+constexpr int iterations_to_prepare = 3;
+// More than so many iterations beyond those of a fresh preconditioner are not waited for.
+constexpr int patience = 4;
 
 // Frames from the ends of the tree inward, the four vectors of each together.
 std::vector<int> coarse_order(const FrameSkeleton& skeleton) {
@@ -44,9 +51,13 @@ SkeletonPreconditioner::SkeletonPreconditioner(FrameSkeleton skeleton,
     binding_ = bind_vertices(skeleton_, rest_positions_mm);
 }
 
+bool SkeletonPreconditioner::fits(const BlockMatrix& matrix) const {
+    return space_ && planned_columns_ == matrix.column && planned_rows_ == matrix.row_begin;
+}
+
 void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
                                      std::span<const Vec3> positions_mm) {
-    if (!space_ || planned_columns_ != matrix.column || planned_rows_ != matrix.row_begin) {
+    if (!fits(matrix)) {
         planned_columns_ = matrix.column;
         planned_rows_ = matrix.row_begin;
         space_.emplace(skeleton_, binding_, matrix);
@@ -72,16 +83,51 @@ void SkeletonPreconditioner::apply(const std::vector<Vec3>& r, std::vector<Vec3>
 
 void SkeletonSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
     matrix_ = &matrix;
-    preconditioner_.prepare(matrix, positions_mm);
+    positions_mm_.assign(positions_mm.begin(), positions_mm.end());
+    fresh_ = false;
+    if (settings_.always_fresh || worn_ || !preconditioner_.fits(matrix)) prepare_anew();
 }
 
-SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
-                                  const SolveLimits& limits) {
+void SkeletonSolver::prepare_anew() {
+    preconditioner_.prepare(*matrix_, positions_mm_);
+    fresh_ = true;
+    worn_ = false;
+    spent_ = 0;
+}
+
+SolveReport SkeletonSolver::iterate(std::span<const Vec3> rhs, std::span<Vec3> x,
+                                    const SolveLimits& limits) {
     const auto precondition = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
         preconditioner_.apply(r, z);
     };
     SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits);
     report.method = name();
+    return report;
+}
+
+SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                                  const SolveLimits& limits) {
+    if (!fresh_ && limits != fresh_limits_) prepare_anew();
+    if (fresh_) {
+        const SolveReport report = iterate(rhs, x, limits);
+        fresh_limits_ = limits;
+        fresh_iterations_ = report.iterations;
+        worn_ = !report.converged;
+        return report;
+    }
+    SolveLimits lagged = limits;
+    lagged.max_iterations = std::min(limits.max_iterations, fresh_iterations_ + patience);
+    SolveReport report = iterate(rhs, x, lagged);
+    spent_ += std::max(0, report.iterations - fresh_iterations_);
+    worn_ = spent_ >= iterations_to_prepare;
+    if (report.converged || lagged.max_iterations == limits.max_iterations) return report;
+    // Far from what it was made for: what has been found is a start for a fresh one.
+    const int iterations = report.iterations;
+    prepare_anew();
+    SolveLimits rest = limits;
+    rest.max_iterations -= iterations;
+    report = iterate(rhs, x, rest);
+    report.iterations += iterations;
     return report;
 }
 

@@ -26,6 +26,9 @@ class SkeletonPreconditioner {
     // As LinearSolver::prepare. The first call, and one with another pattern, plans anew.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
 
+    // Whether it was prepared for a matrix of this pattern.
+    bool fits(const BlockMatrix& matrix) const;
+
     // z = M^-1 r, M symmetric positive definite.
     void apply(const std::vector<Vec3>& r, std::vector<Vec3>& z);
 
@@ -43,10 +46,17 @@ class SkeletonPreconditioner {
     std::vector<Vec3> remainder_, coarse_remainder_;
 };
 
+struct SkeletonSettings {
+    // Prepare for every matrix. Otherwise a preconditioner serves until the iterations that it took
+    // beyond those of a fresh one have cost as much as preparing that.
+    bool always_fresh = false;
+};
+
 class SkeletonSolver final : public LinearSolver {
   public:
-    SkeletonSolver(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm)
-        : preconditioner_(std::move(skeleton), rest_positions_mm) {}
+    SkeletonSolver(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm,
+                   const SkeletonSettings& settings = {})
+        : settings_(settings), preconditioner_(std::move(skeleton), rest_positions_mm) {}
 
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
@@ -54,9 +64,19 @@ class SkeletonSolver final : public LinearSolver {
     std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
 
   private:
+    void prepare_anew();
+    SolveReport iterate(std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
+
+    SkeletonSettings settings_;
     const BlockMatrix* matrix_ = nullptr;
+    std::vector<Vec3> positions_mm_;
     SkeletonPreconditioner preconditioner_;
     ConjugateGradient iteration_;
+    bool fresh_ = false;          // the preconditioner is that of *matrix_
+    bool worn_ = true;            // it has cost more than a fresh one would
+    SolveLimits fresh_limits_{};  // of the solve with the preconditioner when it was fresh,
+    int fresh_iterations_ = 0;    // and what that took
+    int spent_ = 0;               // iterations beyond that since
 };
 
 }  // namespace hepatica

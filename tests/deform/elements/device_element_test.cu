@@ -13,9 +13,9 @@ namespace {
 using namespace hepatica::small;
 
 struct Result {
-    double energy[6];
-    Vector3<double> force[6][10];
-    Matrix3<double> block[6][45];
+    double energy[7];
+    Vector3<double> force[7][10];
+    Matrix3<double> block[7][45];
 };
 
 // A bent tetrahedron of ten nodes; the linear elements use its corners, the hexahedron a brick.
@@ -53,6 +53,9 @@ HEPATICA_HOST_DEVICE void evaluate_all(Result& result) {
     for (int a = 0; a < 8; ++a)
         for (int i = 0; i < 3; ++i) brick[a][i] += 0.05 * ((5 * a + 2 * i) % 7 - 3);
     result.energy[5] = evaluate_hexahedron(hexahedron, brick, result.force[5], result.block[5]);
+    Vector3<double> turned[4];
+    result.energy[6] = evaluate_turned_gradients(shape, x, result.force[6], turned);
+    for (int a = 0; a < 4; ++a) result.block[6][a] = outer(turned[a], turned[a]);
 }
 
 __global__ void evaluate_on_device(Result* result) {
@@ -70,7 +73,7 @@ TEST(DeviceElements, GiveWhatTheHostGives) {
     ASSERT_EQ(cudaDeviceSynchronize(), cudaSuccess);
     static Result host{};
     evaluate_all(host);
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 7; ++k) {
         EXPECT_NEAR(on_device->energy[k], host.energy[k], 1e-11 * std::abs(host.energy[k]));
         for (int a = 0; a < 10; ++a)
             for (int i = 0; i < 3; ++i)
