@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deform/node_loops.h"
+
 namespace hepatica {
 namespace {
 
@@ -16,38 +18,27 @@ constexpr int most_halvings = 4;
 constexpr int rescue_iterates = 8;
 
 double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
+    return sum_over_nodes(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
 }
 
 double kinetic(const Body& body, const std::vector<Vec3>& v) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < v.size(); ++i) sum += 0.5 * body.mass_g[i] * v[i].squaredNorm();
-    return sum;
+    return sum_over_nodes(v.size(),
+                          [&](std::size_t i) { return 0.5 * body.mass_g[i] * v[i].squaredNorm(); });
 }
 
 double gravity_work(const Body& body, const Vec3& gravity, const std::vector<Vec3>& d) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < d.size(); ++i) sum += body.mass_g[i] * gravity.dot(d[i]);
-    return sum;
+    return sum_over_nodes(d.size(),
+                          [&](std::size_t i) { return body.mass_g[i] * gravity.dot(d[i]); });
 }
 
 bool all_finite(const std::vector<Vec3>& a) {
     return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
 }
 
-// Cuts fixed vertices out of the system: their change is 0 and nobody feels it.
-void decouple_fixed(const Body& body, BlockMatrix& matrix) {
-    for (int i = 0; i < matrix.rows(); ++i)
-        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
-            const int j = matrix.column[k];
-            if (!body.fixed[i] && !body.fixed[j]) continue;
-            if (i == j)
-                matrix.block[k] = (matrix.block[k].trace() / 3.0) * Mat3::Identity();
-            else
-                matrix.block[k].setZero();
-        }
+std::vector<Vec3> times(double factor, const std::vector<Vec3>& a) {
+    std::vector<Vec3> product(a.size());
+    for_each_node(a.size(), [&](std::size_t i) { product[i] = factor * a[i]; });
+    return product;
 }
 
 }  // namespace
@@ -82,7 +73,14 @@ BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
       force_(body.node_count()),
       residual_(body.node_count()),
       change_(body.node_count()),
-      product_(body.node_count()) {}
+      product_(body.node_count()) {
+    const BlockMatrix& pattern = assembly_.pattern();
+    for (int i = 0; i < pattern.rows(); ++i)
+        for (int k = pattern.row_begin[i]; k < pattern.row_begin[i + 1]; ++k) {
+            const int j = pattern.column[k];
+            if (i != j && (body.fixed[i] || body.fixed[j])) cut_blocks_.push_back(k);
+        }
+}
 
 void BackwardEuler::evaluate(const std::vector<Vec3>& positions_mm) {
     elastic_ = assembly_.evaluate(positions_mm);
@@ -95,13 +93,20 @@ void BackwardEuler::assemble(const Step& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     assembly_.gather_stiffness(step.iterate == 0 ? dt * dt + dt * beta : dt * dt, matrix_);
     if (step.iterate > 0 && beta > 0.0)
-        for (std::size_t k = 0; k < matrix_.block.size(); ++k)
-            matrix_.block[k] += dt * damping_.block[k];
+        for_each_node(matrix_.block.size(),
+                      [&](std::size_t k) { matrix_.block[k] += dt * damping_.block[k]; });
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
-    for (int i = 0; i < matrix_.rows(); ++i)
+    for_each_node(step.x.size(), [&](std::size_t i) {
         matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
+    });
     step.forces.add_stiffness(step.x, dt * dt, matrix_);
-    decouple_fixed(body_, matrix_);
+    // Fixed vertices are cut out of the system: their change is 0 and nobody feels it.
+    for (const int k : cut_blocks_) matrix_.block[k].setZero();
+    for (int i = 0; i < matrix_.rows(); ++i)
+        if (body_.fixed[i]) {
+            Mat3& block = matrix_.block[matrix_.diagonal[i]];
+            block = (block.trace() / 3.0) * Mat3::Identity();
+        }
 }
 
 // Takes beta K_n back out of the first iterate's matrix, before that is overwritten. Fixed vertices
@@ -110,11 +115,12 @@ void BackwardEuler::keep_damping(const Step& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     damping_ = matrix_;
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
-    for (int i = 0; i < damping_.rows(); ++i)
+    for_each_node(body_.mass_g.size(), [&](std::size_t i) {
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
+    });
     step.forces.add_stiffness(step.start.positions_mm, -dt * dt, damping_);
     const double scale = beta / (dt * dt + dt * beta);
-    for (Mat3& block : damping_.block) block *= scale;
+    for_each_node(damping_.block.size(), [&](std::size_t k) { damping_.block[k] *= scale; });
 }
 
 // -dt times the gradient of the potential at the present iterate:
@@ -123,16 +129,15 @@ void BackwardEuler::right_hand_side(const Step& step) {
     const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
     force_ = elastic_force_;
     step.forces.add_forces(step.x, force_);
-    for (std::size_t i = 0; i < residual_.size(); ++i)
+    const bool damped = step.iterate > 0 && body_.damping.beta_s > 0.0;
+    if (damped) multiply(damping_, step.w, product_);
+    for_each_node(residual_.size(), [&](std::size_t i) {
         residual_[i] =
             body_.mass_g[i] * (step.start.velocities_mm_per_s[i] - (1.0 + dt * alpha) * step.w[i]) +
             dt * force_[i];
-    if (step.iterate > 0 && body_.damping.beta_s > 0.0) {
-        multiply(damping_, step.w, product_);
-        for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] -= dt * product_[i];
-    }
-    for (std::size_t i = 0; i < residual_.size(); ++i)
+        if (damped) residual_[i] -= dt * product_[i];
         if (body_.fixed[i]) residual_[i].setZero();
+    });
 }
 
 void BackwardEuler::solve(const Step& step, StepReport& report) {
@@ -141,8 +146,9 @@ void BackwardEuler::solve(const Step& step, StepReport& report) {
     // for a body in flight, too.
     if (step.iterate == 0) {
         multiply(matrix_, step.start.velocities_mm_per_s, product_);
-        for (std::size_t i = 0; i < residual_.size(); ++i)
+        for_each_node(residual_.size(), [&](std::size_t i) {
             if (!body_.fixed[i]) residual_[i] -= product_[i];
+        });
     }
     std::ranges::fill(change_, Vec3::Zero());
     const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
@@ -153,22 +159,21 @@ void BackwardEuler::solve(const Step& step, StepReport& report) {
 
 double BackwardEuler::potential(const Step& step) const {
     const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
-    double inertia = 0.0;
-    for (std::size_t i = 0; i < step.w.size(); ++i) {
+    const double inertia = sum_over_nodes(step.w.size(), [&](std::size_t i) {
         const Vec3 change = step.w[i] - step.start.velocities_mm_per_s[i];
-        inertia +=
-            0.5 * body_.mass_g[i] * (change.squaredNorm() + dt * alpha * step.w[i].squaredNorm());
-    }
+        return 0.5 * body_.mass_g[i] *
+               (change.squaredNorm() + dt * alpha * step.w[i].squaredNorm());
+    });
     return inertia + 0.5 * dt * step.damping_form + elastic_ + step.forces.energy(step.x) -
            dt * gravity_work(body_, step.forces.gravity_mm_per_s2(), step.w);
 }
 
 double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
                                        const ExternalForces& forces) const {
-    double weight = 0.0;
-    for (std::size_t i = 0; i < positions_mm.size(); ++i)
-        weight += body_.mass_g[i] *
-                  forces.gravity_mm_per_s2().dot(positions_mm[i] - body_.rest_positions_mm[i]);
+    const double weight = sum_over_nodes(positions_mm.size(), [&](std::size_t i) {
+        return body_.mass_g[i] *
+               forces.gravity_mm_per_s2().dot(positions_mm[i] - body_.rest_positions_mm[i]);
+    });
     return assembly_.energy(positions_mm) + forces.energy(positions_mm) - weight;
 }
 
@@ -176,10 +181,10 @@ double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
 bool BackwardEuler::try_share(Step& step, double share, double slope) {
     const std::vector<Vec3> before = step.w;
     const double form_before = step.damping_form;
-    for (std::size_t i = 0; i < step.w.size(); ++i) {
+    for_each_node(step.w.size(), [&](std::size_t i) {
         step.w[i] += share * step.direction[i];
         step.x[i] = step.start.positions_mm[i] + step.dt_s * step.w[i];
-    }
+    });
     if (all_finite(step.x)) {
         if (body_.damping.beta_s > 0.0) {
             if (step.iterate == 0) {
@@ -239,8 +244,7 @@ void BackwardEuler::limit_energy(Step& step, StepReport& report) const {
 
 // Keeps, while the slots are those of the start, what the whole linearised step would do.
 void BackwardEuler::book_linearised(Step& step) {
-    std::vector<Vec3> dx = step.direction;
-    for (Vec3& d : dx) d *= step.dt_s;
+    const std::vector<Vec3> dx = times(step.dt_s, step.direction);
     const double elastic_form = assembly_.quadratic_form(dx);
     const double external_form = step.forces.quadratic_form(step.x, dx, matrix_);
     const double gravity = gravity_work(body_, step.forces.gravity_mm_per_s2(), dx);
@@ -255,12 +259,11 @@ void BackwardEuler::book_linearised(Step& step) {
 void BackwardEuler::book(const Step& step, StepReport& report) {
     const double dt = step.dt_s;
     EnergyLedger& ledger = report.energy;
-    std::vector<Vec3> dx = step.w;
-    for (Vec3& d : dx) d *= dt;
-    double inertial_loss = 0.0;
-    for (std::size_t i = 0; i < dx.size(); ++i)
-        inertial_loss +=
-            0.5 * body_.mass_g[i] * (step.w[i] - step.start.velocities_mm_per_s[i]).squaredNorm();
+    const std::vector<Vec3> dx = times(dt, step.w);
+    const double inertial_loss = sum_over_nodes(dx.size(), [&](std::size_t i) {
+        return 0.5 * body_.mass_g[i] *
+               (step.w[i] - step.start.velocities_mm_per_s[i]).squaredNorm();
+    });
     double elastic_work = step.linear_elastic_work, external_work = step.linear_external_work;
     double residual_work = step.residual_work;
     const double gravity = gravity_work(body_, step.forces.gravity_mm_per_s2(), dx);
@@ -302,8 +305,9 @@ bool BackwardEuler::iterate(Step& step, StepReport& report) {
     ++report.newton_iterations;
     step.direction = change_;
     if (step.iterate == 0) {
-        for (std::size_t i = 0; i < change_.size(); ++i)
+        for_each_node(change_.size(), [&](std::size_t i) {
             step.direction[i] += step.start.velocities_mm_per_s[i];
+        });
         book_linearised(step);
     }
     return search_line(step);
@@ -315,8 +319,10 @@ bool BackwardEuler::find_velocity(Step& step, StepReport& report) {
     int most = settings_.iterations;
     for (;; ++step.iterate) {
         const bool lower = iterate(step, report);
-        double longest = 0.0;
-        for (const Vec3& d : step.direction) longest = std::max(longest, step.dt_s * d.norm());
+        double longest_squared = 0.0;
+        for (const Vec3& d : step.direction)
+            longest_squared = std::max(longest_squared, d.squaredNorm());
+        const double longest = step.dt_s * std::sqrt(longest_squared);
         if (!lower) {
             // At rest the potential is rounding errors, and no direction lowers it for certain.
             if (step.iterate == 0) return longest <= at_rest * body_.mean_edge_mm;
@@ -363,8 +369,9 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     }
     limit_energy(step, report);
     book(step, report);
-    for (std::size_t i = 0; i < step.x.size(); ++i)
+    for_each_node(step.x.size(), [&](std::size_t i) {
         state.velocities_mm_per_s[i] = step.velocity_scale * step.w[i];
+    });
     state.positions_mm = std::move(step.x);
     return report;
 }

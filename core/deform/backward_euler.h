@@ -74,6 +74,7 @@ class BackwardEuler {
     NewtonSettings settings_;
     std::unique_ptr<LinearSolver> solver_;
     Assembly assembly_;
+    std::vector<int> cut_blocks_;  // of the matrix: beside the diagonal, with a fixed vertex
     BlockMatrix matrix_;
     BlockMatrix damping_;   // beta K at the start of the step; for further iterates
     bool current_ = false;  // slots, elastic_ and elastic_force_ belong to the state

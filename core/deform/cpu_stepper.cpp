@@ -48,6 +48,13 @@ std::unique_ptr<LinearSolver> solver_for(const Body& body, const BodyDescription
     return make_linear_solver(options.solver, skeleton_of_mesh(mesh), body.rest_positions_mm);
 }
 
+// Speed of the fastest node, mm/s.
+double fastest(const BodyState& state) {
+    double squared = 0.0;
+    for (const Vec3& v : state.velocities_mm_per_s) squared = std::max(squared, v.squaredNorm());
+    return std::sqrt(squared);
+}
+
 NewtonSettings newton_of(const StepperOptions& options) {
     return {.iterations = options.newton_iterations,
             .tolerance = options.newton_tolerance,
@@ -137,17 +144,14 @@ StepReport CpuStepper::step(double dt_s) {
 }
 
 void CpuStepper::watch_for_sleep(double dt_s) {
-    double fastest = 0.0;
-    for (const Vec3& v : state_.velocities_mm_per_s) fastest = std::max(fastest, v.norm());
-    still_s_ = fastest < sleep_speed_edges_per_s * body_.mean_edge_mm ? still_s_ + dt_s : 0.0;
+    still_s_ =
+        fastest(state_) < sleep_speed_edges_per_s * body_.mean_edge_mm ? still_s_ + dt_s : 0.0;
 }
 
 // Looks once each time the body has settled.
 void CpuStepper::unfold(double dt_s, StepReport& report) {
     if (options_.published) return;
-    double fastest = 0.0;
-    for (const Vec3& v : state_.velocities_mm_per_s) fastest = std::max(fastest, v.norm());
-    const bool settled = fastest < settled_speed_edges_per_s * body_.mean_edge_mm;
+    const bool settled = fastest(state_) < settled_speed_edges_per_s * body_.mean_edge_mm;
     const double before = settled_s_;
     settled_s_ = settled ? settled_s_ + dt_s : 0.0;
     if (before >= settled_after_s || settled_s_ < settled_after_s) return;

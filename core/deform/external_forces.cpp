@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/deform/node_loops.h"
 
 namespace hepatica {
 namespace {
@@ -66,10 +67,10 @@ void ExternalForces::set_gravity(const Vec3& gravity_mm_per_s2) {
 }
 
 double ExternalForces::energy(std::span<const Vec3> positions_mm) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < positions_mm.size(); ++i)
-        sum += 0.5 * body_.tether_un_per_mm[i] *
+    double sum = sum_over_nodes(positions_mm.size(), [&](std::size_t i) {
+        return 0.5 * body_.tether_un_per_mm[i] *
                (positions_mm[i] - body_.rest_positions_mm[i]).squaredNorm();
+    });
     for (const Grab& grab : grabs_) {
         const Pull pull = pull_of(grab, positions_mm);
         sum += pull.length_mm <= pull.limit_mm
@@ -81,9 +82,10 @@ double ExternalForces::energy(std::span<const Vec3> positions_mm) const {
 
 void ExternalForces::add_forces(std::span<const Vec3> positions_mm,
                                 std::span<Vec3> forces_un) const {
-    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+    for_each_node(positions_mm.size(), [&](std::size_t i) {
         forces_un[i] += body_.mass_g[i] * gravity_ +
                         body_.tether_un_per_mm[i] * (body_.rest_positions_mm[i] - positions_mm[i]);
+    });
     for (const Grab& grab : grabs_) {
         const Pull pull = pull_of(grab, positions_mm);
         const Vec3 force = pull.length_mm <= pull.limit_mm
@@ -110,10 +112,11 @@ void ExternalForces::for_each_grab_block(const Grab& grab, std::span<const Vec3>
 
 void ExternalForces::add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                    BlockMatrix& matrix) const {
-    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+    for_each_node(positions_mm.size(), [&](std::size_t i) {
         if (body_.tether_un_per_mm[i] > 0.0)
             matrix.block[matrix.diagonal[i]].diagonal().array() +=
                 factor * body_.tether_un_per_mm[i];
+    });
     for (const Grab& grab : grabs_)
         for_each_grab_block(grab, positions_mm, matrix, [&](int i, int j, const Mat3& block) {
             matrix.block[matrix.find(i, j)] += factor * block;
@@ -122,9 +125,8 @@ void ExternalForces::add_stiffness(std::span<const Vec3> positions_mm, double fa
 
 double ExternalForces::quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
                                       const BlockMatrix& matrix) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < d.size(); ++i)
-        sum += body_.tether_un_per_mm[i] * d[i].squaredNorm();
+    double sum = sum_over_nodes(
+        d.size(), [&](std::size_t i) { return body_.tether_un_per_mm[i] * d[i].squaredNorm(); });
     for (const Grab& grab : grabs_)
         for_each_grab_block(grab, positions_mm, matrix, [&](int i, int j, const Mat3& block) {
             sum += d[i].dot(block * d[j]);

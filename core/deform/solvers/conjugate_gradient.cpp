@@ -11,7 +11,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr std::size_t rows_per_block = 1024;
+constexpr std::size_t rows_per_block = 2048;
 
 double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     return parallel_sum(a.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
