@@ -18,6 +18,7 @@ Json json_of(const StepRow& row) {
             {"longest_ms", row.longest_ms},
             {"steps_per_s", 1000.0 / row.ms},
             {"iterations", row.iterations},
+            {"newton_iterations", row.newton_iterations},
             {"energy_error", row.energy_error},
             {"ledger_imbalance", row.ledger_imbalance},
             {"hash", to_hex(row.hash)}};
@@ -42,6 +43,9 @@ void add_bench_step(CommandLine& line) {
     verb.add_option("--tetrahedra", options->tetrahedra, "About so many")
         ->check(CLI::Range(1000, 1000000));
     verb.add_option("--frames", options->frames, "Steps of 1/60 s")->check(CLI::Range(1, 100000));
+    verb.add_option("--gravity-mm-s2", options->gravity_mm_s2, "Along -z, from the first step on");
+    verb.add_option("--tether-pa-per-mm2", options->tether_pa_per_mm2,
+                    "Pull of the surrounding tissue");
     verb.add_option("--threads", options->threads, "Numbers of threads, side by side")
         ->check(CLI::Range(1, 256));
 }

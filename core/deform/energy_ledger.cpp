@@ -31,11 +31,15 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     return both;
 }
 
+double energy_handled(const EnergyLedger& ledger) {
+    return ledger.kinetic + ledger.elastic + ledger.grab + std::abs(ledger.gravity_work) +
+           std::abs(ledger.tool_work) + std::abs(ledger.damping_loss) +
+           std::abs(ledger.integrator_loss) + std::abs(ledger.unfolding_loss) +
+           std::abs(ledger.solver_work);
+}
+
 double relative_imbalance(const EnergyLedger& ledger) {
-    const double size = ledger.kinetic + ledger.elastic + ledger.grab +
-                        std::abs(ledger.gravity_work) + std::abs(ledger.tool_work) +
-                        std::abs(ledger.damping_loss) + std::abs(ledger.integrator_loss) +
-                        std::abs(ledger.unfolding_loss) + std::abs(ledger.solver_work);
+    const double size = energy_handled(ledger);
     return size > 0.0 ? std::abs(ledger.imbalance) / size : 0.0;
 }
 

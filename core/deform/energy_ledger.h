@@ -13,7 +13,9 @@ namespace hepatica {
 EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second);
 StepReport in_sequence(const StepReport& first, const StepReport& second);
 
-// |imbalance| over the sum of the sizes of all terms; 0 where all are 0.
+// Sum of the sizes of all terms but the imbalance [nJ].
+double energy_handled(const EnergyLedger& ledger);
+// |imbalance| over that; 0 where all are 0.
 double relative_imbalance(const EnergyLedger& ledger);
 
 }  // namespace hepatica

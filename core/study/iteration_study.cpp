@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 
 #include "core/deform/assembly.h"
 #include "core/deform/solvers/cholesky_solver.h"
@@ -69,6 +70,41 @@ struct StudyCase {
     std::function<BodyDescription(Job&)> make;
 };
 
+// From the clamp to the furthest end along x, so that `bent` bends it.
+void lay_along_x(BodyDescription& body) {
+    const Vec3 clamp = clamp_mm(body);
+    const Vec3 end = body.mesh.vertices_mm[static_cast<std::size_t>(furthest_vertex(body))];
+    const Mat3 turn =
+        Eigen::Quaterniond::FromTwoVectors(end - clamp, Vec3::UnitX()).toRotationMatrix();
+    for (Vec3& x : body.mesh.vertices_mm) x = turn * (x - clamp);
+    for (Vec3& x : body.skeleton.positions_mm) x = turn * (x - clamp);
+}
+
+// Longest way from a root over the diameter there.
+double slenderness_of(const VesselTree& tree) {
+    std::vector<double> way(tree.segments.size()), diameter(tree.segments.size());
+    double most = 0.0;
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        const VesselSegment& segment = tree.segments[s];
+        const bool root = segment.parent < 0;
+        way[s] = (root ? 0.0 : way[segment.parent]) + length_mm(segment);
+        diameter[s] = root ? 2.0 * segment.radii_mm.front() : diameter[segment.parent];
+        most = std::max(most, way[s] / diameter[s]);
+    }
+    return most;
+}
+
+std::vector<StudyCase> cases_of_patient(const VesselTree& patient, int tetrahedra) {
+    Job meshing;  // its stages are none of the caller's
+    const auto body = std::make_shared<BodyDescription>(body_of(patient, tetrahedra, meshing));
+    lay_along_x(*body);
+    std::vector<StudyCase> cases;
+    for (const double bend_rad : {0.0, 1.0})
+        cases.push_back({bend_rad > 0.0 ? "patient, bent" : "patient", slenderness_of(patient),
+                         bend_rad, [body](Job&) { return *body; }});
+    return cases;
+}
+
 std::vector<StudyCase> cases_of(bool quick) {
     std::vector<StudyCase> cases;
     const auto bar = [&](double slenderness, int across, double bend_rad) {
@@ -110,22 +146,10 @@ StudySystem study_system(const BodyDescription& description, double bend_rad, do
     }
     fix(body, system.matrix);
 
-    Vec3 clamp = Vec3::Zero();
-    int clamped = 0;
-    for (int i = 0; i < body.node_count(); ++i) {
-        if (!body.fixed[i]) continue;
-        clamp += body.rest_positions_mm[i];
-        ++clamped;
-    }
-    clamp /= std::max(clamped, 1);
-    int furthest = 0;
+    const std::size_t furthest = static_cast<std::size_t>(furthest_vertex(description));
     for (int i = 0; i < body.node_count(); ++i) {
         const Vec3 weight(0.0, -gravity_mm_s2 * body.mass_g[i], 0.0);
         system.rhs.push_back(body.fixed[i] ? Vec3(Vec3::Zero()) : Vec3(dt_s * weight));
-        if ((body.rest_positions_mm[i] - clamp).norm() >
-            (body.rest_positions_mm[furthest] - clamp).norm()) {
-            furthest = i;
-        }
     }
     system.rhs[furthest] += Vec3(0.0, 0.0, dt_s * pull_un);
 
@@ -190,7 +214,9 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
 
 std::vector<IterationRow> study_iterations(const IterationStudyOptions& options, Job& job) {
     std::vector<IterationRow> rows;
-    const std::vector<StudyCase> cases = cases_of(options.quick);
+    const std::vector<StudyCase> cases = options.tree.segments.empty()
+                                             ? cases_of(options.quick)
+                                             : cases_of_patient(options.tree, options.tetrahedra);
     job.expect_stages(static_cast<int>(cases.size()));
     for (const StudyCase& study : cases) {
         job.begin_stage(study.name + ", slenderness " +

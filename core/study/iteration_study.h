@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/deform/body.h"
 #include "core/deform/solvers/linear_solver.h"
@@ -46,11 +47,14 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
                                 LinearSolverKind kind);
 
 struct IterationStudyOptions {
+    VesselTree tree;           // a patient's: measured instead of the bars and symmetric trees
+    int tetrahedra = 25000;    // of it, about
     bool quick = false;        // a few small bodies
     bool block_jacobi = true;  // the yardstick, slow on long bodies
 };
 
-// Bars of slenderness 10 to 500 and trees of 5,000 to 100,000 tetrahedra, at rest and bent.
+// Bars of slenderness 10 to 500 and trees of 5,000 to 100,000 tetrahedra, at rest and bent. A
+// patient's tree is bent about its roots, away from the line to its furthest end.
 std::vector<IterationRow> study_iterations(const IterationStudyOptions& options, Job& job);
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "core/study/step_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/base/hash.h"
@@ -23,6 +24,7 @@ struct Run {
     StepRow row;
     std::unique_ptr<Stepper> stepper;
     std::vector<double> ms;
+    std::vector<double> imbalance_nj, handled_nj;  // of each step
 };
 
 std::uint64_t hash_of(const Stepper& stepper) {
@@ -39,9 +41,21 @@ void advance(Run& run, const Grab& grab) {
         report = run.stepper->step(dt_s);
     }));
     run.row.iterations += report.linear_iterations;
+    run.row.newton_iterations += report.newton_iterations;
     run.row.energy_error = std::max(run.row.energy_error, report.linear_energy_error);
-    run.row.ledger_imbalance =
-        std::max(run.row.ledger_imbalance, relative_imbalance(report.energy));
+    run.imbalance_nj.push_back(std::abs(report.energy.imbalance));
+    run.handled_nj.push_back(energy_handled(report.energy));
+}
+
+// Largest of any step, of the energies it handled. Steps in which next to nothing has moved yet
+// handle rounding errors alone.
+double largest_imbalance(const Run& run) {
+    const double most = *std::max_element(run.handled_nj.begin(), run.handled_nj.end());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < run.handled_nj.size(); ++k)
+        if (run.handled_nj[k] > 1e-6 * most)
+            largest = std::max(largest, run.imbalance_nj[k] / run.handled_nj[k]);
+    return largest;
 }
 
 }  // namespace
@@ -52,6 +66,7 @@ std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
         body_of(options.tree.segments.empty() ? study_tree(6, 6.0) : options.tree,
                 options.tetrahedra, meshing);
     body.material.damping_ratio = 0.3;
+    body.tether_pa_per_mm2 = options.tether_pa_per_mm2;
     const int tip = furthest_vertex(body);
     std::vector<Run> runs;
     for (const int threads : options.threads) {
@@ -59,7 +74,7 @@ std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
         run.row.threads = threads;
         run.row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
         run.stepper = make_cpu_stepper(body, {.sleeping = false});
-        run.stepper->set_gravity(Vec3(0.0, 0.0, -9810.0));
+        run.stepper->set_gravity(Vec3(0.0, 0.0, -options.gravity_mm_s2));
         runs.push_back(std::move(run));
     }
     for (int first = 0; first < options.frames; first += frames_per_batch) {
@@ -76,6 +91,8 @@ std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
         run.row.ms = quantile(run.ms, 0.5);
         run.row.longest_ms = quantile(run.ms, 0.95);
         run.row.iterations /= options.frames;
+        run.row.newton_iterations /= options.frames;
+        run.row.ledger_imbalance = largest_imbalance(run);
         run.row.hash = hash_of(*run.stepper);
         rows.push_back(run.row);
     }

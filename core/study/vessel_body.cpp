@@ -104,16 +104,20 @@ BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job) {
     return body;
 }
 
-int furthest_vertex(const BodyDescription& body) {
-    const std::vector<Vec3>& x = body.mesh.vertices_mm;
+Vec3 clamp_mm(const BodyDescription& body) {
     Vec3 clamp = Vec3::Zero();
     int clamped = 0;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        if (body.fixed.empty() || !body.fixed[v]) continue;
-        clamp += x[v];
+    for (std::size_t v = 0; v < body.fixed.size(); ++v) {
+        if (!body.fixed[v]) continue;
+        clamp += body.mesh.vertices_mm[v];
         ++clamped;
     }
-    clamp /= std::max(clamped, 1);
+    return clamp / std::max(clamped, 1);
+}
+
+int furthest_vertex(const BodyDescription& body) {
+    const std::vector<Vec3>& x = body.mesh.vertices_mm;
+    const Vec3 clamp = clamp_mm(body);
     std::size_t furthest = 0;
     for (std::size_t v = 0; v < x.size(); ++v)
         if ((x[v] - clamp).norm() > (x[furthest] - clamp).norm()) furthest = v;

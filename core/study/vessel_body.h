@@ -23,7 +23,9 @@ BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job);
 
 FrameSkeleton skeleton_of(const VesselTree& tree);
 
-// The vertex furthest from the middle of the clamped ones.
+// The middle of the clamped vertices; the origin where there is none.
+Vec3 clamp_mm(const BodyDescription& body);
+// The vertex furthest from there.
 int furthest_vertex(const BodyDescription& body);
 
 // A pull by a compliant spring at the vertex, whose target is led around a circle of 2 mm across
