@@ -32,6 +32,7 @@ struct PeerOptions {
     int steps = 200;
     int largest = 10290;
     int threads = 2;
+    double energy_tolerance = 1e-2;
     std::string solver = "automatic";
 };
 
@@ -83,6 +84,7 @@ Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
     const Vec3 gravity(0.0, 0.0, -9810.0);
     StepperOptions ours_options;
     ours_options.solver = linear_solver_kind(options.solver);
+    ours_options.linear.energy_tolerance = options.energy_tolerance;
     ours_options.sleeping = false;
     std::vector<Ours> ours;
     for (const int threads : {1, options.threads}) {
@@ -141,6 +143,9 @@ void add_bench_peers(CommandLine& line) {
                     "Leave out beams of more tetrahedra (1080, 10290, 51840)");
     verb.add_option("--threads", options->threads, "Of ours; Bullet's deformable world has one")
         ->check(CLI::Range(1, 256));
+    verb.add_option("--energy-tolerance", options->energy_tolerance,
+                    "Of our linear solves; Bullet's own stays as it ships")
+        ->check(CLI::Range(1e-12, 0.5));
     verb.add_option("--solver", options->solver, "Our linear solver");
 }
 
