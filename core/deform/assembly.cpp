@@ -47,40 +47,48 @@ void Assembly::build_pattern() {
             mirror_[k] = pattern_.find(pattern_.column[k], i);
 }
 
+// Sorts (entry, place) by entry; places of one entry keep their order.
+Assembly::Contributions Assembly::by_entry(std::size_t entries,
+                                           const std::vector<std::array<int, 2>>& pairs) {
+    Contributions lists;
+    lists.begin.assign(entries + 1, 0);
+    for (const auto& [entry, place] : pairs) ++lists.begin[entry + 1];
+    for (std::size_t k = 0; k < entries; ++k) lists.begin[k + 1] += lists.begin[k];
+    lists.place.resize(pairs.size());
+    std::vector<int> next = lists.begin;
+    for (const auto& [entry, place] : pairs) lists.place[next[entry]++] = place;
+    return lists;
+}
+
 void Assembly::build_gather_lists() {
-    std::vector<std::vector<int>> of_node(body_.node_count());
-    using Lists = std::vector<std::vector<int>>;
-    Lists factors(pattern_.column.size()), blocks = factors, transposed = factors;
+    std::vector<std::array<int, 2>> forces, factors, blocks, transposed;
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const ElementGroup& group = body_.groups[g];
         const int n = group.nodes_per_element;
         for (int e = 0; e < group.size(); ++e) {
-            const int* nodes = group.connectivity.data() + e * n;
+            const int* nodes = group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * n;
             const int first = slots_.force_slot(g, e);
             for (int a = 0, pair = 0; a < n; ++a) {
-                of_node[nodes[a]].push_back(first + a);
+                forces.push_back({nodes[a], first + a});
                 for (int b = a + 1; b < n; ++b, ++pair) {
                     const bool turned = nodes[a] > nodes[b];
                     const int low = turned ? b : a, high = turned ? a : b;
                     const int k = pattern_.find(nodes[low], nodes[high]);
-                    if (slots_.in_factors(g))
-                        factors[k].push_back(first + low), factors[k].push_back(first + high);
-                    else
-                        (turned ? transposed : blocks)[k].push_back(slots_.block_slot(g, e, pair));
+                    if (!slots_.in_factors(g)) {
+                        (turned ? transposed : blocks)
+                            .push_back({k, slots_.block_slot(g, e, pair)});
+                        continue;
+                    }
+                    factors.push_back({k, first + low});
+                    factors.push_back({k, first + high});
                 }
             }
         }
     }
-    const auto flatten = [](const Lists& lists, Contributions& flat) {
-        for (const auto& list : lists) {
-            flat.place.insert(flat.place.end(), list.begin(), list.end());
-            flat.begin.push_back(static_cast<int>(flat.place.size()));
-        }
-    };
-    flatten(of_node, forces_);
-    flatten(factors, factors_);
-    flatten(blocks, blocks_);
-    flatten(transposed, transposed_);
+    forces_ = by_entry(static_cast<std::size_t>(body_.node_count()), forces);
+    factors_ = by_entry(pattern_.column.size(), factors);
+    blocks_ = by_entry(pattern_.column.size(), blocks);
+    transposed_ = by_entry(pattern_.column.size(), transposed);
 }
 
 void Assembly::gather_forces(std::span<Vec3> forces_un) const {

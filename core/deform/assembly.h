@@ -4,7 +4,7 @@
 // list made once. Nothing is added up in an order that depends on threads.
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -43,6 +43,8 @@ class Assembly {
         std::vector<int> place;
     };
 
+    static Contributions by_entry(std::size_t entries,
+                                  const std::vector<std::array<int, 2>>& pairs);
     small::Matrix3<double> upper_block(int k) const;
     void build_pattern();
     void build_gather_lists();
