@@ -5,13 +5,11 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QScrollArea>
 #include <QTextBrowser>
 #include <QTimer>
@@ -20,7 +18,6 @@
 #include <array>
 #include <utility>
 
-#include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "ui/case_editing.h"
 #include "ui/edit_panel.h"
@@ -411,14 +408,6 @@ void MainWindow::plot_injection(const TreePoint& tip, const InjectDrug& injectio
         std::move(callbacks));
 }
 
-void MainWindow::save_plots(bool picture) {
-    const QString file = QFileDialog::getSaveFileName(
-        this, "Save curves", settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
-        picture ? "PNG (*.png)" : "Tables (*.csv)");
-    if (file.isEmpty()) return;
-    attempt([&] { picture ? plots_->save_picture(file) : plots_->save_table(file); });
-}
-
 void MainWindow::picture_painted(double ms) {
     if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
     picture_ms_ = ms;
@@ -442,69 +431,12 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
                              6000);
 }
 
-void MainWindow::ask_for_ct(bool folder) {
-    const QString path = folder
-                             ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
-                                                                 settings_.last_folder())
-                             : QFileDialog::getOpenFileName(
-                                   this, "Open CT file", settings_.last_folder(), volume_filter());
-    if (!path.isEmpty()) open(path);
-}
-
-void MainWindow::ask_where_to_save() {
-    const QString folder = QFileDialog::getSaveFileName(
-        this, "Save case as", settings_.last_folder() + "/patient.hep", "Cases (*.hep)");
-    if (!folder.isEmpty()) save_case(folder);
-}
-
-void MainWindow::save_case(const QString& folder) {
-    if (!patient_) return;
-    start_job("Saving " + QFileInfo(folder).fileName(),
-              [this, folder, patient = patient_->patient, voxels = patient_->folder,
-               save = patients_.save](Job& job) {
-                  job.begin_stage("write");
-                  PatientCase whole = *patient;
-                  if (!voxels.empty()) add_voxels(voxels, whole);
-                  save(to_path(folder), whole);
-                  return [this, folder] {
-                      setWindowModified(false);
-                      settings_.add_recent_file(folder);
-                      statusBar()->showMessage("Saved " + folder, 6000);
-                  };
-              });
-}
-
-void MainWindow::save_picture(const QString& file) {
-    const QImage picture = view_->picture();
-    write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
-        if (!picture.save(to_text(temporary), "PNG")) {
-            throw InputError("the picture cannot be written", file.toStdString(),
-                             "choose a folder you may write to, on a disk with room");
-        }
-    });
-    statusBar()->showMessage("Saved " + file, 6000);
-}
-
 void MainWindow::attempt(const std::function<void()>& task) {
     try {
         task();
     } catch (...) {
         messages_->show_failure(failure_of(std::current_exception()));
     }
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (!url.isLocalFile()) continue;
-        event->acceptProposedAction();
-        return open(url.toLocalFile());
-    }
-    messages_->show_failure({"only files and folders of this computer can be opened", "",
-                             "save it to a folder and drop that"});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

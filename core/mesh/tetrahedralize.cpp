@@ -96,10 +96,13 @@ double expected_calls(const VesselTree& tree, const MeshOptions& options) {
 }
 
 // Neighbours in space become neighbours in memory: vertices run along the vessels from the root.
-void sort_along(const TubeField& field, TetMesh& mesh) {
+void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(int)>& on_calls) {
     std::vector<double> position(mesh.vertices_mm.size());
-    for (std::size_t v = 0; v < position.size(); ++v)
+    for (std::size_t v = 0; v < position.size(); ++v) {
+        if (v % 256 == 0) on_calls(0);
         position[v] = field.position_along(mesh.vertices_mm[v]);
+    }
+    on_calls(0);
     std::vector<int> order(position.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](int v) { return position[v]; });
@@ -126,9 +129,10 @@ TetMesh mesh_component(const TubeField& field, const MeshOptions& options,
             std::max(finest_in_radii, scale * options.facet_size_in_radii),
             std::max(finest_in_radii, scale * options.cell_size_in_radii), options.optimise};
         mesh = refine_tetrahedra(field, refinement, on_calls);
+        on_calls(0);
         if (is_closed_manifold(surface_of(mesh).mesh)) break;
     }
-    sort_along(field, mesh);
+    sort_along(field, mesh, on_calls);
     return mesh;
 }
 
@@ -173,6 +177,7 @@ TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& 
     }
     sized.optimise = options.optimise;
     TetMesh mesh = mesh_once(tree, components, sized, job);
+    job.throw_if_cancelled();
     validate(mesh);
     return mesh;
 }

@@ -178,6 +178,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
 
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options.mesh, job);
+    job.throw_if_cancelled();
     patient.surface = surface_of(patient.mesh).mesh;
     result.stages = job.stage_times();
     return result;
