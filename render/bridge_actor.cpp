@@ -10,6 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
+#include <vtkTubeFilter.h>
 
 #include <cmath>
 #include <utility>
@@ -22,6 +23,8 @@ namespace {
 
 constexpr double dash_mm = 1.2;
 constexpr double pause_mm = 0.8;
+constexpr double radius_mm = 0.35;
+constexpr double chosen_radius_mm = 0.6;
 constexpr int text_size = 13;
 
 double length_of(const std::vector<Vec3>& path) {
@@ -85,8 +88,14 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
     bridges_ = std::move(bridges);
     for (const BridgeView& bridge : bridges_) {
         const Colour& colour = bridge.chosen ? palette::text : palette::bridge;
+        // Not every driver draws lines wider than a pixel.
+        vtkNew<vtkTubeFilter> rods;
+        rods->SetInputData(dashes(bridge.path_mm));
+        rods->SetRadius(bridge.chosen ? chosen_radius_mm : radius_mm);
+        rods->SetNumberOfSides(8);
+        rods->CappingOn();
         vtkNew<vtkPolyDataMapper> mapper;
-        mapper->SetInputData(dashes(bridge.path_mm));
+        mapper->SetInputConnection(rods->GetOutputPort());
         vtkNew<vtkActor> line;
         line->SetMapper(mapper);
         line->GetProperty()->SetLighting(false);
@@ -108,8 +117,6 @@ void BridgeActor::set_pixel_ratio(double pixel_ratio) {
     pixel_ratio_ = pixel_ratio;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const bool chosen = bridges_[i].chosen;
-        lines_[i]->GetProperty()->SetLineWidth(
-            static_cast<float>((chosen ? 4.0 : 2.5) * pixel_ratio));
         style_text(*labels_[i]->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)),
                    chosen ? palette::text : palette::bridge);

@@ -35,7 +35,7 @@ class BridgeActor {
 
     void set_bridges(std::vector<BridgeView> bridges);
     const std::vector<BridgeView>& bridges() const { return bridges_; }
-    // Of lines and letters; follows the screen.
+    // Of the letters; follows the screen.
     void set_pixel_ratio(double pixel_ratio);
 
   private:
