@@ -24,6 +24,9 @@ constexpr double surface_sigma_mm = 0.6;
 constexpr double candidate_deviations = 1.5;
 constexpr double weak_deviations = 3.0;
 constexpr double coherent_deviations = 3.5;
+// Thick slices dim the thin vessels that lie in them: both are lowered by up to one deviation.
+constexpr double undimmed_slices_mm = 1.5;
+constexpr double dimming_slices_mm = 3.0;
 constexpr double tubular_deviations = 1.5;
 // No single voxel says more than this, however bright: a line is many voxels.
 constexpr double clip_below_deviations = 3.0;
@@ -40,16 +43,24 @@ struct Evidence {
     FloatVolume rise;  // smoothed excess
     double deviation = 0.0;
     double weak_hu = 0.0;
+    double coherent_hu = 0.0;
 };
 
-Evidence smoothed(const TissueContrast& tissue, Job& job) {
+double dimming(double slice_mm) {
+    return std::clamp((slice_mm - undimmed_slices_mm) / (dimming_slices_mm - undimmed_slices_mm),
+                      0.0, 1.0);
+}
+
+Evidence smoothed(const TissueContrast& tissue, double slice_mm, Job& job) {
     Evidence evidence;
     evidence.rise = tissue.excess;
     gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
     const RobustSpread spread = robust_spread(evidence.rise, tissue.interior);
     for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
     evidence.deviation = spread.deviation;
-    evidence.weak_hu = tissue.threshold_hu.value_or(weak_deviations * spread.deviation);
+    evidence.weak_hu =
+        tissue.threshold_hu.value_or((weak_deviations - dimming(slice_mm)) * spread.deviation);
+    evidence.coherent_hu = (coherent_deviations - dimming(slice_mm)) * spread.deviation;
     return evidence;
 }
 
@@ -79,7 +90,7 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
               liver);
     return above(line_coherence(clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates,
                                 LineOptions{}, job),
-                 coherent_deviations * evidence.deviation, liver);
+                 evidence.coherent_hu, liver);
 }
 
 Mask tubular(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence, Job& job) {
@@ -105,10 +116,10 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
     }
 }
 
-Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, SegmentationMethod method,
-                         Job& job) {
+Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double slice_mm,
+                         SegmentationMethod method, Job& job) {
     if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
-    const Evidence evidence = smoothed(tissue, job);
+    const Evidence evidence = smoothed(tissue, slice_mm, job);
     const Mask weak = above(evidence.rise, evidence.weak_hu, liver);
     Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, liver, evidence, job)
                                                          : tubular(tissue, liver, evidence, job);

@@ -16,10 +16,10 @@ struct Detection {
     Mask centreline;  // multi_layer only, else empty
 };
 
-// Thresholds are multiples of the noise that is left after smoothing, measured in this liver.
-// Throws Cancelled.
-Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, SegmentationMethod method,
-                         Job& job);
+// Thresholds are multiples of the noise that is left after smoothing, measured in this liver;
+// slice_mm is the coarsest spacing of the CT itself. Throws Cancelled.
+Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double slice_mm,
+                         SegmentationMethod method, Job& job);
 
 // Takes the user's word for what a vessel is: intensities between low and high. The excess is then
 // measured from one level for the whole liver. Throws InputError unless low < high.

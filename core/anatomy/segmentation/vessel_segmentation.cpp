@@ -132,7 +132,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     if (options.window_hu) apply_window(frame, *options.window_hu, tissue);
 
     job.begin_stage("Segmenting the vessels");
-    Detection detection = detect_vessels(tissue, frame.liver, options.method, job);
+    Detection detection = detect_vessels(tissue, frame.liver, coarsest, options.method, job);
     drop_rooted_in_rim(detection, tissue.interior);
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
