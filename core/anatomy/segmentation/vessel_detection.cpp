@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/morphology.h"
 
 namespace hepatica {
 
@@ -27,6 +28,8 @@ constexpr double coherent_deviations = 3.5;
 // Thick slices dim the thin vessels that lie in them: both are lowered by up to one deviation.
 constexpr double undimmed_slices_mm = 1.5;
 constexpr double dimming_slices_mm = 3.0;
+// Between thick slices the organs around shine this far into the liver.
+constexpr double dimmed_rim_mm = 1.8;
 constexpr double tubular_deviations = 1.5;
 // No single voxel says more than this, however bright: a line is many voxels.
 constexpr double clip_below_deviations = 3.0;
@@ -120,9 +123,10 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double
                          SegmentationMethod method, Job& job) {
     if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
     const Evidence evidence = smoothed(tissue, slice_mm, job);
-    const Mask weak = above(evidence.rise, evidence.weak_hu, liver);
-    Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, liver, evidence, job)
-                                                         : tubular(tissue, liver, evidence, job);
+    const Mask inner = erode(liver, dimmed_rim_mm * dimming(slice_mm), job);
+    const Mask weak = above(evidence.rise, evidence.weak_hu, inner);
+    Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, inner, evidence, job)
+                                                         : tubular(tissue, inner, evidence, job);
     for (std::size_t i = 0; i < strong.voxels.size(); ++i)
         if (!weak.voxels[i]) strong.voxels[i] = 0;
     strong = hysteresis(strong, strong, smallest_strong_mm3);
