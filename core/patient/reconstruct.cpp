@@ -131,11 +131,11 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
 }
 
 int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 4;
+    constexpr int reading = 1, from_skeleton_to_mesh = 4, writing_by_the_caller = 1;
     constexpr int given_mask = 2, segmentation = 6;
     const int systems = options.seeds.empty() ? 0 : 1;
     return reading + (options.vessel_mask ? given_mask : segmentation + systems) +
-           from_skeleton_to_mesh;
+           from_skeleton_to_mesh + writing_by_the_caller;
 }
 
 }  // namespace

@@ -110,14 +110,20 @@ TEST_F(BadInput, AnAllZeroVolume) {
     EXPECT_NE(refused({path("zero.nii.gz")}).errors.find("zero.nii.gz"), std::string::npos);
 }
 
-TEST_F(BadInput, AMaskOfAnotherSize) {
+TEST_F(BadInput, AMaskThatDoesNotLieOnTheVoxelsOfTheImage) {
     write_nifti(folder_ / "ct.nii.gz", small_ct());
-    Grid other = small_ct().grid;
-    other.dims = {10, 10, 10};
-    write_nifti(folder_ / "mask.nii.gz", Mask(other, 1));
-    for (const char* option : {"--liver-mask", "--vessel-mask"})
-        EXPECT_NE(refused({path("ct.nii.gz"), option, path("mask.nii.gz")}).errors.find("mask.nii"),
-                  std::string::npos);
+    Grid larger = small_ct().grid;
+    larger.dims = {100, 10, 10};
+    Grid finer = small_ct().grid;
+    finer.dims = {10, 10, 10};
+    finer.spacing_mm *= 0.7;
+    for (const Grid& other : {larger, finer}) {
+        write_nifti(folder_ / "mask.nii.gz", Mask(other, 1));
+        for (const char* option : {"--liver-mask", "--vessel-mask"})
+            EXPECT_NE(
+                refused({path("ct.nii.gz"), option, path("mask.nii.gz")}).errors.find("mask.nii"),
+                std::string::npos);
+    }
 }
 
 TEST_F(BadInput, AnOutputThatCannotBeWritten) {
@@ -195,14 +201,15 @@ TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
 }
 
 TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
-    const std::vector<std::string> small{"phantom",    path("p"),   "--dims",
-                                         "128,128,80", "--spacing", "1.6,1.6,2.0"};
-    const Outcome whole = run_cli(small);
+    const std::vector<std::string> adult{"phantom",     path("p"),   "--dims",
+                                         "256,256,160", "--spacing", "0.8,0.8,1.0"};
+    const Outcome whole = run_cli(adult);
     ASSERT_EQ(whole.exit_code, 0) << whole.errors;
     fs::remove_all(folder_ / "p");
-    int interrupted = 0, stage = 1;
-    for (; whole.errors.find("info: [" + std::to_string(stage)) != std::string::npos; ++stage) {
-        const Outcome run = run_cli(small, {.interrupt_at = "info: [" + std::to_string(stage)});
+    constexpr int stages = 5;  // what is over in an instant is not always announced
+    int interrupted = 0;
+    for (int stage = 1; stage <= stages; ++stage) {
+        const Outcome run = run_cli(adult, {.interrupt_at = "info: [" + std::to_string(stage)});
         // A stage may end before the signal comes; then the patient is there as a whole.
         ASSERT_TRUE(run.exit_code == 130 || run.exit_code == 0) << run.errors;
         if (run.exit_code == 0) {
@@ -213,8 +220,7 @@ TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
         ++interrupted;
         EXPECT_TRUE(files().empty()) << stage;
     }
-    EXPECT_GE(stage, 4);
-    EXPECT_GT(interrupted, 0);
+    EXPECT_GE(interrupted, 2);
 }
 
 TEST(BadUsage, ExitsWithTwoAndSaysWhereHelpIs) {
