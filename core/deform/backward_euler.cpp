@@ -41,6 +41,14 @@ std::vector<Vec3> times(double factor, const std::vector<Vec3>& a) {
     return product;
 }
 
+// E may be negative, but a tenth of inertia and of stiffness stay in the matrix.
+RayleighDamping bounded_below(const RayleighDamping& error, const RayleighDamping& damping,
+                              double dt_s) {
+    constexpr double least = 0.1;
+    return {std::max(error.alpha_per_s, (least - 1.0) / dt_s - damping.alpha_per_s),
+            std::max(error.beta_s, (least - 1.0) * dt_s - damping.beta_s)};
+}
+
 }  // namespace
 
 // The step in the making. Its unknown is the velocity w: positions are x_n + dt w.
@@ -66,6 +74,8 @@ BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
                              std::unique_ptr<LinearSolver> solver)
     : body_(body),
       settings_(settings),
+      has_error_(settings.velocity_error.alpha_per_s != 0.0 ||
+                 settings.velocity_error.beta_s != 0.0),
       solver_(std::move(solver)),
       assembly_(body,
                 settings.iterations > 1 ? small::Tangent::projected : small::Tangent::rotated),
@@ -109,11 +119,30 @@ void BackwardEuler::assemble(const Step& step) {
         }
 }
 
+// Puts dt E into the first iterate's matrix and dt E v_n on the right hand side, so that E meets the
+// change of velocity alone.
+void BackwardEuler::add_velocity_error(const Step& step) {
+    const RayleighDamping error =
+        bounded_below(settings_.velocity_error, body_.damping, step.dt_s);
+    assembly_.gather_stiffness(step.dt_s * error.beta_s, error_matrix_);
+    for (int i = 0; i < error_matrix_.rows(); ++i)
+        error_matrix_.block[error_matrix_.diagonal[i]].diagonal().array() +=
+            step.dt_s * error.alpha_per_s * body_.mass_g[i];
+    decouple_fixed(body_, error_matrix_);
+    for (std::size_t k = 0; k < matrix_.block.size(); ++k)
+        matrix_.block[k] += error_matrix_.block[k];
+    multiply(error_matrix_, step.start.velocities_mm_per_s, product_);
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+        if (!body_.fixed[i]) residual_[i] += product_[i];
+}
+
 // Takes beta K_n back out of the first iterate's matrix, before that is overwritten. Fixed vertices
 // do not move, so that it does not matter that they were cut out of it.
 void BackwardEuler::keep_damping(const Step& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     damping_ = matrix_;
+    for (std::size_t k = 0; has_error_ && k < damping_.block.size(); ++k)
+        damping_.block[k] -= error_matrix_.block[k];
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
     for_each_node(body_.mass_g.size(), [&](std::size_t i) {
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
@@ -254,6 +283,9 @@ void BackwardEuler::book_linearised(Step& step) {
     step.damping_form = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
     multiply(matrix_, change_, product_);
     step.residual_work = dot(step.direction, product_) - dot(step.direction, residual_);
+    if (!has_error_) return;
+    multiply(error_matrix_, change_, product_);
+    step.residual_work -= dot(step.direction, product_);
 }
 
 void BackwardEuler::book(const Step& step, StepReport& report) {
@@ -301,6 +333,7 @@ bool BackwardEuler::iterate(Step& step, StepReport& report) {
     right_hand_side(step);
     assemble(step);
     steepest_ = residual_;
+    if (step.iterate == 0 && has_error_) add_velocity_error(step);
     solve(step, report);
     ++report.newton_iterations;
     step.direction = change_;

@@ -3,7 +3,8 @@
 // hand:  (M + dt B + dt^2 K) dv = dt f - dt B v - dt^2 K v,  v += dv,  x += dt v.  More iterates
 // minimise the incremental potential
 //   |x - x_n - dt v_n|_M^2 / (2 dt^2) + U(x) - work of gravity + |x - x_n|_B^2 / (2 dt)
-// with a line search that never accepts an increase. B is held at the start of the step.
+// with a line search that never accepts an increase. B is held at the start of the step. The first
+// iterate's matrix may hold E of eq. (11) beside B; E meets dv only.
 #pragma once
 
 #include <memory>
@@ -25,6 +26,7 @@ struct NewtonSettings {
     double tolerance = 1e-6;
     // Without it a single iterate is taken whole, as published, whatever it does to the energy.
     bool line_search = true;
+    RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
     SolveLimits linear{};
 };
 
@@ -57,6 +59,7 @@ class BackwardEuler {
     StepReport advance_in_parts(BodyState& state, double dt_s, const ExternalForces& forces,
                                 int halvings_left);
     void evaluate(const std::vector<Vec3>& positions_mm);
+    void add_velocity_error(const Step& step);
     void assemble(const Step& step);
     void right_hand_side(const Step& step);
     void solve(const Step& step, StepReport& report);
@@ -72,6 +75,7 @@ class BackwardEuler {
 
     const Body& body_;
     NewtonSettings settings_;
+    bool has_error_;
     std::unique_ptr<LinearSolver> solver_;
     Assembly assembly_;
     std::vector<int> cut_blocks_;  // of the matrix: beside the diagonal, with a fixed vertex
@@ -79,6 +83,7 @@ class BackwardEuler {
     BlockMatrix damping_;   // beta K at the start of the step; for further iterates
     bool current_ = false;  // slots, elastic_ and elastic_force_ belong to the state
     double elastic_ = 0.0;
+    BlockMatrix error_matrix_;  // dt E of this step, where there is any
     std::vector<Vec3> elastic_force_, force_, residual_, steepest_, change_, product_;
 };
 

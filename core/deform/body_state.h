@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// One entry per node of a Body each.
+// One entry per node of a Body each, or one per vertex where that is all there is.
 struct BodyState {
     std::vector<Vec3> positions_mm;
     std::vector<Vec3> velocities_mm_per_s;

@@ -34,6 +34,10 @@ StepperOptions checked(const StepperOptions& options) {
     check(options.substeps >= 1, "the number of substeps", options.substeps);
     check(options.linear.max_iterations >= 1, "the limit of linear iterations",
           options.linear.max_iterations);
+    check(std::isfinite(options.velocity_error.alpha_per_s), "the velocity error's share of M",
+          options.velocity_error.alpha_per_s);
+    check(std::isfinite(options.velocity_error.beta_s), "the velocity error's share of K",
+          options.velocity_error.beta_s);
     return options;
 }
 
@@ -59,6 +63,7 @@ NewtonSettings newton_of(const StepperOptions& options) {
     return {.iterations = options.newton_iterations,
             .tolerance = options.newton_tolerance,
             .line_search = !options.published,
+            .velocity_error = options.velocity_error,
             .linear = options.linear};
 }
 
@@ -95,6 +100,7 @@ class CpuStepper final : public Stepper {
         return std::span(state_.velocities_mm_per_s).first(body_.vertex_count);
     }
 
+    BodyState state() const override { return state_; }
     void set_state(std::span<const Vec3> positions_mm,
                    std::span<const Vec3> velocities_mm_per_s) override;
 
@@ -178,11 +184,13 @@ void CpuStepper::unfold(double dt_s, StepReport& report) {
 
 void CpuStepper::set_state(std::span<const Vec3> positions_mm,
                            std::span<const Vec3> velocities_mm_per_s) {
+    const bool whole = positions_mm.size() == state_.positions_mm.size();
+    const std::size_t expected = whole ? state_.positions_mm.size() : body_.vertex_count;
     const auto check = [&](std::span<const Vec3> values, const char* name) {
-        if (values.size() != static_cast<std::size_t>(body_.vertex_count))
-            throw InputError(std::to_string(values.size()) + " vertices instead of " +
-                                 std::to_string(body_.vertex_count),
-                             name, "Give one value per vertex");
+        if (values.size() != expected)
+            throw InputError(
+                std::to_string(values.size()) + " values instead of " + std::to_string(expected),
+                name, "Give one value per vertex, or one per node as state() does");
         for (std::size_t i = 0; i < values.size(); ++i)
             if (!values[i].allFinite())
                 throw InputError("is not finite",
@@ -193,7 +201,7 @@ void CpuStepper::set_state(std::span<const Vec3> positions_mm,
     check(velocities_mm_per_s, "velocity");
     std::ranges::copy(positions_mm, state_.positions_mm.begin());
     std::ranges::copy(velocities_mm_per_s, state_.velocities_mm_per_s.begin());
-    for (std::size_t m = 0; m < body_.edge_of_middle_node.size(); ++m) {
+    for (std::size_t m = 0; !whole && m < body_.edge_of_middle_node.size(); ++m) {
         const auto& [a, b] = body_.edge_of_middle_node[m];
         const std::size_t i = body_.vertex_count + m;
         state_.positions_mm[i] = 0.5 * (positions_mm[a] + positions_mm[b]);

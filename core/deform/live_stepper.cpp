@@ -44,8 +44,9 @@ FrameSkeleton live_skeleton(const FrameSkeleton& whole, const std::vector<char>&
     return part;
 }
 
-// The elements with a live vertex; their other vertices are fixed.
-Part live_part(const BodyDescription& whole, const LiveRegion& region) {
+// The elements with a live vertex; their other vertices are fixed. All of a body in its own
+// numbering where that is asked for.
+Part live_part(const BodyDescription& whole, const LiveRegion& region, bool own_numbering) {
     Part part;
     part.index.assign(whole.mesh.vertices_mm.size(), -1);
     const auto take = [&](int v) {
@@ -58,6 +59,7 @@ Part live_part(const BodyDescription& whole, const LiveRegion& region) {
         }
         return part.index[v];
     };
+    for (int v = 0; own_numbering && v < static_cast<int>(part.index.size()); ++v) take(v);
     std::size_t element = 0;
     const auto take_elements = [&](const auto& elements, auto& target) {
         for (const auto& nodes : elements) {
@@ -140,8 +142,17 @@ class PartStepper final : public LiveStepper {
     std::span<const Vec3> positions_mm() const override { return positions_mm_; }
     std::span<const Vec3> velocities_mm_per_s() const override { return velocities_mm_per_s_; }
 
+    BodyState state() const override {
+        return whole_ ? stepper_->state() : BodyState{positions_mm_, velocities_mm_per_s_};
+    }
+
     void set_state(std::span<const Vec3> positions_mm,
                    std::span<const Vec3> velocities_mm_per_s) override {
+        if (whole_) {
+            stepper_->set_state(positions_mm, velocities_mm_per_s);
+            copy_from_part();
+            return;
+        }
         if (positions_mm.size() != positions_mm_.size() ||
             velocities_mm_per_s.size() != positions_mm_.size()) {
             throw InputError("the state has another number of vertices", "state",
@@ -166,6 +177,7 @@ class PartStepper final : public LiveStepper {
   private:
     void rebuild();
     void hand_over_grabs();
+    void copy_from_part();
 
     BodyDescription body_;
     bool whole_;  // nothing ever freezes
@@ -188,7 +200,7 @@ void PartStepper::hand_over_grabs() {
 }
 
 void PartStepper::rebuild() {
-    part_ = live_part(body_, region_);
+    part_ = live_part(body_, region_, whole_);
     stepper_.reset();
     // What froze has stopped.
     for (std::size_t v = 0; v < positions_mm_.size(); ++v) {
@@ -206,6 +218,15 @@ void PartStepper::rebuild() {
     hand_over_grabs();
 }
 
+void PartStepper::copy_from_part() {
+    const auto positions = stepper_->positions_mm();
+    const auto velocities = stepper_->velocities_mm_per_s();
+    for (std::size_t i = 0; i < part_.vertex.size(); ++i) {
+        positions_mm_[part_.vertex[i]] = positions[i];
+        velocities_mm_per_s_[part_.vertex[i]] = velocities[i];
+    }
+}
+
 StepReport PartStepper::step(double dt_s) {
     StepReport report;
     report.dt_s = dt_s;
@@ -214,12 +235,7 @@ StepReport PartStepper::step(double dt_s) {
         return report;
     }
     report = stepper_->step(dt_s);
-    const auto positions = stepper_->positions_mm();
-    const auto velocities = stepper_->velocities_mm_per_s();
-    for (std::size_t i = 0; i < part_.vertex.size(); ++i) {
-        positions_mm_[part_.vertex[i]] = positions[i];
-        velocities_mm_per_s_[part_.vertex[i]] = velocities[i];
-    }
+    copy_from_part();
     if (!whole_ && region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) rebuild();
     return report;
 }

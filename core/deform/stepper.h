@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "core/deform/body_state.h"
 
 namespace hepatica {
 
@@ -32,7 +33,8 @@ struct EnergyLedger {
     double damping_loss = 0.0;     // >= 0
     double integrator_loss = 0.0;  // dissipated by backward Euler
     double unfolding_loss = 0.0;   // given up where elements inside out were put right, >= 0
-    double solver_work = 0.0;      // done by the forces that the linear solver left unbalanced
+    double solver_work = 0.0;      // done by the forces that the linear solver left unbalanced,
+                                   // and by E of eq. (11) where it is used
     double imbalance = 0.0;        // what does not add up; 0 but for rounding
 };
 
@@ -63,7 +65,12 @@ class Stepper {
     virtual std::span<const Vec3> positions_mm() const = 0;
     virtual std::span<const Vec3> velocities_mm_per_s() const = 0;
 
-    // Replaces the state: for resets, snapshots and replays. Sizes as above; all finite.
+    // Every node, the vertices first: what a snapshot keeps. Quadratic bodies have the middles of
+    // their edges behind the vertices.
+    virtual BodyState state() const = 0;
+
+    // Replaces the state: for resets, snapshots and replays. One value per vertex (middles of edges
+    // are then placed on their straight middles) or one per node as in state(); all finite.
     virtual void set_state(std::span<const Vec3> positions_mm,
                            std::span<const Vec3> velocities_mm_per_s) = 0;
 };

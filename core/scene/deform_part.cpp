@@ -81,7 +81,7 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
 }
 
 void DeformPart::build_stepper() {
-    DeformState kept;
+    BodyState kept;
     if (stepper_) kept = state();
     // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Thresholds far
     // below what an eye sees: with the finer ones of measurements the region hardly ever shrinks.
@@ -195,14 +195,14 @@ void DeformPart::set_quality(double quality) {
     build_stepper();
 }
 
-DeformState DeformPart::state() const {
-    const std::span<const Vec3> positions = stepper_->positions_mm();
-    const std::span<const Vec3> velocities = stepper_->velocities_mm_per_s();
-    return {{positions.begin(), positions.end()}, {velocities.begin(), velocities.end()}};
-}
-
-void DeformPart::set_state(const DeformState& state) {
-    stepper_->set_state(state.positions_mm, state.velocities_mm_per_s);
+void DeformPart::set_state(const BodyState& state) {
+    std::span<const Vec3> positions = state.positions_mm, velocities = state.velocities_mm_per_s;
+    const std::size_t vertices = body_.mesh.vertices_mm.size();
+    if (positions.size() != stepper_->state().positions_mm.size() && positions.size() > vertices) {
+        positions = positions.first(vertices);
+        velocities = velocities.first(vertices);
+    }
+    stepper_->set_state(positions, velocities);
 }
 
 bool DeformPart::plausible() const {

@@ -18,12 +18,6 @@
 
 namespace hepatica {
 
-// Positions and velocities of all vertices: what a snapshot keeps.
-struct DeformState {
-    std::vector<Vec3> positions_mm;
-    std::vector<Vec3> velocities_mm_per_s;
-};
-
 class DeformPart {
   public:
     // Throws InputError where the case has no mesh or the material is not known.
@@ -51,8 +45,10 @@ class DeformPart {
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
     const std::vector<Vec3>& rest_positions_mm() const { return body_.mesh.vertices_mm; }
     const BodyDescription& body() const { return body_; }  // as built from the case
-    DeformState state() const;
-    void set_state(const DeformState& state);
+    // What a snapshot keeps: every node of the present element, the vertices first. A state of
+    // another element is taken over by its vertices.
+    BodyState state() const { return stepper_->state(); }
+    void set_state(const BodyState& state);
 
     const std::vector<VertexPlace>& places() const { return places_; }
 

@@ -30,7 +30,7 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
     recording_.patient_hash = hash_of(*patient);
     recording_.scene = spec;
     if (world_->deform() != nullptr)
-        last_good_ = std::make_unique<DeformState>(world_->deform()->state());
+        last_good_ = std::make_unique<BodyState>(world_->deform()->state());
     publish({});
 }
 

@@ -28,7 +28,7 @@
 namespace hepatica {
 
 class World;
-struct DeformState;
+struct BodyState;
 
 // What one step did, for scripts and measurements.
 struct SessionStep {
@@ -90,7 +90,7 @@ class Session {
     bool paused_ = false;
     bool diverged_ = false;  // until somebody resumes, restores or resets
     std::string message_;
-    std::unique_ptr<DeformState> last_good_;
+    std::unique_ptr<BodyState> last_good_;
     double real_time_factor_ = 1.0;
 
     std::mutex queue_mutex_;

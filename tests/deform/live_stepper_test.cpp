@@ -170,5 +170,22 @@ TEST(LiveStepper, QuadraticElementsAreAlwaysComputedWhole) {
     }
 }
 
+TEST(LiveStepper, KeepsTheMiddlesOfQuadraticElementsInItsState) {
+    StepperOptions options;
+    options.order = ElementOrder::quadratic;
+    const BodyDescription body = tree_body();
+    const auto live = make_live_stepper(body, options);
+    live->set_gravity(Vec3(0.0, -9810.0, 0.0));
+    for (int k = 0; k < 5; ++k) live->step(1.0 / 60.0);
+    const BodyState kept = live->state();
+    ASSERT_GT(kept.positions_mm.size(), body.mesh.vertices_mm.size());
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v)
+        EXPECT_EQ(kept.positions_mm[v], live->positions_mm()[v]);
+    const auto other = make_live_stepper(body, options);
+    other->set_state(kept.positions_mm, kept.velocities_mm_per_s);
+    EXPECT_EQ(other->state().positions_mm, kept.positions_mm);
+    EXPECT_EQ(other->positions_mm()[7], kept.positions_mm[7]);
+}
+
 }  // namespace
 }  // namespace hepatica
