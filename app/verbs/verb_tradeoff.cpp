@@ -3,9 +3,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
+#include "core/scene/measured_dial.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -15,32 +18,97 @@ namespace {
 struct Options {
     std::filesystem::path patient;
     std::filesystem::path out;
-    bool quick = false;
+    TradeoffOptions measure;
 };
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json json_of(const TradeoffPoint& point) {
     Json json{{"element", point.element},
               {"elements", point.elements},
+              {"region", point.region},
               {"solver", std::string(name_of(point.options.solver))},
               {"energy_tolerance", point.options.linear.energy_tolerance},
               {"max_iterations", point.options.linear.max_iterations},
               {"newton_iterations", point.options.newton_iterations},
               {"dt_s", point.dt_s},
-              {"iterations", point.iterations},
-              {"step_ms", point.step_ms},
-              {"frame_ms", point.frame_ms},
-              {"error_relative", point.error_relative}};
-    if (std::isfinite(point.motion_error_relative))
-        json["motion_error_relative"] = point.motion_error_relative;
+              {"iterations", number(point.iterations)},
+              {"step_ms", number(point.step_ms)},
+              {"frame_ms", number(point.frame_ms)},
+              {"error_relative", number(point.error_relative)},
+              {"rest_error_relative", number(point.rest_error_relative)}};
     if (point.on_front) json["quality"] = point.quality;
+    if (!point.not_measured.empty()) json["not_measured"] = point.not_measured;
     return json;
 }
 
+// The patient without any tissue around, so that errors are the solver's, on the case's own mesh
+// and on one of half as many tetrahedra.
+std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
+    const DeformSpec alone{.fixed = FixedEnds::roots, .tether_pa_per_mm2 = 0.0};
+    std::vector<BodyDescription> bodies{DeformPart(patient, alone).body()};
+    job.begin_stage("Making a coarser mesh");
+    MeshOptions coarser;
+    coarser.target_tetrahedra = static_cast<int>(patient.mesh.tetrahedra.size() / 2);
+    patient.mesh = tetrahedralize(patient.tree, coarser, job);
+    bodies.push_back(DeformPart(patient, alone).body());
+    return bodies;
+}
+
+// The settings that a session can play on the case's own mesh go into the case.
+void leave_dial(const Tradeoff& tradeoff, const std::filesystem::path& folder,
+                const PatientCase& patient) {
+    std::vector<QualityPoint> points;
+    for (const TradeoffPoint& point : tradeoff.points)
+        if (point.own_mesh && point.region == "whole" && point.not_measured.empty())
+            points.push_back({point.options, point.frame_ms, point.error_relative,
+                              tradeoff.reference});
+    if (!points.empty()) write_dial(folder, dial_json(points, patient));
+}
+
 Tradeoff measure(const Options& options, Job& job) {
-    if (options.patient.empty()) return measure_beam_tradeoff(options.quick, job);
-    const DeformPart part(read_case_without_voxels(options.patient),
-                          DeformSpec{.fixed = FixedEnds::all});
-    return measure_body_tradeoff(part.body(), job);
+    if (options.patient.empty()) {
+        job.expect_stages(2);
+        return measure_beam_tradeoff(options.measure, job);
+    }
+    require_writable(options.patient / "dial.json");
+    job.expect_stages(5);
+    job.begin_stage("Reading the case");
+    const PatientCase patient = read_case_without_voxels(options.patient);
+    TradeoffOptions how = options.measure;
+    how.region = DeformPart::region;
+    const Tradeoff tradeoff = measure_body_tradeoff(bodies_of(patient, job), how, job);
+    leave_dial(tradeoff, options.patient, patient);
+    return tradeoff;
+}
+
+Json run(const Options& options, Job& job) {
+    require_writable(options.out / "tradeoff.csv");
+    const Tradeoff tradeoff = measure(options, job);
+    write_tradeoff(tradeoff, options.out);
+    Json points = Json::array(), front = Json::array(), left_out = Json::array();
+    for (const TradeoffPoint& point : tradeoff.points) {
+        Json json = json_of(point);
+        json["reference"] = tradeoff.reference;
+        if (point.on_front) front.push_back(json);
+        (point.not_measured.empty() ? points : left_out).push_back(std::move(json));
+    }
+    Json answer{{"reference", tradeoff.reference}};
+    if (!tradeoff.rest_reference.empty()) {
+        answer["rest_reference"] = tradeoff.rest_reference;
+        answer["reference_tip_mm"] = tradeoff.reference_tip_mm;
+        answer["timoshenko_tip_mm"] = tradeoff.timoshenko_tip_mm;
+    }
+    answer["seconds"] = tradeoff.seconds;
+    answer["csv"] = (options.out / "tradeoff.csv").string();
+    answer["plot"] = (options.out / "tradeoff.svg").string();
+    if (!options.patient.empty()) answer["dial"] = (options.patient / "dial.json").string();
+    answer["points"] = points;
+    answer["pareto"] = front;
+    answer["not_measured"] = left_out;
+    return answer;
 }
 
 }  // namespace
@@ -50,27 +118,14 @@ void add_tradeoff(CommandLine& line) {
     CLI::App& verb = line.add_verb(
         "tradeoff",
         "Error against cost over the dial, on a beam whose answer is known or on a patient",
-        [options](Job& job) {
-            const Tradeoff tradeoff = measure(*options, job);
-            write_tradeoff(tradeoff, options->out);
-            Json points = Json::array(), front = Json::array();
-            for (const TradeoffPoint& point : tradeoff.points) {
-                Json json = json_of(point);
-                json["reference"] = tradeoff.reference;
-                if (point.on_front) front.push_back(json);
-                points.push_back(std::move(json));
-            }
-            return Json{{"reference", tradeoff.reference},
-                        {"reference_tip_mm", tradeoff.reference_tip_mm},
-                        {"timoshenko_tip_mm", tradeoff.timoshenko_tip_mm},
-                        {"csv", (options->out / "tradeoff.csv").string()},
-                        {"plot", (options->out / "tradeoff.svg").string()},
-                        {"points", points},
-                        {"pareto", front}};
-        });
+        [options](Job& job) { return run(*options, job); });
     verb.add_option("CASE", options->patient, "A patient's case; without it the clamped beam");
     verb.add_option("--out", options->out, "Folder for tradeoff.csv and tradeoff.svg")->required();
-    verb.add_flag("--quick", options->quick, "Leave out the large meshes");
+    verb.add_option("--budget", options->measure.budget_s,
+                    "Wall time in seconds; settings that do not fit are listed as not measured")
+        ->check(CLI::Range(1.0, 1e6))
+        ->capture_default_str();
+    verb.add_flag("--quick", options->measure.quick, "Of the beam: leave out the large meshes");
 }
 
 }  // namespace hepatica

@@ -73,9 +73,6 @@ struct BackwardEuler::Step {
 BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
                              std::unique_ptr<LinearSolver> solver)
     : body_(body),
-      settings_(settings),
-      has_error_(settings.velocity_error.alpha_per_s != 0.0 ||
-                 settings.velocity_error.beta_s != 0.0),
       solver_(std::move(solver)),
       assembly_(body,
                 settings.iterations > 1 ? small::Tangent::projected : small::Tangent::rotated),
@@ -84,12 +81,20 @@ BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
       residual_(body.node_count()),
       change_(body.node_count()),
       product_(body.node_count()) {
+    set_settings(settings);
     const BlockMatrix& pattern = assembly_.pattern();
     for (int i = 0; i < pattern.rows(); ++i)
         for (int k = pattern.row_begin[i]; k < pattern.row_begin[i + 1]; ++k) {
             const int j = pattern.column[k];
             if (i != j && (body.fixed[i] || body.fixed[j])) cut_blocks_.push_back(k);
         }
+}
+
+void BackwardEuler::set_settings(const NewtonSettings& settings) {
+    settings_ = settings;
+    has_error_ =
+        settings.velocity_error.alpha_per_s != 0.0 || settings.velocity_error.beta_s != 0.0;
+    forget();
 }
 
 void BackwardEuler::evaluate(const std::vector<Vec3>& positions_mm) {

@@ -42,6 +42,9 @@ class BackwardEuler {
     // it was, without velocity.
     StepReport advance(BodyState& state, double dt_s, const ExternalForces& forces);
 
+    // From the next step on. One iterate and more of them need another tangent each: another object.
+    void set_settings(const NewtonSettings& settings);
+
     // Energy of elements, springs and weight at any positions [nJ].
     double potential_energy(std::span<const Vec3> positions_mm, const ExternalForces& forces) const;
 
@@ -75,7 +78,7 @@ class BackwardEuler {
 
     const Body& body_;
     NewtonSettings settings_;
-    bool has_error_;
+    bool has_error_ = false;
     std::unique_ptr<LinearSolver> solver_;
     Assembly assembly_;
     std::vector<int> cut_blocks_;  // of the matrix: beside the diagonal, with a fixed vertex

@@ -91,6 +91,17 @@ class CpuStepper final : public Stepper {
         wake();
     }
 
+    bool set_options(const StepperOptions& options) override {
+        const StepperOptions now = checked(options);
+        if (now.model != options_.model || now.order != options_.order ||
+            now.solver != options_.solver ||
+            (now.newton_iterations > 1) != (options_.newton_iterations > 1))
+            return false;
+        options_ = now;
+        integrator_.set_settings(newton_of(options_));
+        return true;
+    }
+
     StepReport step(double dt_s) override;
 
     std::span<const Vec3> positions_mm() const override {

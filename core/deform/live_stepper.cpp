@@ -137,6 +137,15 @@ class PartStepper final : public LiveStepper {
         rebuild();
     }
 
+    bool set_options(const StepperOptions& options) override {
+        if (options.order != options_.order) return false;
+        const StepperOptions now = whole_ ? options : without_sleep(options);
+        if (whole_ && !stepper_->set_options(now)) return false;
+        options_ = now;
+        if (!whole_ && stepper_ && !stepper_->set_options(now)) rebuild();
+        return true;
+    }
+
     StepReport step(double dt_s) override;
 
     std::span<const Vec3> positions_mm() const override { return positions_mm_; }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/stepper_options.h"
 
 namespace hepatica {
 
@@ -15,7 +15,7 @@ namespace hepatica {
 struct QualityPoint {
     StepperOptions options;
     double frame_ms = 0.0;        // wall time for 1/60 s of simulated time, > 0
-    double error_relative = 0.0;  // of the displacement at rest, >= 0
+    double error_relative = 0.0;  // of the motion, >= 0
     std::string reference;        // what that error was measured against
 };
 
@@ -33,7 +33,8 @@ class QualityDial {
 
     // quality 0: the cheapest point; 1: the most accurate; in between by the logarithm of the cost.
     // Values outside are clamped.
-    const QualityPoint& at(double quality) const;
+    const QualityPoint& at(double quality) const { return front_[index_at(quality)]; }
+    std::size_t index_at(double quality) const;
 
     // The quality at which `at` returns front()[index].
     double quality_of(std::size_t index) const;
@@ -44,21 +45,5 @@ class QualityDial {
 
 // Indices of the Pareto front of (cost, error), cheapest first; of equals the first.
 std::vector<std::size_t> pareto_front(std::span<const double> cost, std::span<const double> error);
-
-// Error of positions against a reference, root mean square over the vertices, relative to how far
-// the reference has moved from rest.
-double displacement_error(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
-                          std::span<const Vec3> rest_mm);
-
-// Where a body of one's own comes to rest under gravity: the same mesh in quadratic order (linear
-// for hexahedra), Newton's method and linear solves converged. One position per vertex. Throws
-// InputError where nothing of the body is fixed: it would never rest.
-std::vector<Vec3> converged_rest(const BodyDescription& body, const Vec3& gravity_mm_per_s2);
-
-// Runs one setting for `frames` of 1/60 s under gravity from rest, damped enough to come to rest
-// again; cost is the median frame, error is that of the last frame against converged_rest.
-QualityPoint measure_quality(const BodyDescription& body, const StepperOptions& options, int frames,
-                             const Vec3& gravity_mm_per_s2,
-                             std::span<const Vec3> converged_rest_mm);
 
 }  // namespace hepatica

@@ -10,6 +10,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/body_state.h"
+#include "core/deform/stepper_options.h"
 
 namespace hepatica {
 
@@ -57,6 +58,10 @@ class Stepper {
     // Replaces all grabs; applies from the next step on.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
+
+    // Changes what can be changed without touching the state; false where another stepper has to be
+    // made and given the state. Throws InputError where the options are not valid.
+    virtual bool set_options(const StepperOptions& options) = 0;
 
     // Advances the state by dt_s > 0. The state stays finite whatever happens.
     virtual StepReport step(double dt_s) = 0;

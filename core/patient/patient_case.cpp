@@ -2,6 +2,7 @@
 #include "core/patient/patient_case.h"
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/anatomy/tree_files/tree_io.h"
@@ -28,6 +29,7 @@ constexpr const char* surface_file = "surface.vtp";
 constexpr const char* mesh_file = "mesh.vtu";
 constexpr const char* corrections_file = "corrections.json";
 constexpr const char* extracted_file = "tree_extracted.vtp";
+constexpr const char* dial_file = "dial.json";
 
 [[noreturn]] void refuse(const fs::path& place, const std::string& problem) {
     throw InputError(problem, place.string(),
@@ -148,6 +150,8 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     patient.tree = read_tree_vtp(folder / tree_file);
     patient.surface = read_vtp(folder / surface_file);
     patient.mesh = read_vtu(folder / mesh_file);
+    if (std::ifstream dial(folder / dial_file); dial)
+        patient.dial_json.assign(std::istreambuf_iterator<char>(dial), {});
     return patient;
 }
 
@@ -170,6 +174,8 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         write_vtp(temporary / surface_file, patient.surface);
         write_vtu(temporary / mesh_file, patient.mesh);
         write_corrections(temporary, patient.corrections);
+        if (!patient.dial_json.empty())
+            write_text_atomically(temporary / dial_file, patient.dial_json);
 
         Json header;
         header["format"] = "hepatica-case";
@@ -190,6 +196,10 @@ void add_voxels(const fs::path& folder, PatientCase& patient) {
     const Json header = read_header(folder);
     patient.mask = read_voxels(folder, header, mask_file);
     patient.skeleton = read_voxels(folder, header, skeleton_file);
+}
+
+void write_dial(const fs::path& folder, const std::string& dial_json) {
+    write_text_atomically(folder / dial_file, dial_json);
 }
 
 PatientCase read_case(const fs::path& folder) {

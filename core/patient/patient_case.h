@@ -41,6 +41,9 @@ struct PatientCase {
     TriangleMesh surface;  // boundary of `mesh`
     TetMesh mesh;
     Corrections corrections;
+    // The dial as measured on this mesh, one JSON object (see core/scene/measured_dial.h); empty
+    // where it was not measured. Kept in dial.json, which may be removed.
+    std::string dial_json;
 };
 
 // A folder that holds a case.json. Says nothing about whether it can be read.
@@ -60,6 +63,10 @@ PatientCase read_case_without_voxels(const std::filesystem::path& folder);
 // Reads a case's voxels into a patient that was read without them.
 // Throws InputError as above.
 void add_voxels(const std::filesystem::path& folder, PatientCase& patient);
+
+// Leaves a measured dial in a case that is there already, and nothing else of it changed. Throws
+// InputError where it cannot be written.
+void write_dial(const std::filesystem::path& folder, const std::string& dial_json);
 
 // Hash of what the simulation reads (tree and mesh): a recording names the case that it belongs to.
 std::uint64_t hash_of(const PatientCase& patient);

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/deform/live_stepper.h"
 #include "core/mesh/surface.h"
-#include "core/scene/quality_settings.h"
+#include "core/scene/measured_dial.h"
 
 namespace hepatica {
 
@@ -38,10 +39,12 @@ FrameSkeleton skeleton_of(const VesselTree& tree) {
 }  // namespace
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec)
-    : quality_(spec.quality), gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
+    : gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
                          "Reconstruct the patient again");
+    setting_ = spec.setting ? *spec.setting : dial_of(patient).at(spec.quality).options;
+    setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
     body_.material = material_named(spec.material);
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
@@ -83,13 +86,10 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
 void DeformPart::build_stepper() {
     BodyState kept;
     if (stepper_) kept = state();
-    // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Thresholds far
-    // below what an eye sees: with the finer ones of measurements the region hardly ever shrinks.
-    constexpr LiveRegionOptions region{.wake_radii = 1e-2, .still_radii_per_s = 5e-2};
     if (body_.tether_pa_per_mm2 > 0.0)
-        stepper_ = make_live_stepper(body_, stepper_options(quality_), region);
+        stepper_ = make_live_stepper(body_, setting_, region);
     else
-        stepper_ = make_cpu_stepper(body_, stepper_options(quality_));
+        stepper_ = make_cpu_stepper(body_, setting_);
     stepper_->set_gravity(gravity_mm_per_s2_);
     if (!kept.positions_mm.empty()) set_state(kept);
     apply_grabs();
@@ -189,10 +189,20 @@ void DeformPart::set_tether(double pa_per_mm2) {
     build_stepper();
 }
 
-void DeformPart::set_quality(double quality) {
-    static_cast<void>(stepper_options(quality));  // refuses what is out of range
-    quality_ = quality;
-    build_stepper();
+void DeformPart::use(const StepperOptions& setting) {
+    StepperOptions now = setting;
+    now.velocity_error = setting_.velocity_error;
+    if (stepper_->set_options(now)) {
+        setting_ = now;
+        return;
+    }
+    const StepperOptions before = std::exchange(setting_, now);
+    try {
+        build_stepper();
+    } catch (...) {
+        setting_ = before;
+        throw;
+    }
 }
 
 void DeformPart::set_state(const BodyState& state) {

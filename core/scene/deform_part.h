@@ -10,6 +10,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/body.h"
+#include "core/deform/live_region.h"
 #include "core/deform/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
@@ -20,7 +21,12 @@ namespace hepatica {
 
 class DeformPart {
   public:
-    // Throws InputError where the case has no mesh or the material is not known.
+    // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Thresholds far
+    // below what an eye sees: with the finer ones of measurements the region hardly ever shrinks.
+    static constexpr LiveRegionOptions region{.wake_radii = 1e-2, .still_radii_per_s = 5e-2};
+
+    // With the spec's setting, or else the one at its quality on the patient's dial. Throws
+    // InputError where the case has no mesh or the material is not known.
     DeformPart(const PatientCase& patient, const DeformSpec& spec);
     ~DeformPart();
 
@@ -33,12 +39,11 @@ class DeformPart {
     bool holding() const { return hold_.has_value(); }
     std::optional<GrabView> grab_view() const;
 
-    // Settings that rebuild the solver and keep the state. Throw InputError for values out of
-    // range.
+    // Settings that keep the state. Throw InputError for values out of range.
     void set_gravity(const Vec3& gravity_mm_per_s2);
     void set_tether(double pa_per_mm2);
-    void set_quality(double quality);
-    double quality() const { return quality_; }
+    void use(const StepperOptions& setting);
+    const StepperOptions& setting() const { return setting_; }
 
     StepReport step(double dt_s) { return stepper_->step(dt_s); }
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
@@ -74,7 +79,7 @@ class DeformPart {
     BodyDescription body_;
     std::vector<int> surface_vertices_;
     std::vector<VertexPlace> places_;  // per vertex
-    double quality_;
+    StepperOptions setting_;
     Vec3 gravity_mm_per_s2_;
     double size_mm_ = 0.0;
     std::optional<Hold> hold_;

@@ -37,6 +37,9 @@ struct FrameStatistics {
     int linear_iterations = 0;
     double expected_error = 0.0;  // relative, of the present setting of the dial; 0: not known
     std::string error_reference;  // what that error was measured against
+    double quality = 0.0;         // of the present setting: 0 fastest, 1 most accurate
+    bool automatic = false;       // the session picks the setting
+    std::string setting;          // in words
     bool degraded = false;
     bool paused = false;
     std::string message;  // for the user; usually empty

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/scene/setting_json.h"
 
 namespace hepatica {
 
@@ -83,6 +84,14 @@ DeformSpec deform_from(const Json& json) {
     fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
     fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
     fields.read_number("quality", spec.quality, 0.0, 1.0);
+    Json setting;
+    fields.read("setting", setting);
+    if (!setting.is_null()) spec.setting = setting_from_json(setting);
+    std::array<double, 2> error{spec.velocity_error.alpha_per_s, spec.velocity_error.beta_s};
+    fields.read("velocity_error", error);
+    if (!std::isfinite(error[0]) || !std::isfinite(error[1]))
+        fields.refuse("is not finite", "velocity_error");
+    spec.velocity_error = {error[0], error[1]};
     fields.refuse_unknown();
     return spec;
 }
@@ -112,6 +121,10 @@ Json to_json(const SceneSpec& spec) {
                           {"gravity_mm_per_s2", {gravity.x(), gravity.y(), gravity.z()}},
                           {"tether_pa_per_mm2", spec.deform->tether_pa_per_mm2},
                           {"quality", spec.deform->quality}};
+        const RayleighDamping& error = spec.deform->velocity_error;
+        if (spec.deform->setting) json["deform"]["setting"] = to_json(*spec.deform->setting);
+        if (error.alpha_per_s != 0.0 || error.beta_s != 0.0)
+            json["deform"]["velocity_error"] = {error.alpha_per_s, error.beta_s};
     }
     if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
     return json;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/vector.h"
+#include "core/deform/stepper_options.h"
 
 namespace hepatica {
 
@@ -25,6 +26,9 @@ struct DeformSpec {
     // the vessel still follows most of the hand's way, and steps do not fail.
     double tether_pa_per_mm2 = 20.0;
     double quality = 0.5;  // the dial, 0 to 1
+    // One setting exactly, instead of the dial's: what a recording begins with.
+    std::optional<StepperOptions> setting{};
+    RayleighDamping velocity_error{};  // E of eq. (11), for every setting; see StepperOptions
 };
 
 struct FlowSpec {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/scene/setting_json.h"
 
 namespace hepatica {
 
@@ -69,6 +70,14 @@ void fields(SetPaused& c, Visitor& v) {
     v("paused", c.paused);
 }
 template <class Visitor>
+void fields(SetAutomaticQuality& c, Visitor& v) {
+    v("automatic", c.automatic);
+}
+template <class Visitor>
+void fields(UseSetting& c, Visitor& v) {
+    v("setting", c.setting);
+}
+template <class Visitor>
 void fields(ResetWorld&, Visitor&) {}
 template <class Visitor>
 void fields(RestoreSnapshot&, Visitor&) {}
@@ -77,7 +86,8 @@ void fields(RestoreSnapshot&, Visitor&) {}
 constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "grab_point",  "grab_vertex", "move_grab",     "release_grab",   "inject_drug",
     "remove_drug", "play_drug",   "set_drug_time", "set_drug_speed", "set_gravity",
-    "set_tether",  "set_quality", "set_paused",    "reset_world",    "restore_snapshot"};
+    "set_tether",  "set_quality", "set_paused",    "reset_world",    "restore_snapshot",
+    "set_automatic_quality", "use_setting"};
 
 struct Writer {
     Json& json;
@@ -89,6 +99,7 @@ struct Writer {
     void operator()(const char* name, const Vec3& value) {
         json[name] = {value.x(), value.y(), value.z()};
     }
+    void operator()(const char* name, const StepperOptions& value) { json[name] = to_json(value); }
     void operator()(const char* name, const std::optional<double>& value) {
         if (value) json[name] = *value;
     }
@@ -112,6 +123,11 @@ struct Reader {
         std::array<double, 3> numbers{};
         (*this)(name, numbers);
         value = Vec3(numbers[0], numbers[1], numbers[2]);
+    }
+    void operator()(const char* name, StepperOptions& value) {
+        Json setting;
+        (*this)(name, setting);
+        value = setting_from_json(setting);
     }
     void operator()(const char* name, std::optional<double>& value) {
         if (!json.contains(name)) return;

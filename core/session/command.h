@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/base/vector.h"
+#include "core/deform/stepper_options.h"
 
 namespace hepatica {
 
@@ -55,9 +56,18 @@ struct SetGravity {
 struct SetTether {
     double pa_per_mm2 = 0.0;  // force per volume per millimetre of displacement, >= 0
 };
-// The dial: 0 fastest, 1 most accurate.
+// The dial: 0 fastest, 1 most accurate. Ends automatic quality.
 struct SetQuality {
     double quality = 0.5;
+};
+// Whether the session picks the most accurate setting that the frame's budget allows.
+struct SetAutomaticQuality {
+    bool automatic = true;
+};
+// One setting exactly. Whatever changes the setting in play, a person's hand or the session itself,
+// stands in the recording as this: what the dial offers differs from machine to machine.
+struct UseSetting {
+    StepperOptions setting;
 };
 // Stops and resumes the clock; the view stays alive.
 struct SetPaused {
@@ -70,7 +80,8 @@ struct RestoreSnapshot {};
 
 using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
                              PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
-                             SetPaused, ResetWorld, RestoreSnapshot>;
+                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
+                             UseSetting>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
-#include "core/scene/quality_settings.h"
+#include "core/scene/measured_dial.h"
+#include "core/scene/setting_json.h"
 #include "core/scene/world.h"
 
 namespace hepatica {
@@ -18,17 +20,36 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t steps_between_snapshots = 60;
+constexpr double most_for_drawing = 0.6;  // share of a frame that is left to slow pictures
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+std::vector<double> costs_of(const QualityDial& dial) {
+    std::vector<double> costs;
+    for (const QualityPoint& point : dial.front()) costs.push_back(point.frame_ms);
+    return costs;
+}
+
+std::optional<std::size_t> point_of(const QualityDial& dial, const StepperOptions& setting) {
+    for (std::size_t i = 0; i < dial.front().size(); ++i)
+        if (same_setting(dial.front()[i].options, setting)) return i;
+    return std::nullopt;
+}
+
 }  // namespace
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
-    : world_(std::make_unique<World>(patient, spec, job)) {
+    : dial_(dial_of(*patient)),
+      governor_(costs_of(dial_)),
+      world_(std::make_unique<World>(patient, spec, job)) {
     recording_.patient_hash = hash_of(*patient);
     recording_.scene = spec;
+    if (const DeformPart* deform = world_->deform(); deform != nullptr) {
+        recording_.scene.deform->setting = deform->setting();
+        point_ = point_of(dial_, deform->setting());
+    }
     if (world_->deform() != nullptr)
         last_good_ = std::make_unique<BodyState>(world_->deform()->state());
     publish({});
@@ -53,14 +74,40 @@ void Session::apply_waiting_commands() {
         commands.swap(queue_);
     }
     if (!commands.empty() && !diverged_) message_.clear();
+    std::vector<Command> recorded;
+    if (std::exchange(setting_changed_, false))
+        recorded.push_back(UseSetting{world_->deform()->setting()});
     for (const Command& command : commands) {
         try {
             apply(command);
+            record(command, recorded);
         } catch (const InputError& error) {
             message_ = error.what();
         }
     }
-    if (keep_recording_) recording_.steps.push_back({std::move(commands), 0});
+    if (keep_recording_) recording_.steps.push_back({std::move(recorded), 0});
+}
+
+void Session::record(const Command& command, std::vector<Command>& recorded) const {
+    const bool dial = std::holds_alternative<SetQuality>(command) ||
+                      std::holds_alternative<SetAutomaticQuality>(command);
+    recorded.push_back(dial ? Command(UseSetting{world_->deform()->setting()}) : command);
+}
+
+void Session::use_point(std::size_t index) {
+    world_->deform()->use(dial_.front()[index].options);
+    point_ = index;
+}
+
+void Session::govern(const SessionStep& done) {
+    if (!automatic_ || done.paused || done.deform.asleep || !point_) return;
+    const double period_ms = 1e3 * world_->spec().dt_s;
+    const double budget_ms =
+        period_ms - std::clamp(drawing_ms_.load(), 0.0, most_for_drawing * period_ms);
+    const std::size_t next = governor_.next(*point_, done.step_ms, budget_ms);
+    if (next == *point_) return;
+    use_point(next);
+    setting_changed_ = true;
 }
 
 void Session::require_deform() const {
@@ -105,7 +152,25 @@ void Session::apply(const Command& command) {
         void operator()(const SetDrugSpeed& c) { flow().set_speed(c.factor); }
         void operator()(const SetGravity& c) { deform().set_gravity(c.gravity_mm_per_s2); }
         void operator()(const SetTether& c) { deform().set_tether(c.pa_per_mm2); }
-        void operator()(const SetQuality& c) { deform().set_quality(c.quality); }
+        void operator()(const SetQuality& c) {
+            if (!(c.quality >= 0.0 && c.quality <= 1.0))
+                throw InputError("is " + std::to_string(c.quality), "quality",
+                                 "Choose a value from 0 to 1");
+            deform();
+            session.automatic_ = false;
+            session.use_point(session.dial_.index_at(c.quality));
+        }
+        void operator()(const SetAutomaticQuality& c) {
+            deform();
+            session.automatic_ = c.automatic;
+            if (!c.automatic) return;
+            session.use_point(session.governor_.start(1e3 * world.spec().dt_s));
+        }
+        void operator()(const UseSetting& c) {
+            deform().use(c.setting);
+            session.point_ = point_of(session.dial_, c.setting);
+            session.automatic_ = false;
+        }
         void operator()(const SetPaused& c) {
             session.paused_ = c.paused;
             if (!c.paused) session.forget_divergence();
@@ -163,6 +228,7 @@ SessionStep Session::step() {
     }
     done.step_ms = milliseconds_since(start);
     publish(done);
+    govern(done);
     return done;
 }
 
@@ -196,9 +262,11 @@ void Session::publish(const SessionStep& step) {
     statistics.real_time_factor = std::min(1.0, real_time_factor_);
     statistics.linear_iterations = step.deform.linear_iterations;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
-        const QualityPoint& setting = quality_point(deform->quality());
-        statistics.expected_error = setting.error_relative;
-        statistics.error_reference = setting.reference;
+        statistics.setting = words_of(deform->setting());
+        statistics.automatic = automatic_;
+        statistics.expected_error = point_ ? dial_.front()[*point_].error_relative : 0.0;
+        statistics.error_reference = point_ ? dial_.front()[*point_].reference : "";
+        if (point_) statistics.quality = dial_.quality_of(*point_);
     }
     statistics.degraded = step.deform.degraded;
     statistics.paused = paused_;

@@ -8,6 +8,7 @@
 //         view.show(session.frame());
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -17,11 +18,13 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/quality_dial.h"
 #include "core/deform/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
+#include "core/session/quality_governor.h"
 #include "core/session/recording.h"
 #include "core/session/triple_buffer.h"
 
@@ -54,6 +57,10 @@ class Session {
     // has seen yet are replaced by the newest.
     void post(Command command);
 
+    // What drawing a picture takes [ms]: automatic quality leaves it that much of the frame. Any
+    // time, from any thread.
+    void set_drawing_ms(double ms) { drawing_ms_ = ms; }
+
     // --- the reader's thread (UI) ---------------------------------------------------------------
     // True where a newer frame is there; frame() stays valid and unchanged until the next call.
     bool update_frame() { return frames_.update(); }
@@ -79,12 +86,23 @@ class Session {
   private:
     void apply_waiting_commands();
     void apply(const Command& command);
+    // What the recording keeps of a command that was applied.
+    void record(const Command& command, std::vector<Command>& recorded) const;
+    void use_point(std::size_t index);
+    // Picks the setting of the next step by what this one cost.
+    void govern(const SessionStep& done);
     void require_deform() const;
     void require_flow() const;
     void guard_state();
     void forget_divergence();
     void publish(const SessionStep& step);
 
+    QualityDial dial_;
+    QualityGovernor governor_;
+    std::optional<std::size_t> point_;  // of the dial's front, that is in use
+    bool automatic_ = false;
+    bool setting_changed_ = false;  // by the session, since the last step
+    std::atomic<double> drawing_ms_{0.0};
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;
     bool paused_ = false;

@@ -4,25 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/error.h"
+#include "core/deform/element_name.h"
 #include "core/mesh/brick_mesh.h"
 
 namespace hepatica {
 namespace {
-
-struct Entry {
-    const char* name;
-    Discretisation discretisation;
-};
-
-constexpr Entry entries[] = {
-    {"spring", {ElementModel::spring, ElementOrder::linear, false}},
-    {"corotated", {ElementModel::corotated, ElementOrder::linear, false}},
-    {"neohookean", {ElementModel::neohookean, ElementOrder::linear, false}},
-    {"corotated-10", {ElementModel::corotated, ElementOrder::quadratic, false}},
-    {"neohookean-10", {ElementModel::neohookean, ElementOrder::quadratic, false}},
-    {"hexahedron", {ElementModel::corotated, ElementOrder::linear, true}},
-};
 
 double bending_stiffness(const BeamSpec& spec) {
     return spec.material.young_modulus_pa * std::pow(spec.section_mm, 4) / 12.0;
@@ -35,19 +21,13 @@ double weight_per_length(const BeamSpec& spec) {
 }  // namespace
 
 std::string name_of(const Discretisation& d) {
-    for (const Entry& entry : entries)
-        if (entry.discretisation.model == d.model && entry.discretisation.order == d.order &&
-            entry.discretisation.hexahedra == d.hexahedra)
-            return entry.name;
-    return "unknown";
+    return d.hexahedra ? "hexahedron" : element_name(d.model, d.order);
 }
 
 Discretisation discretisation_of(const std::string& name) {
-    for (const Entry& entry : entries)
-        if (name == entry.name) return entry.discretisation;
-    throw UsageError("there is no element \"" + name + "\"", "",
-                     "Choose spring, corotated, neohookean, corotated-10, neohookean-10 or "
-                     "hexahedron.");
+    if (name == "hexahedron") return {ElementModel::corotated, ElementOrder::linear, true};
+    const auto [model, order] = element_of(name);
+    return {model, order, false};
 }
 
 BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discretisation) {

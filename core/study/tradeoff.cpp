@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <sstream>
 
-#include "core/base/units.h"
+#include "core/deform/cpu_stepper.h"
 #include "core/deform/quality_dial.h"
+#include "core/study/frame_meter.h"
 #include "core/study/reference_beam.h"
 
 namespace hepatica {
@@ -32,6 +35,12 @@ std::vector<Setting> beam_settings(bool quick) {
     std::vector<Setting> meshes{
         {"corotated", {20, 3, 3}}, {"corotated-10", {10, 2, 2}}, {"hexahedron", {16, 3, 3}}};
     if (!quick) meshes.push_back({"corotated", {35, 7, 7}});
+    // Frames that end up in substeps: the length of the step decides the error of motion.
+    for (const auto& [element, cells] :
+         {std::pair<const char*, Index3>{"hexahedron", {5, 1, 1}}, {"corotated-10", {8, 1, 1}}})
+        for (const int substeps : {2, 4, 8})
+            settings.push_back(
+                {element, cells, Kind::automatic, 1e-2, 1000, substeps, 1});
     for (const Setting& mesh : meshes) {
         const auto add = [&](Kind solver, double tolerance, int most, int substeps, int newton) {
             settings.push_back(
@@ -43,7 +52,7 @@ std::vector<Setting> beam_settings(bool quick) {
             add(Kind::skeleton, tolerance, 1000, 1, 1);
         add(Kind::cholesky, 1e-2, 1000, 1, 1);
         add(Kind::automatic, 1e-2, 1000, 1, 1);
-        add(Kind::automatic, 1e-2, 1000, 4, 1);
+        for (const int substeps : {2, 4, 8}) add(Kind::automatic, 1e-2, 1000, substeps, 1);
         add(Kind::automatic, 1e-2, 1000, 1, 5);
     }
     for (const char* element : {"spring", "neohookean"}) settings.push_back({element, {20, 3, 3}});
@@ -73,7 +82,7 @@ StepperOptions options_of(const Setting& setting, const Discretisation& d) {
     return options;
 }
 
-double rest_tip(BeamSpec spec, const Index3& cells, const char* element) {
+double rest_tip(BeamSpec spec, const Index3& cells, const char* element, Job& job) {
     spec.cells = cells;
     const Discretisation d = discretisation_of(element);
     const BodyDescription body = clamped_beam(spec, d);
@@ -82,12 +91,16 @@ double rest_tip(BeamSpec spec, const Index3& cells, const char* element) {
                                                  .linear = {.energy_tolerance = 1e-4},
                                                  .newton_iterations = 30});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    for (int i = 0; i < 6; ++i) stepper->step(100.0);
+    constexpr int long_steps = 6;  // in which backward Euler forgets the motion
+    for (int i = 0; i < long_steps; ++i) {
+        job.advance((1.0 + i) / (1.0 + long_steps));
+        stepper->step(100.0);
+    }
     return tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
 }
 
 // The tip's fall over the first frames with steps so short that backward Euler no longer brakes.
-std::vector<double> reference_motion(BeamSpec spec) {
+std::vector<double> reference_motion(BeamSpec spec, Job& job) {
     spec.cells = {10, 2, 2};
     const BodyDescription body = clamped_beam(spec, discretisation_of("corotated-10"));
     const auto stepper = make_cpu_stepper(
@@ -96,6 +109,7 @@ std::vector<double> reference_motion(BeamSpec spec) {
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     std::vector<double> tips;
     for (int i = 0; i < motion_frames; ++i) {
+        job.throw_if_cancelled();
         stepper->step(frame_s);
         tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
     }
@@ -111,31 +125,27 @@ double motion_error(std::span<const double> tips, std::span<const double> refere
     return std::sqrt(missed / moved);
 }
 
-// Steps a frame at a time and keeps what it costs.
-struct Meter {
-    std::vector<double> frame_ms;
-    double iterations = 0.0;
+std::string seconds_text(double seconds) {
+    std::ostringstream text;
+    text.precision(2);
+    text << seconds << " s";
+    return text.str();
+}
 
-    void step(Stepper& stepper) {
-        const auto start = std::chrono::steady_clock::now();
-        iterations += stepper.step(frame_s).linear_iterations;
-        frame_ms.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                .count());
-    }
+using Clock = std::chrono::steady_clock;
 
-    void book(TradeoffPoint& point) {
-        point.iterations =
-            iterations / (static_cast<double>(frame_ms.size()) * point.options.substeps);
-        std::ranges::nth_element(frame_ms, frame_ms.begin() + frame_ms.size() / 2);
-        point.frame_ms = frame_ms[frame_ms.size() / 2];
-        point.step_ms = point.frame_ms / point.options.substeps;
-        point.dt_s = frame_s / point.options.substeps;
-    }
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct BeamReference {
+    double tip_mm;
+    std::vector<double> motion_mm;
 };
 
-TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, double reference_tip,
-                           std::span<const double> motion) {
+TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamReference& reference,
+                           double seconds_left, const std::function<void(double)>& progress,
+                           Job& job) {
     spec.cells = setting.cells;
     const Discretisation d = discretisation_of(setting.element);
     const BodyDescription body = clamped_beam(spec, d);
@@ -143,23 +153,41 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, double referen
     point.element = setting.element;
     point.elements = static_cast<int>(body.mesh.tetrahedra.size() + body.hexahedra.size());
     point.options = options_of(setting, d);
-    const auto stepper = make_cpu_stepper(body, point.options);
+    point.error_relative = point.rest_error_relative = std::numeric_limits<double>::quiet_NaN();
+    StepperOptions options = point.options;
+    options.substeps = 1;  // the meter takes them one by one
+    const auto stepper = make_cpu_stepper(body, options);
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    Meter meter;
+    FrameMeter meter;
     std::vector<double> tips;
+    const Clock::time_point start = Clock::now();
     for (int i = 0; i < rest_frames; ++i) {
-        meter.step(*stepper);
+        progress(i / static_cast<double>(rest_frames));
+        meter.step(*stepper, setting.substeps, job);
         tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
+        const double left = seconds_left - seconds_since(start);
+        const double needed = 1e-3 * meter.last_ms() * (rest_frames - i - 1);
+        if (i == 0 || needed <= left) continue;
+        point.not_measured = "needs " + seconds_text(needed) + " more, " +
+                             seconds_text(std::max(0.0, left)) + " were left";
+        break;
     }
     meter.book(point);
-    point.error_relative = std::abs(tips.back() - reference_tip) / reference_tip;
-    point.motion_error_relative = motion_error(tips, motion);
+    if (!point.not_measured.empty()) return point;
+    point.rest_error_relative = std::abs(tips.back() - reference.tip_mm) / reference.tip_mm;
+    point.error_relative = motion_error(tips, reference.motion_mm);
     return point;
 }
 
+}  // namespace
+
 void mark_front(Tradeoff& tradeoff) {
     std::vector<double> cost, error;
-    for (const TradeoffPoint& point : tradeoff.points) {
+    std::vector<std::size_t> measured;
+    for (std::size_t i = 0; i < tradeoff.points.size(); ++i) {
+        const TradeoffPoint& point = tradeoff.points[i];
+        if (!point.not_measured.empty()) continue;
+        measured.push_back(i);
         cost.push_back(point.frame_ms);
         error.push_back(point.error_relative);
     }
@@ -167,73 +195,40 @@ void mark_front(Tradeoff& tradeoff) {
     if (front.empty()) return;
     const double low = std::log(cost[front.front()]), high = std::log(cost[front.back()]);
     for (const std::size_t i : front) {
-        tradeoff.points[i].on_front = true;
-        tradeoff.points[i].quality = high > low ? (std::log(cost[i]) - low) / (high - low) : 1.0;
+        TradeoffPoint& point = tradeoff.points[measured[i]];
+        point.on_front = true;
+        point.quality = high > low ? (std::log(cost[i]) - low) / (high - low) : 1.0;
     }
 }
 
-}  // namespace
-
-Tradeoff measure_beam_tradeoff(bool quick, Job& job) {
+Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job) {
+    const Clock::time_point start = Clock::now();
     const BeamSpec spec;
     Tradeoff tradeoff;
-    job.begin_stage("reference");
-    const Index3 finest = quick ? Index3{20, 4, 4} : Index3{30, 6, 6};
-    tradeoff.reference_tip_mm = rest_tip(spec, finest, "neohookean-10");
+    job.begin_stage("Measuring the reference");
+    const Index3 finest = options.quick ? Index3{20, 4, 4} : Index3{30, 6, 6};
+    BeamReference reference;
+    reference.motion_mm = reference_motion(spec, job);
+    reference.tip_mm = tradeoff.reference_tip_mm = rest_tip(spec, finest, "neohookean-10", job);
     tradeoff.timoshenko_tip_mm = timoshenko_tip_mm(spec);
-    tradeoff.reference = "neohookean-10 on " +
-                         std::to_string(6 * finest[0] * finest[1] * finest[2]) +
-                         " tetrahedra, converged Newton, at rest";
-    const std::vector<double> motion = reference_motion(spec);
-    job.begin_stage("settings");
-    const std::vector<Setting> settings = beam_settings(quick);
+    tradeoff.reference =
+        "corotated-10 on 240 tetrahedra, 32 substeps a frame, first half second of the fall";
+    tradeoff.rest_reference = "neohookean-10 on " +
+                              std::to_string(6 * finest[0] * finest[1] * finest[2]) +
+                              " tetrahedra, converged Newton, at rest";
+    job.begin_stage("Measuring the settings");
+    const std::vector<Setting> settings = beam_settings(options.quick);
     for (const Setting& setting : settings) {
-        job.advance(static_cast<double>(tradeoff.points.size()) /
-                    static_cast<double>(settings.size()));
-        tradeoff.points.push_back(measure_beam(spec, setting, tradeoff.reference_tip_mm, motion));
+        const auto done = static_cast<double>(tradeoff.points.size());
+        const auto progress = [&](double share) {
+            job.advance((done + share) / static_cast<double>(settings.size()));
+        };
+        tradeoff.points.push_back(measure_beam(spec, setting, reference,
+                                               options.budget_s - seconds_since(start), progress,
+                                               job));
     }
     mark_front(tradeoff);
-    return tradeoff;
-}
-
-Tradeoff measure_body_tradeoff(const BodyDescription& body, Job& job) {
-    std::vector<StepperOptions> settings;
-    for (const ElementModel model :
-         {ElementModel::spring, ElementModel::corotated, ElementModel::neohookean})
-        for (const ElementOrder order : {ElementOrder::linear, ElementOrder::quadratic})
-            for (const double tolerance : {1e-1, 1e-2}) {
-                if (order == ElementOrder::quadratic && model != ElementModel::corotated) continue;
-                StepperOptions options;
-                options.model = model;
-                options.order = order;
-                options.linear.energy_tolerance = tolerance;
-                settings.push_back(options);
-            }
-    StepperOptions jacobi;
-    jacobi.solver = LinearSolverKind::block_jacobi;
-    jacobi.linear = {.energy_tolerance = 0.0, .max_iterations = 20};
-    settings.push_back(jacobi);
-    const Vec3 gravity(0, 0, -units::standard_gravity);
-    Tradeoff tradeoff;
-    job.begin_stage("reference");
-    const std::vector<Vec3> rest = converged_rest(body, gravity);
-    job.begin_stage("settings");
-    for (const StepperOptions& options : settings) {
-        job.advance(static_cast<double>(tradeoff.points.size()) /
-                    static_cast<double>(settings.size()));
-        const QualityPoint measured = measure_quality(body, options, 60, gravity, rest);
-        TradeoffPoint point;
-        point.element = name_of(Discretisation{options.model, options.order, false});
-        point.elements = static_cast<int>(body.mesh.tetrahedra.size());
-        point.options = options;
-        point.dt_s = frame_s;
-        point.step_ms = point.frame_ms = measured.frame_ms;
-        point.error_relative = measured.error_relative;
-        point.motion_error_relative = std::numeric_limits<double>::quiet_NaN();
-        tradeoff.reference = measured.reference;
-        tradeoff.points.push_back(point);
-    }
-    mark_front(tradeoff);
+    tradeoff.seconds = seconds_since(start);
     return tradeoff;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against cost over the dial's coordinates: solver, its limit, element, order, mesh, length
-// of the step, Newton iterates. On the clamped beam, whose answer is known, or on a body of one's
-// own.
+// of the step, Newton iterates, region. On the clamped beam, whose answer is known, or on a body of
+// one's own.
 #pragma once
 
 #include <filesystem>
@@ -10,36 +10,55 @@
 
 #include "core/base/job.h"
 #include "core/deform/body.h"
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/live_region.h"
+#include "core/deform/stepper_options.h"
 
 namespace hepatica {
 
 struct TradeoffPoint {
-    std::string element;  // as in discretisation_of
-    int elements = 0;
+    std::string element;           // as in discretisation_of
+    int elements = 0;              // of the mesh
+    std::string region = "whole";  // or "live": only what moves or is held is computed
     StepperOptions options;
-    double dt_s = 0.0;                   // of one substep
-    double step_ms = 0.0;                // wall time of one substep, median
-    double frame_ms = 0.0;               // wall time for 1/60 s of simulated time, median
-    double iterations = 0.0;             // linear, mean over the substeps
-    double error_relative = 0.0;         // of the displacement two seconds after gravity set in
-    double motion_error_relative = 0.0;  // of the first half second's motion; NaN: not measured
+    double dt_s = 0.0;                 // of one substep
+    double step_ms = 0.0;              // wall time of one substep, median
+    double frame_ms = 0.0;             // wall time for 1/60 s of simulated time, median
+    double iterations = 0.0;           // linear, mean over the substeps
+    double error_relative = 0.0;       // of the motion, root mean square over half a second
+    double rest_error_relative = 0.0;  // two seconds after gravity set in; NaN: not measured
+    bool own_mesh = true;              // the mesh that the body is played with
     bool on_front = false;
-    double quality = 0.0;  // of the points on the front, 0 the cheapest, 1 the most accurate
+    double quality = 0.0;      // of the points on the front, 0 the cheapest, 1 the most accurate
+    std::string not_measured;  // why; empty where it was. The figures are then NaN
 };
 
 struct Tradeoff {
-    std::vector<TradeoffPoint> points;
-    std::string reference;           // what the errors are measured against
-    double reference_tip_mm = 0.0;   // of the beam; 0 for other bodies
-    double timoshenko_tip_mm = 0.0;  // linear theory, for comparison
+    std::vector<TradeoffPoint> points;  // measured or not, in the order of the settings
+    std::string reference;              // what error_relative is measured against
+    std::string rest_reference;         // what rest_error_relative is; empty: nothing
+    double reference_tip_mm = 0.0;      // of the beam; 0 for other bodies
+    double timoshenko_tip_mm = 0.0;     // linear theory, for comparison
+    double seconds = 0.0;               // that the measurement took
 };
 
-// The beam of BeamSpec over some forty settings; `quick` leaves out the large meshes.
-Tradeoff measure_beam_tradeoff(bool quick, Job& job);
+struct TradeoffOptions {
+    double budget_s = 300.0;   // wall time; what does not fit is listed as not measured. > 0
+    bool quick = false;        // of the beam: leave out the large meshes
+    LiveRegionOptions region;  // of the live settings of a body of one's own
+};
 
-// A body of one's own, clamped somewhere, under gravity: its mesh stays, the rest varies.
-Tradeoff measure_body_tradeoff(const BodyDescription& body, Job& job);
+// The beam of BeamSpec over some fifty settings. Throws Cancelled, after a frame at most.
+Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job);
+
+// A body of one's own, fixed somewhere and with a skeleton, over some thirty settings: a Pull on
+// meshes[0], the one that is played with; the others are of the same shape, in other sizes. The
+// reference is the motion of quadratic elements on meshes[0] in steps as short as half the budget
+// allows, or of linear ones where it allows none. Throws InputError, Cancelled (after a substep).
+Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
+                               const TradeoffOptions& options, Job& job);
+
+// Marks the points that no other measured one beats in both cost and error.
+void mark_front(Tradeoff& tradeoff);
 
 // FOLDER/tradeoff.csv, one line a point, and FOLDER/tradeoff.svg, error over cost with the front.
 // The folder is made where it is missing. Throws InputError where it cannot be written.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/setting_json.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/deform/element_name.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& key, const std::string& problem) {
+    throw InputError(problem, "setting: " + key, "Correct the scene or recording");
+}
+
+void read_into(StepperOptions& options, const std::string& key, const Json& value) {
+    if (key == "element") {
+        const auto [model, order] = element_of(value.get<std::string>());
+        options.model = model;
+        options.order = order;
+    } else if (key == "solver") {
+        options.solver = linear_solver_kind(value.get<std::string>());
+    } else if (key == "energy_tolerance") {
+        options.linear.energy_tolerance = value.get<double>();
+    } else if (key == "max_iterations") {
+        options.linear.max_iterations = value.get<int>();
+    } else if (key == "newton_iterations") {
+        options.newton_iterations = value.get<int>();
+    } else if (key == "substeps") {
+        options.substeps = value.get<int>();
+    } else {
+        refuse(key, "is not known");
+    }
+}
+
+}  // namespace
+
+Json to_json(const StepperOptions& options) {
+    return {{"element", element_name(options.model, options.order)},
+            {"solver", std::string(name_of(options.solver))},
+            {"energy_tolerance", options.linear.energy_tolerance},
+            {"max_iterations", options.linear.max_iterations},
+            {"newton_iterations", options.newton_iterations},
+            {"substeps", options.substeps}};
+}
+
+StepperOptions setting_from_json(const Json& json) {
+    if (!json.is_object()) refuse("setting", "is not an object");
+    StepperOptions options;
+    for (const auto& [key, value] : json.items()) {
+        try {
+            read_into(options, key, value);
+        } catch (const Json::exception&) {
+            refuse(key, "has a value of the wrong kind (" + value.dump() + ")");
+        } catch (const UsageError& error) {
+            refuse(key, error.problem());
+        }
+    }
+    if (!(options.linear.energy_tolerance >= 0.0)) refuse("energy_tolerance", "is below 0");
+    if (options.linear.max_iterations < 1) refuse("max_iterations", "is below 1");
+    if (options.newton_iterations < 1) refuse("newton_iterations", "is below 1");
+    if (options.substeps < 1) refuse("substeps", "is below 1");
+    return options;
+}
+
+std::string words_of(const StepperOptions& options) {
+    std::ostringstream words;
+    words << element_name(options.model, options.order);
+    if (options.solver == LinearSolverKind::block_jacobi && options.linear.energy_tolerance == 0.0)
+        words << ", " << options.linear.max_iterations << " iterations";
+    else if (options.solver != LinearSolverKind::automatic)
+        words << ", " << name_of(options.solver);
+    if (options.substeps > 1) words << ", " << options.substeps << " substeps";
+    if (options.newton_iterations > 1)
+        words << ", " << options.newton_iterations << " Newton iterates";
+    return words.str();
+}
+
+bool same_setting(const StepperOptions& a, const StepperOptions& b) {
+    return to_json(a) == to_json(b);
+}
+
+}  // namespace hepatica

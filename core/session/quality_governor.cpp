@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/quality_governor.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+constexpr std::size_t window = 9;        // frames whose median counts
+constexpr double share_after_down = 0.8;  // of the budget that the forecast must fit
+constexpr double share_before_up = 0.7;
+constexpr int frames_before_up = 60;
+constexpr int first_penalty = 120, longest_penalty = 7200;
+constexpr int settling_frames = 2;
+
+}  // namespace
+
+QualityGovernor::QualityGovernor(std::vector<double> front_ms)
+    : front_ms_(std::move(front_ms)),
+      barred_(front_ms_.size(), 0),
+      penalty_(front_ms_.size(), first_penalty) {}
+
+std::size_t QualityGovernor::start(double budget_ms) const {
+    std::size_t best = 0;
+    while (best + 1 < front_ms_.size() && front_ms_[best + 1] <= share_after_down * budget_ms)
+        ++best;
+    return best;
+}
+
+double QualityGovernor::forecast(std::size_t setting, std::size_t at, double seen_ms) const {
+    return seen_ms * front_ms_[setting] / front_ms_[at];
+}
+
+std::size_t QualityGovernor::moved_to(std::size_t setting) {
+    recent_ms_.clear();
+    roomy_frames_ = 0;
+    frames_to_ignore_ = settling_frames;
+    return setting;
+}
+
+std::size_t QualityGovernor::next(std::size_t at, double frame_ms, double budget_ms) {
+    for (int& frames : barred_) frames = std::max(0, frames - 1);
+    if (frames_to_ignore_ > 0) {
+        --frames_to_ignore_;
+        return at;
+    }
+    recent_ms_.push_back(frame_ms);
+    if (recent_ms_.size() > window) recent_ms_.pop_front();
+    if (recent_ms_.size() < window) return at;
+    std::vector<double> sorted(recent_ms_.begin(), recent_ms_.end());
+    std::ranges::nth_element(sorted, sorted.begin() + window / 2);
+    const double seen_ms = sorted[window / 2];
+    if (seen_ms > budget_ms) {
+        if (at == 0) return at;
+        barred_[at] = penalty_[at];
+        penalty_[at] = std::min(2 * penalty_[at], longest_penalty);
+        std::size_t lower = at - 1;
+        while (lower > 0 && forecast(lower, at, seen_ms) > share_after_down * budget_ms) --lower;
+        return moved_to(lower);
+    }
+    const bool room = at + 1 < front_ms_.size() && barred_[at + 1] == 0 &&
+                      forecast(at + 1, at, seen_ms) <= share_before_up * budget_ms;
+    roomy_frames_ = room ? roomy_frames_ + 1 : 0;
+    return roomy_frames_ >= frames_before_up ? moved_to(at + 1) : at;
+}
+
+}  // namespace hepatica

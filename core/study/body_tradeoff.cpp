@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/deform/cpu_stepper.h"
+#include "core/deform/element_name.h"
+#include "core/deform/live_stepper.h"
+#include "core/study/frame_meter.h"
+#include "core/study/pull_trial.h"
+#include "core/study/tradeoff.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double share_of_the_reference = 0.5;  // of the budget, at most
+constexpr int frames_before_a_forecast = 2;
+constexpr int frames_to_fall_asleep = 90;
+
+class Clock {
+  public:
+    explicit Clock(double budget_s) : budget_s_(budget_s) {}
+    double passed_s() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    double left_s() const { return budget_s_ - passed_s(); }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double budget_s_;
+};
+
+struct Setting {
+    std::size_t mesh = 0;
+    bool live = false;
+    StepperOptions options;
+};
+
+StepperOptions options_of(ElementModel model, ElementOrder order, int substeps, int newton = 1) {
+    StepperOptions options;
+    options.model = model;
+    options.order = order;
+    options.substeps = substeps;
+    options.newton_iterations = newton;
+    options.sleeping = false;
+    return options;
+}
+
+StepperOptions solved_by(LinearSolverKind kind, double tolerance, int most) {
+    StepperOptions options = options_of(ElementModel::corotated, ElementOrder::linear, 1);
+    options.solver = kind;
+    options.linear = {.energy_tolerance = tolerance, .max_iterations = most};
+    return options;
+}
+
+// Cheap ones first, so that a budget that runs out runs out at the costly end.
+std::vector<Setting> settings_of(std::size_t meshes) {
+    using Kind = LinearSolverKind;
+    using Model = ElementModel;
+    constexpr auto linear = ElementOrder::linear, quadratic = ElementOrder::quadratic;
+    std::vector<Setting> settings;
+    const auto add = [&](const StepperOptions& options, std::size_t mesh = 0, bool live = false) {
+        settings.push_back({mesh, live, options});
+    };
+    for (const int most : {5, 20}) add(solved_by(Kind::block_jacobi, 0.0, most));
+    add(solved_by(Kind::automatic, 1e-1, 1000));
+    for (const Model model : {Model::spring, Model::corotated, Model::neohookean})
+        add(options_of(model, linear, 1));
+    for (const Kind kind : {Kind::cholesky, Kind::skeleton}) add(solved_by(kind, 1e-2, 1000));
+    add(solved_by(Kind::automatic, 1e-3, 1000));
+    for (const int substeps : {1, 4}) add(options_of(Model::corotated, linear, substeps), 0, true);
+    for (const int substeps : {2, 4, 8}) add(options_of(Model::corotated, linear, substeps));
+    add(options_of(Model::corotated, linear, 1, 5));
+    add(options_of(Model::spring, linear, 4));
+    add(options_of(Model::neohookean, linear, 4));
+    for (std::size_t mesh = 1; mesh < meshes; ++mesh) {
+        for (const int substeps : {1, 4})
+            add(options_of(Model::corotated, linear, substeps), mesh);
+        add(options_of(Model::corotated, quadratic, 1), mesh);
+    }
+    add(solved_by(Kind::block_jacobi, 0.0, 100));
+    for (const int substeps : {1, 2, 4})
+        add(options_of(Model::corotated, quadratic, substeps));
+    add(options_of(Model::neohookean, quadratic, 1));
+    add(solved_by(Kind::block_jacobi, 1e-2, 10000));
+    return settings;
+}
+
+// The same pull on every mesh, seen by the same points of the centreline.
+struct Scene {
+    const std::vector<BodyDescription>& meshes;
+    Pull pull;
+    std::vector<CentrelineProbes> probes;
+
+    explicit Scene(const std::vector<BodyDescription>& bodies)
+        : meshes(bodies), pull(bodies.front()) {
+        const std::vector<Vec3>& points = bodies.front().skeleton.positions_mm;
+        for (const BodyDescription& body : bodies) probes.emplace_back(points, body.mesh);
+    }
+
+    void watch(std::size_t mesh, const Stepper& stepper, CentrelineMotion& motion) const {
+        const std::vector<Vec3> rest = probes[mesh].places_mm(meshes[mesh].mesh.vertices_mm);
+        const std::vector<Vec3> now = probes[mesh].places_mm(stepper.positions_mm());
+        for (std::size_t p = 0; p < rest.size(); ++p) motion.push_back(now[p] - rest[p]);
+    }
+};
+
+std::string seconds_text(double seconds) {
+    std::ostringstream text;
+    text.precision(2);
+    text << seconds << " s";
+    return text.str();
+}
+
+struct Reference {
+    CentrelineMotion motion;
+    StepperOptions options;
+    std::string words;
+};
+
+std::unique_ptr<Stepper> reference_stepper(const BodyDescription& body, ElementOrder order) {
+    StepperOptions options = options_of(ElementModel::corotated, order, 1);
+    options.linear.energy_tolerance = 1e-3;
+    return make_cpu_stepper(body, options);
+}
+
+// The most substeps, of powers of two up to 32, whose motion fits into `seconds`; 0: not even four.
+int substeps_within(Stepper& stepper, const Scene& scene, double seconds, const Job& job) {
+    FrameMeter meter;
+    stepper.set_grabs(scene.pull.grabs(scene.meshes.front(), 0));
+    for (int i = 0; i < 2; ++i) meter.step(stepper, 1, job);
+    int substeps = 32;
+    while (substeps >= 4 && 1e-3 * meter.last_ms() * substeps * Pull::frames > seconds)
+        substeps /= 2;
+    return substeps >= 4 ? substeps : 0;
+}
+
+Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
+    const BodyDescription& body = scene.meshes.front();
+    const double share_s = share_of_the_reference * budget_s;
+    Reference reference;
+    reference.options = options_of(ElementModel::corotated, ElementOrder::quadratic, 0);
+    auto stepper = reference_stepper(body, ElementOrder::quadratic);
+    int substeps = substeps_within(*stepper, scene, share_s - clock.passed_s(), job);
+    if (substeps == 0) {
+        reference.options.order = ElementOrder::linear;
+        stepper = reference_stepper(body, ElementOrder::linear);
+        substeps = std::max(4, substeps_within(*stepper, scene, share_s - clock.passed_s(), job));
+    }
+    reference.options.substeps = substeps;
+    stepper = reference_stepper(body, reference.options.order);
+    FrameMeter meter;
+    for (int f = 0; f < Pull::frames; ++f) {
+        job.advance(f / static_cast<double>(Pull::frames));
+        stepper->set_grabs(scene.pull.grabs(body, f));
+        meter.step(*stepper, substeps, job);
+        scene.watch(0, *stepper, reference.motion);
+    }
+    reference.words =
+        "the same body, " +
+        element_name(ElementModel::corotated, reference.options.order) + " on " +
+        std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " + std::to_string(substeps) +
+        " substeps a frame, half a second's pull" +
+        (reference.options.order == ElementOrder::linear ? " (the mesh's own error is not in it)"
+                                                         : "");
+    return reference;
+}
+
+std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting& setting,
+                                     const LiveRegionOptions& region, const Job& job) {
+    if (setting.live) {
+        auto stepper = make_live_stepper(body, setting.options, region);
+        for (int f = 0; f < frames_to_fall_asleep; ++f) {
+            job.throw_if_cancelled();
+            if (stepper->step(Pull::frame_s).asleep) break;
+        }
+        return stepper;
+    }
+    StepperOptions options = setting.options;
+    options.substeps = 1;  // the meter takes them one by one
+    return make_cpu_stepper(body, options);
+}
+
+// Empty where the whole motion was measured, else why not.
+std::string measure_motion(const Scene& scene, const Setting& setting,
+                           const TradeoffOptions& options, const Clock& clock, Job& job,
+                           const std::function<void(double)>& progress, FrameMeter& meter,
+                           CentrelineMotion& motion) {
+    const BodyDescription& body = scene.meshes[setting.mesh];
+    if (clock.left_s() <= 0.0) return "no time was left";
+    const auto stepper = stepper_for(body, setting, options.region, job);
+    for (int f = 0; f < Pull::frames; ++f) {
+        progress(f / static_cast<double>(Pull::frames));
+        stepper->set_grabs(scene.pull.grabs(body, f));
+        meter.step(*stepper, setting.live ? 1 : setting.options.substeps, job);
+        scene.watch(setting.mesh, *stepper, motion);
+        const double needed_s = 1e-3 * meter.last_ms() * (Pull::frames - f - 1);
+        if (f + 1 >= frames_before_a_forecast && needed_s > clock.left_s())
+            return "needs " + seconds_text(needed_s) + " more, " +
+                   seconds_text(std::max(0.0, clock.left_s())) + " were left";
+    }
+    return {};
+}
+
+bool finer_than(const Setting& setting, const StepperOptions& reference) {
+    if (setting.mesh > 0) return false;
+    const bool order = setting.options.order == ElementOrder::quadratic &&
+                       reference.order == ElementOrder::linear;
+    return order || (setting.options.order == reference.order &&
+                     2 * setting.options.substeps > reference.substeps);
+}
+
+TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
+                              const Reference& reference, const TradeoffOptions& options,
+                              const Clock& clock, Job& job,
+                              const std::function<void(double)>& progress) {
+    TradeoffPoint point;
+    point.element = element_name(setting.options.model, setting.options.order);
+    point.elements = static_cast<int>(scene.meshes[setting.mesh].mesh.tetrahedra.size());
+    point.region = setting.live ? "live" : "whole";
+    point.own_mesh = setting.mesh == 0;
+    point.options = setting.options;
+    point.dt_s = Pull::frame_s / setting.options.substeps;
+    point.step_ms = point.frame_ms = point.iterations = unknown;
+    point.error_relative = point.rest_error_relative = unknown;
+    FrameMeter meter;
+    CentrelineMotion motion;
+    if (finer_than(setting, reference.options))
+        point.not_measured = "the reference that the budget allowed is no finer";
+    else
+        point.not_measured =
+            measure_motion(scene, setting, options, clock, job, progress, meter, motion);
+    if (meter.frames() > 0) meter.book(point);
+    if (point.not_measured.empty())
+        point.error_relative = motion_error(motion, reference.motion);
+    return point;
+}
+
+}  // namespace
+
+Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
+                               const TradeoffOptions& options, Job& job) {
+    const Clock clock(options.budget_s);
+    job.begin_stage("Finding the centreline in the meshes");
+    const Scene scene(meshes);
+    job.begin_stage("Measuring the reference");
+    const Reference reference = measure_reference(scene, clock, options.budget_s, job);
+    job.begin_stage("Measuring the settings");
+    Tradeoff tradeoff;
+    tradeoff.reference = reference.words;
+    const std::vector<Setting> settings = settings_of(meshes.size());
+    for (const Setting& setting : settings) {
+        const auto done = static_cast<double>(tradeoff.points.size());
+        const auto progress = [&](double share) {
+            job.advance((done + share) / static_cast<double>(settings.size()));
+        };
+        tradeoff.points.push_back(
+            measure_setting(scene, setting, reference, options, clock, job, progress));
+    }
+    mark_front(tradeoff);
+    tradeoff.seconds = clock.passed_s();
+    return tradeoff;
+}
+
+}  // namespace hepatica

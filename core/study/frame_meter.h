@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps a body a frame of 1/60 s at a time and keeps what that costs.
+#pragma once
+
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/deform/stepper.h"
+#include "core/study/tradeoff.h"
+
+namespace hepatica {
+
+class FrameMeter {
+  public:
+    // One frame in `parts` equal steps. Throws Cancelled between two of them.
+    void step(Stepper& stepper, int parts, const Job& job);
+
+    int frames() const { return static_cast<int>(frame_ms_.size()); }
+    double last_ms() const { return frame_ms_.back(); }
+    // Cost and mean iterations of the frames so far, which are one or more.
+    void book(TradeoffPoint& point) const;
+
+  private:
+    std::vector<double> frame_ms_;
+    double iterations_ = 0.0;
+};
+
+}  // namespace hepatica

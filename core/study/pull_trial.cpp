@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/pull_trial.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double share_of_the_way = 0.6;  // from the root to the furthest tip
+constexpr int moving_frames = 15;
+constexpr double hand_strain = 0.4;  // the hand pulls no harder than would stretch the vessel so
+
+std::vector<double> distances_from_roots(const FrameSkeleton& skeleton) {
+    std::vector<double> distance(skeleton.size(), 0.0);
+    for (int n = 0; n < skeleton.size(); ++n) {
+        const int parent = skeleton.parent[n];
+        if (parent >= 0)
+            distance[n] = distance[parent] +
+                          (skeleton.positions_mm[n] - skeleton.positions_mm[parent]).norm();
+    }
+    return distance;
+}
+
+// The root of the tree that each node belongs to.
+std::vector<int> roots_of(const FrameSkeleton& skeleton) {
+    std::vector<int> root(skeleton.size());
+    for (int n = 0; n < skeleton.size(); ++n)
+        root[n] = skeleton.parent[n] < 0 ? n : root[skeleton.parent[n]];
+    return root;
+}
+
+std::vector<char> trees_that_are_fixed(const BodyDescription& body, const std::vector<int>& root) {
+    std::vector<char> fixed(root.size(), 0);
+    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    for (std::size_t v = 0; v < body.fixed.size(); ++v)
+        if (body.fixed[v] != 0) fixed[root[binding.nodes[v][0]]] = 1;
+    return fixed;
+}
+
+}  // namespace
+
+Pull::Pull(const BodyDescription& body) {
+    const FrameSkeleton& skeleton = body.skeleton;
+    if (skeleton.size() < 2)
+        throw InputError("has no skeleton", "the body", "Give it a centreline of two nodes or more");
+    const std::vector<double> distance = distances_from_roots(skeleton);
+    const std::vector<int> root = roots_of(skeleton);
+    const std::vector<char> fixed = trees_that_are_fixed(body, root);
+    int tip = -1;
+    for (int n = 0; n < skeleton.size(); ++n)
+        if (fixed[root[n]] != 0 && (tip < 0 || distance[n] > distance[tip])) tip = n;
+    if (tip < 0) throw InputError("nothing of it is fixed", "the body", "Fix the ends of the tree");
+    int held = tip;
+    while (skeleton.parent[held] >= 0 && distance[held] > share_of_the_way * distance[tip])
+        held = skeleton.parent[held];
+    const int next = skeleton.parent[held] >= 0 ? skeleton.parent[held] : tip;
+    const Vec3 axis = skeleton.positions_mm[held] - skeleton.positions_mm[next];
+    int least = 0;
+    axis.cwiseAbs().minCoeff(&least);
+    place_mm_ = skeleton.positions_mm[held];
+    radius_mm_ = skeleton.radii_mm[held];
+    way_ = axis.cross(Vec3(Vec3::Unit(least))).normalized();
+}
+
+std::vector<Grab> Pull::grabs(const BodyDescription& body, int frame) const {
+    std::vector<int> held;
+    int nearest = 0;
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+        const double distance = (body.mesh.vertices_mm[v] - place_mm_).norm();
+        if (distance < (body.mesh.vertices_mm[nearest] - place_mm_).norm())
+            nearest = static_cast<int>(v);
+        if (distance <= radius_mm_) held.push_back(static_cast<int>(v));
+    }
+    if (held.empty()) held.push_back(nearest);
+    const double moved =
+        distance_mm() * std::min(1.0, static_cast<double>(frame + 1) / moving_frames);
+    const double modulus_pa = body.material.young_modulus_pa;
+    const auto springs = static_cast<double>(held.size());
+    std::vector<Grab> grabs(held.size());
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        grabs[i].vertices[0] = held[i];
+        grabs[i].target_mm = body.mesh.vertices_mm[held[i]] + moved * way_;
+        grabs[i].stiffness_un_per_mm = modulus_pa * std::numbers::pi * radius_mm_ / springs;
+        grabs[i].force_limit_un =
+            hand_strain * modulus_pa * std::numbers::pi * radius_mm_ * radius_mm_ / springs;
+    }
+    return grabs;
+}
+
+CentrelineProbes::CentrelineProbes(const std::vector<Vec3>& points_mm, const TetMesh& mesh) {
+    probes_.resize(points_mm.size());
+    std::vector<double> best(points_mm.size(), -std::numeric_limits<double>::infinity());
+    for (const auto& corners : mesh.tetrahedra) {
+        const Vec3& origin = mesh.vertices_mm[corners[0]];
+        Mat3 edges;
+        for (int a = 0; a < 3; ++a) edges.col(a) = mesh.vertices_mm[corners[a + 1]] - origin;
+        const Mat3 inverse = edges.inverse();
+        for (std::size_t p = 0; p < points_mm.size(); ++p) {
+            const Vec3 w = inverse * (points_mm[p] - origin);
+            const double inside = std::min(w.minCoeff(), 1.0 - w.sum());
+            if (!(inside > best[p])) continue;
+            best[p] = inside;
+            probes_[p] = {corners, {1.0 - w.sum(), w[0], w[1], w[2]}};
+        }
+    }
+}
+
+std::vector<Vec3> CentrelineProbes::places_mm(std::span<const Vec3> vertices_mm) const {
+    std::vector<Vec3> places;
+    places.reserve(probes_.size());
+    for (const Probe& probe : probes_) {
+        Vec3 place = Vec3::Zero();
+        for (int a = 0; a < 4; ++a) place += probe.weights[a] * vertices_mm[probe.vertices[a]];
+        places.push_back(place);
+    }
+    return places;
+}
+
+double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference) {
+    double missed = 0.0, moved = 0.0;
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        missed += (motion[i] - reference[i]).squaredNorm();
+        moved += reference[i].squaredNorm();
+    }
+    return std::sqrt(missed / moved);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One short pull as a trainee makes it, the same on every mesh of a body, and where the centreline
+// goes meanwhile: what the settings of the dial are compared by.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "core/deform/body.h"
+#include "core/deform/stepper.h"
+
+namespace hepatica {
+
+// The hand takes the vessel three fifths of the way from a fixed root to the furthest tip, moves
+// sideways by three radii within a quarter of a second, and holds still for another quarter.
+class Pull {
+  public:
+    static constexpr int frames = 30;
+    static constexpr double frame_s = 1.0 / 60.0;
+
+    // Throws InputError where the body has no skeleton or nothing of it is fixed.
+    explicit Pull(const BodyDescription& body);
+
+    // The hand's springs on another mesh of the same body at the end of a frame (from 0): together
+    // as stiff as a piece of the vessel one radius long.
+    std::vector<Grab> grabs(const BodyDescription& body, int frame) const;
+
+    const Vec3& place_mm() const { return place_mm_; }
+    double distance_mm() const { return 3.0 * radius_mm_; }
+
+  private:
+    Vec3 place_mm_, way_;
+    double radius_mm_ = 0.0;
+};
+
+// Points of a body's centreline, found again in each of its meshes.
+class CentrelineProbes {
+  public:
+    // Each point in the tetrahedron that holds it, or holds it most nearly.
+    CentrelineProbes(const std::vector<Vec3>& points_mm, const TetMesh& mesh);
+
+    std::vector<Vec3> places_mm(std::span<const Vec3> vertices_mm) const;
+
+  private:
+    struct Probe {
+        std::array<int, 4> vertices;
+        std::array<double, 4> weights;
+    };
+    std::vector<Probe> probes_;
+};
+
+// Displacement of every probe after every frame, one frame after the other.
+using CentrelineMotion = std::vector<Vec3>;
+
+// Root mean square over frames and probes of the difference, relative to the reference's motion.
+double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
+
+}  // namespace hepatica

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/measured_dial.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/setting_json.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+using test::small_patient;
+
+StepperOptions substeps(int count) {
+    StepperOptions options;
+    options.substeps = count;
+    return options;
+}
+
+TEST(MeasuredDial, CostsMoreAndMissesLessAsItTurns) {
+    const QualityDial dial = built_in_dial(20000);
+    const QualityPoint* last = &dial.at(0.0);
+    int changes = 0;
+    for (int i = 1; i <= 100; ++i) {
+        const QualityPoint& now = dial.at(0.01 * i);
+        if (&now == last) continue;
+        ++changes;
+        EXPECT_GT(now.frame_ms, last->frame_ms);
+        EXPECT_LT(now.error_relative, last->error_relative);
+        last = &now;
+    }
+    EXPECT_GE(changes, 4);
+    EXPECT_LT(dial.at(1.0).error_relative, 0.25 * dial.at(0.0).error_relative);
+}
+
+TEST(MeasuredDial, SaysWhatTheErrorWasMeasuredAgainst) {
+    const QualityDial dial = dial_of(*small_patient());
+    for (const QualityPoint& point : dial.front()) {
+        EXPECT_GT(point.error_relative, 0.0);
+        EXPECT_NE(point.reference.find("built-in patient"), std::string::npos);
+    }
+}
+
+TEST(MeasuredDial, IsThePatientsOwnWhereTheCaseHoldsOne) {
+    PatientCase patient = *small_patient();
+    const std::vector<QualityPoint> measured{{substeps(1), 3.0, 0.4, "this body"},
+                                             {substeps(3), 9.0, 0.1, "this body"}};
+    patient.dial_json = dial_json(measured, patient);
+    const QualityDial dial = dial_of(patient);
+    ASSERT_EQ(dial.front().size(), 2u);
+    EXPECT_EQ(dial.front()[1].reference, "this body");
+    EXPECT_EQ(dial.front()[1].options.substeps, 3);
+    EXPECT_EQ(dial.front()[1].error_relative, 0.1);
+    EXPECT_EQ(dial.front()[0].frame_ms, 3.0);
+    const DeformPart part(patient, DeformSpec{.quality = 1.0});
+    EXPECT_EQ(part.setting().substeps, 3);
+
+    patient.mesh.vertices_mm[0].x() += 0.01;  // another mesh than the one measured
+    EXPECT_NE(dial_of(patient).front()[0].reference, "this body");
+}
+
+TEST(MeasuredDial, RefusesADamagedOneByName) {
+    PatientCase patient = *small_patient();
+    for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 1}",
+                                "{\"format\": \"other\", \"version\": 1}"}) {
+        patient.dial_json = damaged;
+        EXPECT_THROW(static_cast<void>(dial_of(patient)), InputError) << damaged;
+    }
+}
+
+TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {
+    StepperOptions options;
+    options.model = ElementModel::neohookean;
+    options.order = ElementOrder::quadratic;
+    options.solver = LinearSolverKind::block_jacobi;
+    options.linear = {.energy_tolerance = 0.1 + 0.2, .max_iterations = 7};
+    options.newton_iterations = 3;
+    options.substeps = 5;
+    EXPECT_TRUE(same_setting(setting_from_json(to_json(options)), options));
+    EXPECT_FALSE(same_setting(options, StepperOptions{}));
+    using Json = nlohmann::ordered_json;
+    for (const Json& wrong :
+         {Json({{"element", "spring-10"}}), Json({{"solver", "magic"}}), Json({{"substeps", 0}}),
+          Json({{"substeps", "two"}}), Json({{"nonsense", 1}}), Json::array()})
+        EXPECT_THROW(static_cast<void>(setting_from_json(wrong)), InputError) << wrong.dump();
+}
+
+}  // namespace
+}  // namespace hepatica
