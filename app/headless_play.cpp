@@ -175,6 +175,10 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     played.simulation["steps"] = step_ms.size();
     played.simulation["step_ms_median"] = step_ms[step_ms.size() / 2];
     played.simulation["step_ms_max"] = step_ms.back();
+    const FrameStatistics& statistics = player.frame().statistics;
+    played.simulation["setting"] = statistics.setting;
+    played.simulation["expected_error"] = statistics.expected_error;
+    played.simulation["error_reference"] = statistics.error_reference;
     played.injection = injection_facts(patient->tree, album, job);
     played.pictures = album.pictures();
     return played;

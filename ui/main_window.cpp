@@ -411,6 +411,7 @@ void MainWindow::plot_injection(const TreePoint& tip, const InjectDrug& injectio
 void MainWindow::picture_painted(double ms) {
     if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
     picture_ms_ = ms;
+    if (patient_) patient_->simulation->set_drawing_ms(ms);
     if (!first_picture_) return;
     // The frame is on the screen once the event loop comes round again.
     QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));

@@ -68,8 +68,9 @@ LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
     job.begin_stage("Preparing the play");
     loaded.anatomy = SurfaceAnatomy(patient->tree, patient->mesh.vertices_mm, job);
     loaded.flow_shares = flow_shares(patient->tree);
-    loaded.simulation = std::make_unique<SimulationThread>(
-        std::make_unique<Session>(patient, default_scene(), job));
+    auto session = std::make_unique<Session>(patient, default_scene(), job);
+    session->post(SetAutomaticQuality{true});
+    loaded.simulation = std::make_unique<SimulationThread>(std::move(session));
     loaded.patient = std::move(patient);
     return loaded;
 }

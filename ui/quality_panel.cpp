@@ -5,8 +5,10 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <cmath>
 #include <utility>
 
 #include "core/base/units.h"
@@ -29,6 +31,7 @@ QString percent_text(double share) {
 QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     : QWidget(parent),
       post_(std::move(post)),
+      automatic_(new QCheckBox("Automatic: as accurate as this computer can", this)),
       dial_(new QSlider(Qt::Horizontal, this)),
       error_(new QLabel(this)),
       solver_(new QLabel(this)),
@@ -37,18 +40,30 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     auto* dial_box = new QGroupBox("Speed or accuracy", this);
     auto* dial_column = new QVBoxLayout(dial_box);
+    automatic_->setObjectName("automatic");
+    automatic_->setChecked(true);
+    automatic_->setToolTip(
+        "Picks the most accurate setting whose frames are in time; moving the dial ends it");
+    connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
+        post_(on ? Command(SetAutomaticQuality{true})
+                 : Command(SetQuality{dial_->value() / 100.0}));
+    });
+    dial_column->addWidget(automatic_);
     auto* ends = new QHBoxLayout;
     ends->addWidget(new QLabel("fastest", dial_box));
     ends->addWidget(new QLabel("most accurate", dial_box), 0, Qt::AlignRight);
     dial_->setRange(0, 100);
     dial_->setValue(50);
     dial_->setAccessibleName("Speed or accuracy");
-    connect(dial_, &QSlider::valueChanged, this,
-            [this](int value) { post_(SetQuality{value / 100.0}); });
+    connect(dial_, &QSlider::valueChanged, this, [this](int value) {
+        automatic_->setChecked(false);
+        post_(SetQuality{value / 100.0});
+    });
     dial_column->addWidget(dial_);
     dial_column->addLayout(ends);
     error_->setWordWrap(true);
     solver_->setObjectName("quiet");
+    solver_->setWordWrap(true);
     dial_column->addWidget(error_);
     dial_column->addWidget(solver_);
     column->addWidget(dial_box);
@@ -75,7 +90,15 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     } else {
         error_->setText("Expected error: not measured for this scene");
     }
-    solver_->setText(QString("%1 iterations a step%2")
+    if (!dial_->isSliderDown()) {
+        automatic_->setChecked(statistics.automatic);
+        if (statistics.automatic) {
+            const QSignalBlocker silent(dial_);
+            dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
+        }
+    }
+    solver_->setText(QString("%1; %2 iterations a step%3")
+                         .arg(QString::fromStdString(statistics.setting))
                          .arg(statistics.linear_iterations)
                          .arg(statistics.degraded ? ", degraded" : ""));
 }

@@ -22,6 +22,7 @@ class QualityPanel : public QWidget {
 
   private:
     std::function<void(Command)> post_;
+    QCheckBox* automatic_;
     QSlider* dial_;
     QLabel* error_;
     QLabel* solver_;

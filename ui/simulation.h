@@ -14,6 +14,8 @@ class Simulation {
 
     // Never waits. Any thread.
     virtual void post(Command command) = 0;
+    // What drawing a picture takes: the simulation leaves it that much of the frame.
+    virtual void set_drawing_ms(double) {}
     // UI thread: true where a newer frame is there; frame() stays as it is until the next call.
     virtual bool update_frame() = 0;
     virtual const Frame& frame() const = 0;

@@ -17,6 +17,7 @@ class SimulationThread : public Simulation {
     ~SimulationThread() override;
 
     void post(Command command) override;
+    void set_drawing_ms(double ms) override { session_->set_drawing_ms(ms); }
     bool update_frame() override { return session_->update_frame(); }
     const Frame& frame() const override { return session_->frame(); }
 

@@ -10,7 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/deform/damping_regression.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/script.h"
@@ -28,19 +30,25 @@ struct Options {
     int threads = 0;
     double dt_s = 0.0;
     double quality = -1.0;
+    bool automatic = false;
+    bool fit_velocity_error = false;
     std::string backend = "cpu";
 };
 
 struct Play {
     std::vector<double> step_ms;
-    double real_time_factor = 0.0;
+    Json real_time_factor;  // null where nothing was played
     int linear_iterations_max = 0;
     int degraded_steps = 0;
     std::string degraded_because;  // of the first such step
+    int setting_changes = 0;
+    Json velocity_error_fit;  // null unless asked for
     bool finite = true;
 };
 
-double quantile(std::vector<double> values, double share) {
+// Null where there is no value.
+Json quantile(std::vector<double> values, double share) {
+    if (values.empty()) return nullptr;
     std::ranges::sort(values);
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
@@ -51,8 +59,33 @@ bool is_finite(const World& world) {
     return true;
 }
 
-Play play(Session& session, const std::vector<std::vector<Command>>& commands, Job& job) {
+// The first steps' states, for the regression of eq. (11).
+class MotionRecorder {
+  public:
+    void keep(const DeformPart& deform) {
+        constexpr std::size_t most_states = 120;
+        if (states_.size() < most_states) states_.push_back(deform.state());
+    }
+    Json fit(const DeformPart& deform) const {
+        const StepperOptions& setting = deform.setting();
+        const Body body = build_body(deform.body(), setting.model, setting.order);
+        const DampingFit found = fit_damping(body, states_);
+        return {{"alpha_per_s", found.error.alpha_per_s},
+                {"beta_s", found.error.beta_s},
+                {"r_squared", found.r_squared},
+                {"steps", found.steps},
+                {"used", found.used}};
+    }
+
+  private:
+    std::vector<BodyState> states_;
+};
+
+Play play(Session& session, const std::vector<std::vector<Command>>& commands, bool fit, Job& job) {
     Play result;
+    MotionRecorder motion;
+    DeformPart* deform = session.world().deform();
+    std::string setting;
     for (const std::vector<Command>& now : commands) {
         for (const Command& command : now) session.post(command);
         const SessionStep step = session.step();
@@ -63,8 +96,15 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, J
         result.degraded_steps += step.deform.degraded ? 1 : 0;
         if (result.degraded_because.empty()) result.degraded_because = step.deform.message;
         result.finite = result.finite && is_finite(session.world());
+        session.update_frame();
+        const std::string& used = session.frame().statistics.setting;
+        if (!setting.empty() && used != setting) ++result.setting_changes;
+        setting = used;
+        if (fit && deform != nullptr) motion.keep(*deform);
         job.advance(static_cast<double>(step.step) / static_cast<double>(commands.size()));
     }
+    if (result.step_ms.empty()) return result;
+    if (fit && deform != nullptr) result.velocity_error_fit = motion.fit(*deform);
     const double wall_ms = std::accumulate(result.step_ms.begin(), result.step_ms.end(), 0.0);
     result.real_time_factor =
         1e3 * session.world().spec().dt_s * static_cast<double>(result.step_ms.size()) / wall_ms;
@@ -100,12 +140,15 @@ Json run(const Options& options, Job& job) {
     Session session(patient, spec, job);
     session.keep_recording(!options.record.empty());
     job.begin_stage("Simulating");
-    const Play played =
-        play(session, schedule(script, patient->tree, spec.dt_s, options.steps), job);
+    if (options.automatic) session.post(SetAutomaticQuality{true});
+    const Play played = play(session, schedule(script, patient->tree, spec.dt_s, options.steps),
+                             options.fit_velocity_error, job);
     if (!options.record.empty()) keep(session, options);
     FlowPart* flow = session.world().flow();
     session.update_frame();
     const FrameStatistics& statistics = session.frame().statistics;
+    const bool moves = session.world().deform() != nullptr;
+    const bool known = moves && statistics.expected_error > 0.0;
     return {{"script", script.name},
             {"steps", played.step_ms.size()},
             {"dt_s", spec.dt_s},
@@ -118,11 +161,15 @@ Json run(const Options& options, Job& job) {
             {"linear_iterations_max", played.linear_iterations_max},
             {"degraded_steps", played.degraded_steps},
             {"degraded_because", played.degraded_because},
-            {"expected_error", statistics.expected_error},
-            {"error_reference", statistics.error_reference},
-            {"contacts_max", 0},
-            {"joints_broken", 0},
-            {"vertices_split", 0},
+            {"expected_error", known ? Json(statistics.expected_error) : Json(nullptr)},
+            {"error_reference", known ? Json(statistics.error_reference) : Json(nullptr)},
+            {"quality", moves ? Json(statistics.quality) : Json(nullptr)},
+            {"setting", moves ? Json(statistics.setting) : Json(nullptr)},
+            {"setting_changes", played.setting_changes},
+            {"velocity_error_fit", played.velocity_error_fit},
+            {"contacts_max", nullptr},
+            {"joints_broken", nullptr},
+            {"vertices_split", nullptr},
             {"entropy", nullptr},
             {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
             {"finite", played.finite},
@@ -145,6 +192,11 @@ void add_simulate(CommandLine& line) {
         ->check(CLI::Range(1e-4, 1.0));
     verb.add_option("--quality", options->quality, "The dial, 0 fastest to 1 most accurate")
         ->check(CLI::Range(0.0, 1.0));
+    verb.add_flag("--automatic", options->automatic,
+                  "Pick the most accurate setting whose steps are in time, as the window does");
+    verb.add_flag("--fit-velocity-error", options->fit_velocity_error,
+                  "Fit E of eq. (11) to the first 120 steps; a scene may name it: "
+                  "\"velocity_error\": [alpha_per_s, beta_s]");
     verb.add_option("--backend", options->backend, "Where the solver runs")
         ->check(CLI::IsMember({"cpu", "cuda"}))
         ->capture_default_str();

@@ -45,14 +45,14 @@ Json json_of(const TradeoffPoint& point) {
 }
 
 // The patient without any tissue around, so that errors are the solver's, on the case's own mesh
-// and on one of half as many tetrahedra.
+// and on one of half as many again (it is as coarse as the mesher makes them).
 std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
     const DeformSpec alone{.fixed = FixedEnds::roots, .tether_pa_per_mm2 = 0.0};
     std::vector<BodyDescription> bodies{DeformPart(patient, alone).body()};
-    job.begin_stage("Making a coarser mesh");
-    MeshOptions coarser;
-    coarser.target_tetrahedra = static_cast<int>(patient.mesh.tetrahedra.size() / 2);
-    patient.mesh = tetrahedralize(patient.tree, coarser, job);
+    job.begin_stage("Making a finer mesh");
+    MeshOptions finer;
+    finer.target_tetrahedra = static_cast<int>(3 * patient.mesh.tetrahedra.size() / 2);
+    patient.mesh = tetrahedralize(patient.tree, finer, job);
     bodies.push_back(DeformPart(patient, alone).body());
     return bodies;
 }
@@ -63,8 +63,8 @@ void leave_dial(const Tradeoff& tradeoff, const std::filesystem::path& folder,
     std::vector<QualityPoint> points;
     for (const TradeoffPoint& point : tradeoff.points)
         if (point.own_mesh && point.region == "whole" && point.not_measured.empty())
-            points.push_back({point.options, point.frame_ms, point.error_relative,
-                              tradeoff.reference});
+            points.push_back(
+                {point.options, point.frame_ms, point.error_relative, tradeoff.reference});
     if (!points.empty()) write_dial(folder, dial_json(points, patient));
 }
 

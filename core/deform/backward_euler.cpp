@@ -124,11 +124,10 @@ void BackwardEuler::assemble(const Step& step) {
         }
 }
 
-// Puts dt E into the first iterate's matrix and dt E v_n on the right hand side, so that E meets the
-// change of velocity alone.
+// Puts dt E into the first iterate's matrix and dt E v_n on the right hand side, so that E meets
+// the change of velocity alone.
 void BackwardEuler::add_velocity_error(const Step& step) {
-    const RayleighDamping error =
-        bounded_below(settings_.velocity_error, body_.damping, step.dt_s);
+    const RayleighDamping error = bounded_below(settings_.velocity_error, body_.damping, step.dt_s);
     assembly_.gather_stiffness(step.dt_s * error.beta_s, error_matrix_);
     for (int i = 0; i < error_matrix_.rows(); ++i)
         error_matrix_.block[error_matrix_.diagonal[i]].diagonal().array() +=

@@ -84,10 +84,11 @@ void fields(RestoreSnapshot&, Visitor&) {}
 
 // Names in the order of the variant's alternatives.
 constexpr std::array<const char*, std::variant_size_v<Command>> names{
-    "grab_point",  "grab_vertex", "move_grab",     "release_grab",   "inject_drug",
-    "remove_drug", "play_drug",   "set_drug_time", "set_drug_speed", "set_gravity",
-    "set_tether",  "set_quality", "set_paused",    "reset_world",    "restore_snapshot",
-    "set_automatic_quality", "use_setting"};
+    "grab_point",     "grab_vertex", "move_grab",        "release_grab",
+    "inject_drug",    "remove_drug", "play_drug",        "set_drug_time",
+    "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
+    "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
+    "use_setting"};
 
 struct Writer {
     Json& json;

@@ -78,10 +78,10 @@ struct ResetWorld {};
 // After a divergence: back to the last good snapshot, and on.
 struct RestoreSnapshot {};
 
-using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
-                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
-                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
-                             UseSetting>;
+using Command =
+    std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
+                 SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
+                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

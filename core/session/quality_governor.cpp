@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-constexpr std::size_t window = 9;        // frames whose median counts
+constexpr std::size_t window = 9;         // frames whose median counts
 constexpr double share_after_down = 0.8;  // of the budget that the forecast must fit
 constexpr double share_before_up = 0.7;
 constexpr int frames_before_up = 60;

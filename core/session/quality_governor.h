@@ -31,10 +31,10 @@ class QualityGovernor {
 
     std::vector<double> front_ms_;
     std::deque<double> recent_ms_;
-    std::vector<int> barred_;       // frames until a setting may be tried again
-    std::vector<int> penalty_;      // the next bar, in frames
-    int roomy_frames_ = 0;          // in a row
-    int frames_to_ignore_ = 0;      // after a change, whose first frames are not typical
+    std::vector<int> barred_;   // frames until a setting may be tried again
+    std::vector<int> penalty_;  // the next bar, in frames
+    int roomy_frames_ = 0;      // in a row
+    int frames_to_ignore_ = 0;  // after a change, whose first frames are not typical
 };
 
 }  // namespace hepatica

@@ -79,13 +79,10 @@ std::vector<Setting> settings_of(std::size_t meshes) {
     add(options_of(Model::spring, linear, 4));
     add(options_of(Model::neohookean, linear, 4));
     for (std::size_t mesh = 1; mesh < meshes; ++mesh) {
-        for (const int substeps : {1, 4})
-            add(options_of(Model::corotated, linear, substeps), mesh);
-        add(options_of(Model::corotated, quadratic, 1), mesh);
+        for (const int substeps : {1, 4}) add(options_of(Model::corotated, linear, substeps), mesh);
     }
     add(solved_by(Kind::block_jacobi, 0.0, 100));
-    for (const int substeps : {1, 2, 4})
-        add(options_of(Model::corotated, quadratic, substeps));
+    for (const int substeps : {1, 2, 4}) add(options_of(Model::corotated, quadratic, substeps));
     add(options_of(Model::neohookean, quadratic, 1));
     add(solved_by(Kind::block_jacobi, 1e-2, 10000));
     return settings;
@@ -162,10 +159,9 @@ Reference measure_reference(const Scene& scene, const Clock& clock, double budge
         scene.watch(0, *stepper, reference.motion);
     }
     reference.words =
-        "the same body, " +
-        element_name(ElementModel::corotated, reference.options.order) + " on " +
-        std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " + std::to_string(substeps) +
-        " substeps a frame, half a second's pull" +
+        "the same body, " + element_name(ElementModel::corotated, reference.options.order) +
+        " on " + std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " +
+        std::to_string(substeps) + " substeps a frame, half a second's pull" +
         (reference.options.order == ElementOrder::linear ? " (the mesh's own error is not in it)"
                                                          : "");
     return reference;
@@ -209,8 +205,8 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
 
 bool finer_than(const Setting& setting, const StepperOptions& reference) {
     if (setting.mesh > 0) return false;
-    const bool order = setting.options.order == ElementOrder::quadratic &&
-                       reference.order == ElementOrder::linear;
+    const bool order =
+        setting.options.order == ElementOrder::quadratic && reference.order == ElementOrder::linear;
     return order || (setting.options.order == reference.order &&
                      2 * setting.options.substeps > reference.substeps);
 }
@@ -236,8 +232,7 @@ TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
         point.not_measured =
             measure_motion(scene, setting, options, clock, job, progress, meter, motion);
     if (meter.frames() > 0) meter.book(point);
-    if (point.not_measured.empty())
-        point.error_relative = motion_error(motion, reference.motion);
+    if (point.not_measured.empty()) point.error_relative = motion_error(motion, reference.motion);
     return point;
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double share_of_the_way = 0.6;  // from the root to the furthest tip
 constexpr int moving_frames = 15;
+constexpr double reach_radii = 1.5;  // of the hand, so that it holds whole cross-sections
 constexpr double hand_strain = 0.4;  // the hand pulls no harder than would stretch the vessel so
 
 std::vector<double> distances_from_roots(const FrameSkeleton& skeleton) {
@@ -43,12 +44,25 @@ std::vector<char> trees_that_are_fixed(const BodyDescription& body, const std::v
     return fixed;
 }
 
+// A quarter of each tetrahedron for each of its corners.
+std::vector<double> lumped_volumes(const TetMesh& mesh) {
+    std::vector<double> volume(mesh.vertices_mm.size(), 0.0);
+    for (const auto& t : mesh.tetrahedra) {
+        Mat3 edges;
+        for (int a = 0; a < 3; ++a)
+            edges.col(a) = mesh.vertices_mm[t[a + 1]] - mesh.vertices_mm[t[0]];
+        for (const int v : t) volume[v] += edges.determinant() / 24.0;
+    }
+    return volume;
+}
+
 }  // namespace
 
 Pull::Pull(const BodyDescription& body) {
     const FrameSkeleton& skeleton = body.skeleton;
     if (skeleton.size() < 2)
-        throw InputError("has no skeleton", "the body", "Give it a centreline of two nodes or more");
+        throw InputError("has no skeleton", "the body",
+                         "Give it a centreline of two nodes or more");
     const std::vector<double> distance = distances_from_roots(skeleton);
     const std::vector<int> root = roots_of(skeleton);
     const std::vector<char> fixed = trees_that_are_fixed(body, root);
@@ -69,26 +83,25 @@ Pull::Pull(const BodyDescription& body) {
 }
 
 std::vector<Grab> Pull::grabs(const BodyDescription& body, int frame) const {
+    const std::vector<double> volume = lumped_volumes(body.mesh);
     std::vector<int> held;
-    int nearest = 0;
+    double held_mm3 = 0.0;
     for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
-        const double distance = (body.mesh.vertices_mm[v] - place_mm_).norm();
-        if (distance < (body.mesh.vertices_mm[nearest] - place_mm_).norm())
-            nearest = static_cast<int>(v);
-        if (distance <= radius_mm_) held.push_back(static_cast<int>(v));
+        if ((body.mesh.vertices_mm[v] - place_mm_).norm() > reach_radii * radius_mm_) continue;
+        held.push_back(static_cast<int>(v));
+        held_mm3 += volume[v];
     }
-    if (held.empty()) held.push_back(nearest);
     const double moved =
         distance_mm() * std::min(1.0, static_cast<double>(frame + 1) / moving_frames);
     const double modulus_pa = body.material.young_modulus_pa;
-    const auto springs = static_cast<double>(held.size());
     std::vector<Grab> grabs(held.size());
     for (std::size_t i = 0; i < held.size(); ++i) {
+        const double share = volume[held[i]] / held_mm3;
         grabs[i].vertices[0] = held[i];
         grabs[i].target_mm = body.mesh.vertices_mm[held[i]] + moved * way_;
-        grabs[i].stiffness_un_per_mm = modulus_pa * std::numbers::pi * radius_mm_ / springs;
+        grabs[i].stiffness_un_per_mm = share * modulus_pa * std::numbers::pi * radius_mm_;
         grabs[i].force_limit_un =
-            hand_strain * modulus_pa * std::numbers::pi * radius_mm_ * radius_mm_ / springs;
+            share * hand_strain * modulus_pa * std::numbers::pi * radius_mm_ * radius_mm_;
     }
     return grabs;
 }

@@ -22,8 +22,9 @@ class Pull {
     // Throws InputError where the body has no skeleton or nothing of it is fixed.
     explicit Pull(const BodyDescription& body);
 
-    // The hand's springs on another mesh of the same body at the end of a frame (from 0): together
-    // as stiff as a piece of the vessel one radius long.
+    // The hand's springs on any mesh of the same body at the end of a frame (from 0): together as
+    // stiff as a piece of the vessel one radius long, shared among the vertices within one and a
+    // half radii by the volume around them, so that the mesh does not matter.
     std::vector<Grab> grabs(const BodyDescription& body, int frame) const;
 
     const Vec3& place_mm() const { return place_mm_; }

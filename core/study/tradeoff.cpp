@@ -39,8 +39,7 @@ std::vector<Setting> beam_settings(bool quick) {
     for (const auto& [element, cells] :
          {std::pair<const char*, Index3>{"hexahedron", {5, 1, 1}}, {"corotated-10", {8, 1, 1}}})
         for (const int substeps : {2, 4, 8})
-            settings.push_back(
-                {element, cells, Kind::automatic, 1e-2, 1000, substeps, 1});
+            settings.push_back({element, cells, Kind::automatic, 1e-2, 1000, substeps, 1});
     for (const Setting& mesh : meshes) {
         const auto add = [&](Kind solver, double tolerance, int most, int substeps, int newton) {
             settings.push_back(
@@ -223,9 +222,8 @@ Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job) {
         const auto progress = [&](double share) {
             job.advance((done + share) / static_cast<double>(settings.size()));
         };
-        tradeoff.points.push_back(measure_beam(spec, setting, reference,
-                                               options.budget_s - seconds_since(start), progress,
-                                               job));
+        tradeoff.points.push_back(measure_beam(
+            spec, setting, reference, options.budget_s - seconds_since(start), progress, job));
     }
     mark_front(tradeoff);
     tradeoff.seconds = seconds_since(start);

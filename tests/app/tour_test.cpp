@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 #include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
@@ -157,6 +159,63 @@ TEST_F(Tour, SimulatesRecordsAndReplaysAlikeForAnyNumberOfThreads) {
     EXPECT_EQ(replayed["steps"], 90);
     EXPECT_TRUE(replayed["diverged_at"].is_null());
     EXPECT_EQ(replayed["state_hash"], hash);
+}
+
+// What the program does not have is null and not 0; the expected error names its reference.
+TEST_F(Tour, SimulateSaysWhatErrorToExpectAndClaimsNothingElse) {
+    const Json played =
+        answer({"simulate", path("p.hep"), "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                "--steps", "60", "--quality", "1", "--fit-velocity-error"});
+    for (const char* key : {"contacts_max", "joints_broken", "vertices_split", "entropy"})
+        EXPECT_TRUE(played.at(key).is_null()) << key;
+    EXPECT_GT(played["expected_error"], 0.0);
+    EXPECT_NE(played["error_reference"].get<std::string>().find("built-in patient"),
+              std::string::npos);
+    EXPECT_EQ(played["quality"], 1.0);
+    EXPECT_TRUE(played["velocity_error_fit"].contains("r_squared"));
+}
+
+TEST_F(Tour, SimulateBearsAScriptThatPausesAtOnce) {
+    std::ofstream(path("paused.json"))
+        << R"({"name": "paused", "actions": [{"at_s": 0, "do": "set_paused", "paused": true}]})";
+    const Json played =
+        answer({"simulate", path("p.hep"), "--script", path("paused.json"), "--steps", "5"});
+    EXPECT_EQ(played["steps"], 0);
+    EXPECT_TRUE(played["step_ms"]["median"].is_null());
+    EXPECT_TRUE(played["real_time_factor"].is_null());
+}
+
+// The session changes its setting as it goes; the recording holds what it chose.
+TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
+    const Json played =
+        answer({"simulate", path("p.hep"), "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                "--steps", "120", "--automatic", "--record", path("automatic.hrec")});
+    const Json replayed = answer({"replay", path("automatic.hrec"), "--verify"});
+    EXPECT_EQ(replayed["state_hash"], played["state_hash"]);
+}
+
+TEST_F(Tour, TradeoffOfAPatientEndsInItsBudgetAndLeavesTheDialInTheCase) {
+    const Json measured =
+        answer({"tradeoff", path("p.hep"), "--out", path("tradeoff"), "--budget", "4"});
+    EXPECT_FALSE(measured["points"].empty());
+    EXPECT_FALSE(measured["pareto"].empty());
+    for (const Json& point : measured["not_measured"])
+        EXPECT_FALSE(point["not_measured"].get<std::string>().empty());
+    std::set<std::string> regions;
+    std::set<int> meshes;
+    for (const char* list : {"points", "not_measured"})
+        for (const Json& point : measured[list]) {
+            regions.insert(point["region"].get<std::string>());
+            meshes.insert(point["elements"].get<int>());
+        }
+    EXPECT_EQ(regions.size(), 2u);
+    EXPECT_EQ(meshes.size(), 2u);
+    for (const char* name : {"tradeoff/tradeoff.csv", "tradeoff/tradeoff.svg", "p.hep/dial.json"})
+        EXPECT_TRUE(fs::exists(path(name))) << name;
+    const Json played = answer({"simulate", path("p.hep"), "--script",
+                                HEPATICA_ASSETS "/scripts/drag.json", "--steps", "5"});
+    EXPECT_EQ(played["error_reference"], measured["reference"]);
+    fs::remove(path("p.hep/dial.json"));
 }
 
 TEST_F(Tour, SceneListsTheParts) {

@@ -138,8 +138,7 @@ double missed_with(const Swing& swing, const RayleighDamping& error) {
     for (const BodyState& state : swing.recorded) {
         stepper->set_state(state.positions_mm, state.velocities_mm_per_s);
         stepper->step(swing.dt_s);
-        missed +=
-            missed_momentum(swing.body, state, stepper->state(), swing.dt_s, swing.gravity);
+        missed += missed_momentum(swing.body, state, stepper->state(), swing.dt_s, swing.gravity);
     }
     return missed;
 }

@@ -187,5 +187,33 @@ TEST(LiveStepper, KeepsTheMiddlesOfQuadraticElementsInItsState) {
     EXPECT_EQ(other->positions_mm()[7], kept.positions_mm[7]);
 }
 
+// A change of the dial in mid-pull neither wakes what rests nor moves anything.
+TEST(LiveStepper, TakesOtherOptionsWithoutWakingWhatRests) {
+    BodyDescription body = tree_body();
+    body.tether_pa_per_mm2 = 1000.0;
+    const auto live = make_live_stepper(body, {});
+    for (int k = 0; k < 60; ++k) live->step(1.0 / 60.0);
+    Grab grab;
+    grab.vertices[0] = 0;
+    grab.target_mm = body.mesh.vertices_mm[0] + Vec3(0.0, 1.0, 0.0);
+    grab.stiffness_un_per_mm = 1e4;
+    grab.force_limit_un = 1e5;
+    live->set_grabs(std::span(&grab, 1));
+    for (int k = 0; k < 3; ++k) live->step(1.0 / 60.0);
+    const BodyState before = live->state();
+    const int computed = live->extent().live_elements;
+    StepperOptions options;
+    options.substeps = 4;
+    EXPECT_TRUE(live->set_options(options));
+    options.model = ElementModel::neohookean;
+    EXPECT_TRUE(live->set_options(options));
+    EXPECT_EQ(live->state().positions_mm, before.positions_mm);
+    EXPECT_EQ(live->state().velocities_mm_per_s, before.velocities_mm_per_s);
+    EXPECT_EQ(live->extent().live_elements, computed);
+    EXPECT_LT(computed, live->extent().elements);
+    options.order = ElementOrder::quadratic;
+    EXPECT_FALSE(live->set_options(options));
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The governor against a machine whose costs are known.
+#include "core/session/quality_governor.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace hepatica {
+namespace {
+
+const std::vector<double> front{2.0, 4.0, 8.0, 16.0, 32.0};  // as measured somewhere
+constexpr double budget_ms = 16.0;
+
+// Where the dial stands after so many frames on a machine that is `slowness` times as slow, and how
+// often it was turned on the way.
+struct Play {
+    std::size_t at;
+    int turns = 0;
+
+    void frames(QualityGovernor& governor, int count, double slowness) {
+        for (int i = 0; i < count; ++i) {
+            const std::size_t next = governor.next(at, slowness * front[at], budget_ms);
+            if (next != at) ++turns;
+            at = next;
+        }
+    }
+};
+
+TEST(QualityGovernor, BeginsWithTheMostAccurateThatFits) {
+    const QualityGovernor governor(front);
+    EXPECT_EQ(governor.start(budget_ms), 2u);
+    EXPECT_EQ(governor.start(1000.0), 4u);
+    EXPECT_EQ(governor.start(0.1), 0u);
+}
+
+TEST(QualityGovernor, StepsDownAtOnceWhenTheMachineFallsBehind) {
+    QualityGovernor governor(front);
+    Play play{2};
+    play.frames(governor, 20, 6.0);  // 48 ms instead of 8
+    EXPECT_EQ(play.at, 0u);
+    EXPECT_EQ(play.turns, 1);
+}
+
+TEST(QualityGovernor, StepsUpWhereThereIsRoomAndStaysThere) {
+    QualityGovernor governor(front);
+    Play play{0};
+    play.frames(governor, 1000, 0.3);
+    EXPECT_EQ(play.at, 4u);  // 9.6 ms
+    EXPECT_EQ(play.turns, 4);
+    play.frames(governor, 1000, 0.3);
+    EXPECT_EQ(play.turns, 4);
+}
+
+// One frame that waited for another program is no reason to turn.
+TEST(QualityGovernor, OverlooksSingleLateFrames) {
+    QualityGovernor governor(front);
+    std::size_t at = 2;
+    for (int i = 0; i < 500; ++i) {
+        at = governor.next(at, i % 7 == 0 ? 100.0 : 12.0, budget_ms);
+        EXPECT_EQ(at, 2u);
+    }
+}
+
+// The front's ratios promise more than this body keeps: 8 ms are 20 here. It tries, and tries less
+// and less often.
+TEST(QualityGovernor, DoesNotSwingWhereTheForecastIsWrong) {
+    QualityGovernor governor(front);
+    std::size_t at = 1;
+    int turns = 0, late = 0;
+    constexpr int minutes = 10, frames = 60 * 60 * minutes;
+    for (int i = 0; i < frames; ++i) {
+        const double ms = at >= 2 ? 20.0 : 5.0;
+        late += ms > budget_ms ? 1 : 0;
+        const std::size_t next = governor.next(at, ms, budget_ms);
+        turns += next != at ? 1 : 0;
+        at = next;
+    }
+    EXPECT_LE(turns, 24);
+    EXPECT_LT(late, frames / 100);
+}
+
+TEST(QualityGovernor, HasNothingToChooseOnADialOfOneSetting) {
+    QualityGovernor governor({5.0});
+    for (const double ms : {1.0, 100.0})
+        for (int i = 0; i < 100; ++i) EXPECT_EQ(governor.next(0, ms, budget_ms), 0u);
+}
+
+}  // namespace
+}  // namespace hepatica
