@@ -126,15 +126,17 @@ std::unique_ptr<Stepper> reference_stepper(const BodyDescription& body, ElementO
     return make_cpu_stepper(body, options);
 }
 
-// The most substeps, of powers of two up to 32, whose motion fits into `seconds`; 0: not even four.
-int substeps_within(Stepper& stepper, const Scene& scene, double seconds, const Job& job) {
+// The most substeps, of powers of two up to 32, whose motion fits into `seconds`; 0: not even
+// `least`.
+int substeps_within(Stepper& stepper, const Scene& scene, double seconds, int least,
+                    const Job& job) {
     FrameMeter meter;
     stepper.set_grabs(scene.pull.grabs(scene.meshes.front(), 0));
     for (int i = 0; i < 2; ++i) meter.step(stepper, 1, job);
     int substeps = 32;
-    while (substeps >= 4 && 1e-3 * meter.last_ms() * substeps * Pull::frames > seconds)
+    while (substeps >= least && 1e-3 * meter.last_wall_ms() * substeps * Pull::frames > seconds)
         substeps /= 2;
-    return substeps >= 4 ? substeps : 0;
+    return substeps >= least ? substeps : 0;
 }
 
 Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
@@ -143,11 +145,12 @@ Reference measure_reference(const Scene& scene, const Clock& clock, double budge
     Reference reference;
     reference.options = options_of(ElementModel::corotated, ElementOrder::quadratic, 0);
     auto stepper = reference_stepper(body, ElementOrder::quadratic);
-    int substeps = substeps_within(*stepper, scene, share_s - clock.passed_s(), job);
+    int substeps = substeps_within(*stepper, scene, share_s - clock.passed_s(), 8, job);
     if (substeps == 0) {
         reference.options.order = ElementOrder::linear;
         stepper = reference_stepper(body, ElementOrder::linear);
-        substeps = std::max(4, substeps_within(*stepper, scene, share_s - clock.passed_s(), job));
+        substeps =
+            std::max(4, substeps_within(*stepper, scene, share_s - clock.passed_s(), 4, job));
     }
     reference.options.substeps = substeps;
     stepper = reference_stepper(body, reference.options.order);
@@ -195,7 +198,7 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
         stepper->set_grabs(scene.pull.grabs(body, f));
         meter.step(*stepper, setting.live ? 1 : setting.options.substeps, job);
         scene.watch(setting.mesh, *stepper, motion);
-        const double needed_s = 1e-3 * meter.last_ms() * (Pull::frames - f - 1);
+        const double needed_s = 1e-3 * meter.last_wall_ms() * (Pull::frames - f - 1);
         if (f + 1 >= frames_before_a_forecast && needed_s > clock.left_s())
             return "needs " + seconds_text(needed_s) + " more, " +
                    seconds_text(std::max(0.0, clock.left_s())) + " were left";

@@ -3,23 +3,30 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace hepatica {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
 
+// Of all threads of this program.
+double processor_ms() {
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 }  // namespace
 
 void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     const auto start = std::chrono::steady_clock::now();
+    const double processor_start_ms = processor_ms();
     for (int part = 0; part < parts; ++part) {
         job.throw_if_cancelled();
         iterations_ += stepper.step(frame_s / parts).linear_iterations;
     }
-    frame_ms_.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count());
+    last_wall_ms_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    frame_ms_.push_back(std::min(last_wall_ms_, processor_ms() - processor_start_ms));
 }
 
 void FrameMeter::book(TradeoffPoint& point) const {

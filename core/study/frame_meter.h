@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps a body a frame of 1/60 s at a time and keeps what that costs.
+// Steps a body a frame of 1/60 s at a time and keeps what that costs: wall time, or the processor's
+// where that is less, which it is only where other programs made the frame wait.
 #pragma once
 
 #include <vector>
@@ -16,12 +17,13 @@ class FrameMeter {
     void step(Stepper& stepper, int parts, const Job& job);
 
     int frames() const { return static_cast<int>(frame_ms_.size()); }
-    double last_ms() const { return frame_ms_.back(); }
+    double last_wall_ms() const { return last_wall_ms_; }
     // Cost and mean iterations of the frames so far, which are one or more.
     void book(TradeoffPoint& point) const;
 
   private:
     std::vector<double> frame_ms_;
+    double last_wall_ms_ = 0.0;
     double iterations_ = 0.0;
 };
 

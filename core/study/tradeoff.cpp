@@ -165,7 +165,7 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
         meter.step(*stepper, setting.substeps, job);
         tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
         const double left = seconds_left - seconds_since(start);
-        const double needed = 1e-3 * meter.last_ms() * (rest_frames - i - 1);
+        const double needed = 1e-3 * meter.last_wall_ms() * (rest_frames - i - 1);
         if (i == 0 || needed <= left) continue;
         point.not_measured = "needs " + seconds_text(needed) + " more, " +
                              seconds_text(std::max(0.0, left)) + " were left";
