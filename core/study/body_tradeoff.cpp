@@ -18,7 +18,6 @@ namespace hepatica {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double share_of_the_reference = 0.5;  // of the budget, at most
 constexpr int frames_before_a_forecast = 2;
 constexpr int frames_to_fall_asleep = 90;
 
@@ -126,47 +125,70 @@ std::unique_ptr<Stepper> reference_stepper(const BodyDescription& body, ElementO
     return make_cpu_stepper(body, options);
 }
 
-// The most substeps, of powers of two up to 32, whose motion fits into `seconds`; 0: not even
-// `least`.
-int substeps_within(Stepper& stepper, const Scene& scene, double seconds, int least,
+struct ReferenceChoice {
+    ElementOrder order;
+    int most_substeps, least_substeps;
+    double share;  // of the budget, that may have passed when it is done
+};
+constexpr ReferenceChoice reference_choices[] = {{ElementOrder::quadratic, 8, 8, 0.4},
+                                                 {ElementOrder::linear, 32, 8, 0.6},
+                                                 {ElementOrder::linear, 4, 0, 1e9}};
+
+// The most substeps, of powers of two, whose motion fits into `seconds` by the measure of two
+// steps; 0: not even the least.
+int substeps_within(const Scene& scene, const ReferenceChoice& choice, double seconds,
                     const Job& job) {
+    const auto stepper = reference_stepper(scene.meshes.front(), choice.order);
     FrameMeter meter;
-    stepper.set_grabs(scene.pull.grabs(scene.meshes.front(), 0));
-    for (int i = 0; i < 2; ++i) meter.step(stepper, 1, job);
-    int substeps = 32;
-    while (substeps >= least && 1e-3 * meter.last_wall_ms() * substeps * Pull::frames > seconds)
+    stepper->set_grabs(scene.pull.grabs(scene.meshes.front(), 0));
+    for (int i = 0; i < 2; ++i) meter.step(*stepper, 1, job);
+    int substeps = choice.most_substeps;
+    while (substeps > choice.least_substeps &&
+           1e-3 * meter.last_wall_ms() * substeps * Pull::frames > seconds)
         substeps /= 2;
-    return substeps >= least ? substeps : 0;
+    const bool fits = 1e-3 * meter.last_wall_ms() * substeps * Pull::frames <= seconds;
+    return fits ? substeps : 0;
 }
 
-Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
+// Empty where it does not end before the clock has passed `end_s`.
+CentrelineMotion reference_motion(const Scene& scene, ElementOrder order, int substeps,
+                                  const Clock& clock, double end_s, Job& job) {
     const BodyDescription& body = scene.meshes.front();
-    const double share_s = share_of_the_reference * budget_s;
-    Reference reference;
-    reference.options = options_of(ElementModel::corotated, ElementOrder::quadratic, 0);
-    auto stepper = reference_stepper(body, ElementOrder::quadratic);
-    int substeps = substeps_within(*stepper, scene, share_s - clock.passed_s(), 8, job);
-    if (substeps == 0) {
-        reference.options.order = ElementOrder::linear;
-        stepper = reference_stepper(body, ElementOrder::linear);
-        substeps =
-            std::max(4, substeps_within(*stepper, scene, share_s - clock.passed_s(), 4, job));
-    }
-    reference.options.substeps = substeps;
-    stepper = reference_stepper(body, reference.options.order);
+    const auto stepper = reference_stepper(body, order);
+    CentrelineMotion motion;
     FrameMeter meter;
     for (int f = 0; f < Pull::frames; ++f) {
         job.advance(f / static_cast<double>(Pull::frames));
         stepper->set_grabs(scene.pull.grabs(body, f));
         meter.step(*stepper, substeps, job);
-        scene.watch(0, *stepper, reference.motion);
+        scene.watch(0, *stepper, motion);
+        if (clock.passed_s() > end_s) return {};
     }
-    reference.words =
-        "the same body, " + element_name(ElementModel::corotated, reference.options.order) +
-        " on " + std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " +
-        std::to_string(substeps) + " substeps a frame, half a second's pull" +
-        (reference.options.order == ElementOrder::linear ? " (the mesh's own error is not in it)"
-                                                         : "");
+    return motion;
+}
+
+std::string words_of_reference(const BodyDescription& body, const StepperOptions& options) {
+    const bool linear = options.order == ElementOrder::linear;
+    return "the same body, " + element_name(options.model, options.order) + " on " +
+           std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " +
+           std::to_string(options.substeps) + " substeps a frame, half a second's pull" +
+           (linear ? " (the mesh's own error is not in it)" : "");
+}
+
+// The first choice that the clock allows; the last one whatever it takes.
+Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
+    Reference reference;
+    for (const ReferenceChoice& choice : reference_choices) {
+        const double end_s = choice.share * budget_s;
+        int substeps = choice.most_substeps;
+        if (choice.least_substeps > 0)
+            substeps = substeps_within(scene, choice, end_s - clock.passed_s(), job);
+        if (substeps == 0) continue;
+        reference.options = options_of(ElementModel::corotated, choice.order, substeps);
+        reference.motion = reference_motion(scene, choice.order, substeps, clock, end_s, job);
+        if (!reference.motion.empty()) break;
+    }
+    reference.words = words_of_reference(scene.meshes.front(), reference.options);
     return reference;
 }
 

@@ -52,8 +52,9 @@ Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job);
 
 // A body of one's own, fixed somewhere and with a skeleton, over some thirty settings: a Pull on
 // meshes[0], the one that is played with; the others are of the same shape, in other sizes. The
-// reference is the motion of quadratic elements on meshes[0] in steps as short as half the budget
-// allows, or of linear ones where it allows none. Throws InputError, Cancelled (after a substep).
+// reference is the motion of quadratic elements on meshes[0] in eight substeps a frame where two
+// fifths of the budget allow it, or else of linear ones in up to 32. Throws InputError, Cancelled
+// (after a substep).
 Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
                                const TradeoffOptions& options, Job& job);
 

@@ -285,8 +285,10 @@ TEST(Session, TheSettingsUsedAreInTheRecordingWhateverTheDialOffers) {
     five.substeps = 5;
     patient->dial_json =
         dial_json({{two, 1e-6, 0.2, "this body"}, {five, 2e-6, 0.1, "this body"}}, *patient);
+    SceneSpec spec = default_scene();
+    spec.dt_s = 0.5;  // a budget that no machine misses
     Job job;
-    Session session(patient, default_scene(), job);
+    Session session(patient, spec, job);
     session.keep_recording(true);
     session.post(SetAutomaticQuality{true});  // both cost next to nothing: the better one
     session.post(GrabPoint{middle_of(patient->tree, 1)});
