@@ -57,12 +57,15 @@ std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
     return bodies;
 }
 
-// The settings that a session can play on the case's own mesh go into the case.
+// What a session can play on the case's own mesh goes into the case; a setting that misses more
+// than half of the motion is not on the dial.
 void leave_dial(const Tradeoff& tradeoff, const std::filesystem::path& folder,
                 const PatientCase& patient) {
+    constexpr double most_error = 0.5;
     std::vector<QualityPoint> points;
     for (const TradeoffPoint& point : tradeoff.points)
-        if (point.own_mesh && point.region == "whole" && point.not_measured.empty())
+        if (point.own_mesh && point.region == "whole" && point.not_measured.empty() &&
+            point.error_relative <= most_error)
             points.push_back(
                 {point.options, point.frame_ms, point.error_relative, tradeoff.reference});
     if (!points.empty()) write_dial(folder, dial_json(points, patient));

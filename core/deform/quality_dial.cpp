@@ -41,9 +41,9 @@ const QualityPoint& QualityDial::within(double frame_budget_ms) const {
 }
 
 std::size_t QualityDial::index_at(double quality) const {
+    constexpr double rounding = 1e-9;
     std::size_t best = 0;
-    for (std::size_t i = 1; i < front_.size(); ++i)
-        if (std::abs(quality_of(i) - quality) < std::abs(quality_of(best) - quality)) best = i;
+    while (best + 1 < front_.size() && quality_of(best + 1) <= quality + rounding) ++best;
     return best;
 }
 

@@ -31,8 +31,8 @@ class QualityDial {
     // The most accurate point whose frame fits the budget; the cheapest where none does.
     const QualityPoint& within(double frame_budget_ms) const;
 
-    // quality 0: the cheapest point; 1: the most accurate; in between by the logarithm of the cost.
-    // Values outside are clamped.
+    // quality 0: the cheapest point; 1: the most accurate; in between the most accurate that costs
+    // no more than the quality asks for, on a logarithmic scale. Values outside are clamped.
     const QualityPoint& at(double quality) const { return front_[index_at(quality)]; }
     std::size_t index_at(double quality) const;
 

@@ -30,24 +30,35 @@ std::vector<QualityPoint> points_from(const Json& json) {
     return points;
 }
 
-StepperOptions corotated(int substeps, ElementOrder order = ElementOrder::linear) {
+StepperOptions element(ElementModel model, ElementOrder order, int substeps, double tolerance) {
     StepperOptions options;
-    options.substeps = substeps;
+    options.model = model;
     options.order = order;
+    options.substeps = substeps;
+    options.linear = {.energy_tolerance = tolerance, .max_iterations = 10000};
     return options;
 }
 
 }  // namespace
 
 QualityDial built_in_dial(std::size_t tetrahedra) {
-    // The front of tradeoff.csv, written by
-    //     hepatica-cli phantom FOLDER && hepatica-cli reconstruct FOLDER/ct.nii.gz --out CASE
+    // The front of the dial.json that these commands leave in CASE:
+    //     hepatica-cli phantom P --seed 2 --dims 128,128,96 --spacing 1.6,1.6,1.7 --generations 4
+    //     hepatica-cli reconstruct P/ct --vessel-mask P/truth_mask.nii.gz --out CASE
+    //         --tetrahedra 3000
     //     hepatica-cli tradeoff CASE --out FOLDER
-    constexpr double measured_tetrahedra = 19673.0;
-    const std::string reference = "the built-in patient";
+    constexpr double measured_tetrahedra = 4616.0;
+    constexpr auto linear = ElementOrder::linear, quadratic = ElementOrder::quadratic;
+    const std::string reference =
+        "a small synthetic patient, corotated-10 in 8 substeps a frame, half a second's pull";
     const double size = static_cast<double>(tetrahedra) / measured_tetrahedra;
-    return QualityDial({{corotated(1), 20.0 * size, 0.3, reference},
-                        {corotated(2), 40.0 * size, 0.25, reference}});
+    using Model = ElementModel;
+    return QualityDial(
+        {{element(Model::corotated, linear, 1, 1e-1), 1.82 * size, 0.132, reference},
+         {element(Model::spring, linear, 1, 1e-2), 2.21 * size, 0.1136, reference},
+         {element(Model::corotated, quadratic, 1, 1e-2), 39.5 * size, 0.0459, reference},
+         {element(Model::corotated, quadratic, 2, 1e-2), 75.8 * size, 0.0291, reference},
+         {element(Model::corotated, quadratic, 4, 1e-2), 155.0 * size, 0.0125, reference}});
 }
 
 QualityDial dial_of(const PatientCase& patient) {

@@ -169,7 +169,7 @@ TEST_F(Tour, SimulateSaysWhatErrorToExpectAndClaimsNothingElse) {
     for (const char* key : {"contacts_max", "joints_broken", "vertices_split", "entropy"})
         EXPECT_TRUE(played.at(key).is_null()) << key;
     EXPECT_GT(played["expected_error"], 0.0);
-    EXPECT_NE(played["error_reference"].get<std::string>().find("built-in patient"),
+    EXPECT_NE(played["error_reference"].get<std::string>().find("synthetic patient"),
               std::string::npos);
     EXPECT_EQ(played["quality"], 1.0);
     EXPECT_TRUE(played["velocity_error_fit"].contains("r_squared"));

@@ -41,7 +41,7 @@ TEST(MeasuredDial, SaysWhatTheErrorWasMeasuredAgainst) {
     const QualityDial dial = dial_of(*small_patient());
     for (const QualityPoint& point : dial.front()) {
         EXPECT_GT(point.error_relative, 0.0);
-        EXPECT_NE(point.reference.find("built-in patient"), std::string::npos);
+        EXPECT_NE(point.reference.find("synthetic patient"), std::string::npos);
     }
 }
 
