@@ -132,7 +132,7 @@ void BackwardEuler::add_velocity_error(const Step& step) {
     for (int i = 0; i < error_matrix_.rows(); ++i)
         error_matrix_.block[error_matrix_.diagonal[i]].diagonal().array() +=
             step.dt_s * error.alpha_per_s * body_.mass_g[i];
-    decouple_fixed(body_, error_matrix_);
+    for (const int k : cut_blocks_) error_matrix_.block[k].setZero();
     for (std::size_t k = 0; k < matrix_.block.size(); ++k)
         matrix_.block[k] += error_matrix_.block[k];
     multiply(error_matrix_, step.start.velocities_mm_per_s, product_);
