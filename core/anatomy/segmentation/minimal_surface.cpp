@@ -125,6 +125,7 @@ std::vector<float> minimise(const Band& band, const std::vector<float>& cost, in
 Mask fit_surface(const FloatVolume& intensity, const FloatVolume& rise, const Mask& vessels,
                  const Mask& liver, double deviation, const SurfaceOptions& options, Job& job) {
     const Band band = band_around(vessels, liver);
+    job.throw_if_cancelled();
     const std::vector<Index3> ball = ball_of(options.peak_reach_mm / rise.grid.spacing_mm[0]);
     const auto weight = static_cast<float>(options.data_weight / deviation);
     const auto least = static_cast<float>(options.least_deviations * deviation);

@@ -129,12 +129,17 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double
                                                          : tubular(tissue, inner, evidence, job);
     for (std::size_t i = 0; i < strong.voxels.size(); ++i)
         if (!weak.voxels[i]) strong.voxels[i] = 0;
+    job.advance(0.6);
     strong = hysteresis(strong, strong, smallest_strong_mm3);
+    job.advance(0.65);
     const Mask grown = grow_within(strong, weak, growth_mm);
+    job.advance(0.7);
     const Mask vessels = hysteresis(grown, grown, smallest_vessel_mm3);
+    job.advance(0.75);
     Mask fitted =
         fit_surface(clipped(tissue, evidence.deviation, wall_sigma_mm, job), evidence.rise, vessels,
                     liver, evidence.deviation, SurfaceOptions{}, job);
+    job.advance(0.9);
     rejoin(thin(vessels, ThinningMethod::queue, job), kept_branch_mm, fitted);
     return {std::move(fitted), Mask()};
 }

@@ -104,7 +104,9 @@ Mask with_thin_vessels_round(const Mask& vessels, const Volume& ct, Job& job) {
     const Mask skeleton = unit_width(thin(vessels, ThinningMethod::queue, job), job);
     Mask round = round_thin_lumens(
         vessels, extract_tree(skeleton, vessels, &ct, TreeOptions{}, job), thin_radius_mm, job);
+    job.advance(0.8);
     rejoin(skeleton, kept_branch_mm, round);
+    job.advance(0.9);
     return hysteresis(skeleton, round, 0.0);  // no crumbs of the outline
 }
 
@@ -133,7 +135,9 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
 
     job.begin_stage("Segmenting the vessels");
     Detection detection = detect_vessels(tissue, frame.liver, coarsest, options.method, job);
+    job.throw_if_cancelled();
     drop_rooted_in_rim(detection, tissue.interior);
+    job.throw_if_cancelled();
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
