@@ -3,7 +3,9 @@
 // documentation and for whoever changes a parameter:
 //   segmentation_scores [ircadb|ircadb-thick|vascusynth|phantom|phantom-thick ...]
 //       [--method coherent|multi_layer|vesselness] [--noise-hu S] [--no-liver] [--refine N]
-//       [--seeds N] [--spacing MM]
+//       [--seeds N] [--spacing MM] [--bounds]
+// --bounds also prints what the best single threshold of the smoothed image reaches, chosen by the
+// truth, and what the result would score if the truth told it which vessels to leave out.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +14,8 @@
 
 #include "core/anatomy/segmentation/liver_region.h"
 #include "core/base/error.h"
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
 #include "tests/anatomy/segmentation/segmentation_score.h"
 
 namespace {
@@ -25,6 +29,7 @@ struct Request {
     double noise_hu = 0.0;
     double spacing_mm = 0.0;
     bool liver = true;
+    bool bounds = false;
     int refine = -1;
     int seeds = 1;
 };
@@ -59,6 +64,8 @@ Request parse(int count, char** words) {
             request.refine = std::atoi(value().c_str());
         } else if (word == "--seeds") {
             request.seeds = std::atoi(value().c_str());
+        } else if (word == "--bounds") {
+            request.bounds = true;
         } else if (word == "--no-liver") {
             request.liver = false;
         } else {
@@ -80,6 +87,36 @@ std::vector<Patient> patients(const std::string& name, int seeds, Job& job) {
         if (name == "phantom-thick") list.push_back(phantom_patient(std::uint64_t(seed), 3.0, job));
     }
     return list;
+}
+
+void print_bounds(const Patient& patient, const Mask& found, Job& job) {
+    FloatVolume smooth = to_float(patient.ct);
+    gaussian_smooth(smooth, Vec3::Constant(0.8), job);
+    double best = 0.0;
+    float best_hu = 0.0f;
+    for (float hu = 120.0f; hu <= 180.0f; hu += 2.0f) {
+        std::size_t both = 0, sum = 0;
+        for (std::size_t i = 0; i < smooth.voxels.size(); ++i) {
+            if (!patient.judged.voxels[i]) continue;
+            const bool bright = smooth.voxels[i] > hu;
+            both += bright && patient.truth.voxels[i];
+            sum += std::size_t(bright) + (patient.truth.voxels[i] != 0);
+        }
+        const double dice = sum > 0 ? 2.0 * double(both) / double(sum) : 0.0;
+        if (dice > best) {
+            best = dice;
+            best_hu = hu;
+        }
+    }
+    constexpr double near_mm = 1.5;
+    Patient told = patient;
+    const Mask near_truth = dilate(patient.truth, near_mm, job);
+    for (std::size_t i = 0; i < told.judged.voxels.size(); ++i)
+        if (!near_truth.voxels[i]) told.judged.voxels[i] = 0;
+    const Score s = score(found, told, job);
+    std::printf("    best single threshold (%.0f HU)  dice %.4f\n", double(best_hu), best);
+    std::printf("    told which vessels to leave out dice %.4f P %.3f R %.3f cldice %.4f\n", s.dice,
+                s.precision, s.recall, s.cldice);
 }
 
 void run(const Patient& patient, SegmentationMethod method, const Request& request) {
@@ -110,6 +147,7 @@ void run(const Patient& patient, SegmentationMethod method, const Request& reque
         length_found(found.mask, patient, 1.2, 2.0, job), found.components,
         found.statistics.parenchyma_hu, found.statistics.contrast_hu(), found.statistics.noise_hu,
         seconds);
+    if (request.bounds) print_bounds(patient, found.mask, job);
     for (const StageTime& stage : job.stage_times())
         std::printf("    %-28s %.2f s\n", stage.name.c_str(), stage.seconds);
     std::fflush(stdout);
