@@ -42,7 +42,8 @@ class BackwardEuler {
     // it was, without velocity.
     StepReport advance(BodyState& state, double dt_s, const ExternalForces& forces);
 
-    // From the next step on. One iterate and more of them need another tangent each: another object.
+    // From the next step on. One iterate and more of them need another tangent each: another
+    // object.
     void set_settings(const NewtonSettings& settings);
 
     // Energy of elements, springs and weight at any positions [nJ].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dial as a scene knows it: settings with the cost and the error that were measured for them,
-// on the patient's own body where `hepatica-cli tradeoff CASE` has left them in the case, on a small
-// synthetic patient's otherwise. The points' reference says which.
+// on the patient's own body where `hepatica-cli tradeoff CASE` has left them in the case, on a
+// small synthetic patient's otherwise. The points' reference says which.
 #pragma once
 
 #include <string>
