@@ -121,6 +121,37 @@ void name_decades(vtkAxis& axis, const Range& range) {
     axis.SetRange(first, last);
 }
 
+struct Corner {
+    int across;  // vtkChartLegend's horizontal alignment
+    int up;      // its vertical one
+};
+
+// The corner that the fewest points of the curves lie in: there the legend hides least.
+Corner emptiest_corner(const Chart& chart) {
+    constexpr double width = 0.45, height = 0.35;  // share of the plot that a legend may cover
+    const auto share = [](double value, const Range& range, bool logarithmic) {
+        const double low = on_axis(range.lowest, logarithmic);
+        const double extent = on_axis(range.highest, logarithmic) - low;
+        return extent > 0.0 ? (on_axis(value, logarithmic) - low) / extent : 0.5;
+    };
+    const Range across = range_of(chart, &Curve::x);
+    const Range up = range_of(chart, &Curve::y);
+    std::array<int, 4> points{};  // left top, right top, left bottom, right bottom
+    for (const Curve& curve : chart.curves)
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (!drawable(chart, curve.x[i], curve.y[i])) continue;
+            const double x = share(curve.x[i], across, chart.logarithmic_x);
+            const double y = share(curve.y[i], up, chart.logarithmic_y);
+            points[0] += x < width && y > 1.0 - height;
+            points[1] += x > 1.0 - width && y > 1.0 - height;
+            points[2] += x < width && y < height;
+            points[3] += x > 1.0 - width && y < height;
+        }
+    const auto best = std::min_element(points.begin(), points.end()) - points.begin();
+    return {best % 2 == 0 ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT,
+            best < 2 ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM};
+}
+
 void style_axis(vtkAxis& axis, const std::string& label) {
     axis.SetTitle(label);
     style_text(*axis.GetTitleProperties(), 15, ink);
@@ -170,8 +201,9 @@ void draw_chart(vtkRenderWindow& window, const Chart& chart) {
     if (chart.curves.size() > 1) {
         plots->SetShowLegend(true);
         style_text(*plots->GetLegend()->GetLabelProperties(), 13, ink);
-        plots->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
-        plots->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+        const Corner corner = emptiest_corner(chart);
+        plots->GetLegend()->SetHorizontalAlignment(corner.across);
+        plots->GetLegend()->SetVerticalAlignment(corner.up);
     }
     vtkNew<vtkContextActor> actor;
     actor->GetScene()->AddItem(plots);

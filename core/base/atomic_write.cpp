@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/atomic_write.h"
 
-#include <unistd.h>
+#include <fcntl.h>
+#include <stdio.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <random>
 #include <string>
 #include <system_error>
 
@@ -16,15 +19,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Removes what it names unless told that the work succeeded.
+// A name of its own for every call, so that two writers of one place never share a temporary; it
+// ends like the target's, because many writers choose their format by the extension.
+std::string name_beside(const fs::path& target) {
+    constexpr std::size_t longest_tail = 100;
+    std::random_device random;
+    const std::string name = target.filename().string();
+    return ".hepatica-" + std::to_string(random()) + std::to_string(random()) + "-" +
+           name.substr(name.size() - std::min(name.size(), longest_tail));
+}
+
+// Removed at the end, if it is still there.
 class Temporary {
   public:
     explicit Temporary(const fs::path& target)
-        : path_(fs::absolute(target).parent_path() /
-                (".hepatica-" + std::to_string(getpid()) + "-" + target.filename().string())) {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
+        : path_(fs::absolute(target).parent_path() / name_beside(target)) {}
     ~Temporary() {
         std::error_code ignored;
         fs::remove_all(path_, ignored);
@@ -47,6 +56,25 @@ fs::path without_trailing_slash(const fs::path& path) {
                      "Check that the folder exists, may be written and has free space");
 }
 
+// What a link stands for is replaced, not the link.
+fs::path behind_links(const fs::path& target) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(target, error);
+    return error ? fs::absolute(target) : real;
+}
+
+// Puts `fresh` in the place of `old`, which then stands at `fresh`, in one step where the file
+// system can. Else `old` steps aside first and comes back if the new one cannot take its place.
+void exchange(const fs::path& fresh, const fs::path& old, std::error_code& error) {
+    if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0) return;
+    const fs::path aside = fresh.string() + ".old";
+    fs::rename(old, aside, error);
+    if (error) return;
+    fs::rename(fresh, old, error);
+    std::error_code ignored;
+    fs::rename(aside, error ? old : fresh, ignored);
+}
+
 void make_parent(const fs::path& target) {
     std::error_code error;
     fs::create_directories(fs::absolute(target).parent_path(), error);
@@ -55,14 +83,15 @@ void make_parent(const fs::path& target) {
 
 }  // namespace
 
-void write_file_atomically(const fs::path& file,
+void write_file_atomically(const fs::path& target,
                            const std::function<void(const fs::path&)>& write) {
+    const fs::path file = behind_links(target);
     make_parent(file);
     const Temporary temporary(file);
     write(temporary.path());
     std::error_code error;
     fs::rename(temporary.path(), file, error);
-    if (error) throw_unwritable(file, error);
+    if (error) throw_unwritable(target, error);
 }
 
 void write_text_atomically(const fs::path& file, std::string_view text) {
@@ -76,27 +105,18 @@ void write_text_atomically(const fs::path& file, std::string_view text) {
 
 void write_folder_atomically(const fs::path& target,
                              const std::function<void(const fs::path&)>& write) {
-    const fs::path folder = without_trailing_slash(target);
+    const fs::path folder = behind_links(without_trailing_slash(target));
     make_parent(folder);
     const Temporary temporary(folder);
     std::error_code error;
     fs::create_directory(temporary.path(), error);
-    if (error) throw_unwritable(folder, error);
+    if (error) throw_unwritable(target, error);
     write(temporary.path());
-
-    // A folder cannot be renamed over a full one: the old one steps aside first and comes back
-    // if the new one cannot take its place.
-    const fs::path aside = temporary.path().string() + ".old";
-    const bool replaces = fs::exists(folder);
-    if (replaces) fs::rename(folder, aside, error);
-    if (error) throw_unwritable(folder, error);
-    fs::rename(temporary.path(), folder, error);
-    if (error) {
-        std::error_code ignored;
-        if (replaces) fs::rename(aside, folder, ignored);
-        throw_unwritable(folder, error);
-    }
-    if (replaces) fs::remove_all(aside, error);
+    if (fs::exists(folder))  // a folder cannot be renamed over a full one
+        exchange(temporary.path(), folder, error);
+    else
+        fs::rename(temporary.path(), folder, error);
+    if (error) throw_unwritable(target, error);
 }
 
 }  // namespace hepatica

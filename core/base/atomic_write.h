@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files and folders that appear whole or not at all: written beside their place under a temporary
 // name, then renamed. On any exception the temporary is removed and what stood there before stays.
+// A link is followed: what it points to is replaced. Calls from several threads or programs, also
+// for one place, do not disturb each other: the last one wins, whole.
 #pragma once
 
 #include <filesystem>

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 
 #include "core/base/error.h"
 
@@ -67,6 +68,50 @@ TEST_F(AtomicWrite, ReplacesAFolderWhole) {
     write("two");
     EXPECT_FALSE(fs::exists(folder_ / "case.hep" / "one"));
     EXPECT_EQ(read(folder_ / "case.hep" / "two"), "two");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(AtomicWrite, WritesThroughALink) {
+    write_text_atomically(folder_ / "real" / "a.txt", "old");
+    fs::create_symlink(folder_ / "real" / "a.txt", folder_ / "link.txt");
+    fs::create_directory_symlink(folder_ / "real", folder_ / "link");
+    write_text_atomically(folder_ / "link.txt", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+    EXPECT_EQ(read(folder_ / "real" / "a.txt"), "new");
+    write_folder_atomically(folder_ / "link", [](const fs::path& temporary) {
+        std::ofstream(temporary / "b.txt") << "b";
+    });
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_FALSE(fs::exists(folder_ / "real" / "a.txt"));
+    EXPECT_EQ(read(folder_ / "real" / "b.txt"), "b");
+    EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(AtomicWrite, TakesTheLongestNamesAndKeepsTheirEnd) {
+    const std::string name = std::string(248, 'n') + ".nii.gz";
+    write_file_atomically(folder_ / name, [](const fs::path& temporary) {
+        EXPECT_TRUE(temporary.string().ends_with(".nii.gz"));
+        std::ofstream(temporary) << "x";
+    });
+    EXPECT_EQ(read(folder_ / name), "x");
+}
+
+TEST_F(AtomicWrite, TwoWritersOfOnePlaceDoNotDisturbEachOther) {
+    const auto writer = [&](char mark) {
+        for (int i = 0; i < 50; ++i) {
+            write_folder_atomically(folder_ / "case", [&](const fs::path& temporary) {
+                for (const char* name : {"a", "b"})
+                    std::ofstream(temporary / name) << std::string(1000, mark);
+            });
+        }
+    };
+    write_folder_atomically(folder_ / "case", [](const fs::path&) {});
+    std::thread other(writer, 'x');
+    writer('y');
+    other.join();
+    const std::string a = read(folder_ / "case" / "a");
+    EXPECT_EQ(a.size(), 1000u);
+    EXPECT_EQ(a, read(folder_ / "case" / "b"));
     EXPECT_EQ(entries(), 1);
 }
 
