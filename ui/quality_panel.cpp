@@ -97,10 +97,12 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
             dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
         }
     }
-    solver_->setText(QString("%1; %2 iterations a step%3")
-                         .arg(QString::fromStdString(statistics.setting))
-                         .arg(statistics.linear_iterations)
-                         .arg(statistics.degraded ? ", degraded" : ""));
+    solver_->setText(statistics.setting.empty()
+                         ? QString()
+                         : QString("%1; %2 iterations a step%3")
+                               .arg(QString::fromStdString(statistics.setting))
+                               .arg(statistics.linear_iterations)
+                               .arg(statistics.degraded ? ", degraded" : ""));
 }
 
 }  // namespace hepatica
