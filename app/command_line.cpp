@@ -5,12 +5,16 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <utility>
 
 #include "app/progress_display.h"
@@ -32,6 +36,25 @@ int report(const Error& error, int code) {
     spdlog::error("{}{}", where, error.problem());
     if (!error.remedy().empty()) spdlog::error("{}", error.remedy());
     return code;
+}
+
+// What strtod takes for a number and no option means: every comparison with it is false, so that
+// no check of a range finds it. A file of that name is ./nan.
+void refuse_non_numbers(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        std::istringstream parts{std::string(argv[i])};
+        for (std::string part; std::getline(parts, part, ',');) {
+            const std::size_t equals = part.starts_with("--") ? part.find('=') : std::string::npos;
+            if (equals != std::string::npos) part.erase(0, equals + 1);
+            const char* const digits = part.c_str() + (part.find_first_of("+-") == 0 ? 1 : 0);
+            if (!std::isalpha(static_cast<unsigned char>(*digits))) continue;
+            char* end = nullptr;
+            const double value = std::strtod(part.c_str(), &end);
+            if (*end == '\0' && !std::isfinite(value))
+                throw UsageError("\"" + part + "\" is no number that can be used", argv[i - 1],
+                                 "Give a finite number");
+        }
+    }
 }
 
 int report_usage(const CLI::App& program, int argc, const char* const* argv,
@@ -106,6 +129,11 @@ int CommandLine::run(int argc, const char* const* argv) {
         return report_usage(program_, argc, argv, error);
     }
     set_up_log(quiet_);
+    try {
+        refuse_non_numbers(argc, argv);
+    } catch (const UsageError& error) {
+        return report(error, exit_bad_usage);
+    }
     return run_verb();
 }
 

@@ -67,7 +67,17 @@ VesselTree read_any_tree(const std::filesystem::path& place) {
 
 TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree) {
     const auto [x, y, z] = parse_triple(option, text);
-    return nearest_point(tree, Vec3(x, y, z));
+    return point_of_vessel(option, Vec3(x, y, z), tree);
+}
+
+TreePoint point_of_vessel(const std::string& option, const Vec3& position_mm,
+                          const VesselTree& tree) {
+    constexpr double reach_mm = 10.0;
+    const TreePoint place = nearest_point(tree, position_mm);
+    if (!(place.distance_mm <= reach_mm))
+        throw InputError("the nearest vessel is " + std::to_string(place.distance_mm) + " mm away",
+                         option, "Give a place within 10 mm of a vessel, X,Y,Z in LPS [mm]");
+    return place;
 }
 
 }  // namespace hepatica

@@ -41,4 +41,9 @@ VesselTree read_any_tree(const std::filesystem::path& place);
 // The point of the tree nearest to "X,Y,Z" (mm, LPS) given to `option`.
 TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree);
 
+// The point of the tree nearest to a position that was given to `option`. Throws InputError where
+// the nearest vessel is more than 10 mm away.
+TreePoint point_of_vessel(const std::string& option, const Vec3& position_mm,
+                          const VesselTree& tree);
+
 }  // namespace hepatica

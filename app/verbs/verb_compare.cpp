@@ -24,13 +24,14 @@ Json run(const Options& options, Job& job) {
     job.begin_stage("Comparing");
     const Accuracy found =
         compare(patient.tree, patient.mask, truth_tree, truth_mask, AccuracyOptions{}, job);
+    const auto measured = [](std::optional<double> value) { return value ? Json(*value) : Json(); };
     return {{"dice", found.dice},
             {"cldice", found.cldice},
             {"centreline_mean_mm", found.centreline_mean_mm},
             {"centreline_p95_mm", found.centreline_p95_mm},
             {"length_found", found.length_found},
-            {"radius_mae_mm", found.radius_mae_mm},
-            {"radius_bias_mm", found.radius_bias_mm},
+            {"radius_mae_mm", measured(found.radius_mae_mm)},
+            {"radius_bias_mm", measured(found.radius_bias_mm)},
             {"bifurcation_recall", found.bifurcation_recall},
             {"bifurcation_precision", found.bifurcation_precision},
             {"truth_bifurcations", found.truth_bifurcations},

@@ -6,6 +6,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 #include "core/patient/corrections.h"
 
 namespace hepatica {
@@ -24,10 +25,8 @@ struct Options {
 };
 
 std::vector<TreeEdit> edits_in(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || fs::is_directory(file))
-        throw InputError("cannot be read", file.string(), "Check the name and the permissions");
-    return edits_from_json({std::istreambuf_iterator<char>(in), {}}, file.string());
+    return edits_from_json(read_text_file(file, "Give a file of edits (docs/corrections.md)"),
+                           file.string());
 }
 
 // What the case's edits become: some of the last taken back, then the file's, then bridges.

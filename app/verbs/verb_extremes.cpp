@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/verbs/verbs.h"
+#include "core/base/error.h"
 #include "core/study/extremes.h"
 
 namespace hepatica {
@@ -37,6 +38,9 @@ void add_extremes(CommandLine& line) {
                 survived += row.survived;
                 if (!row.survived) failed.push_back({{"name", row.name}, {"note", row.note}});
             }
+            if (rows.empty())
+                throw InputError("no row's name contains \"" + *filter + "\"", "--filter",
+                                 "Leave it out to see all names");
             return Json{
                 {"cases", rows.size()}, {"survived", survived}, {"failed", failed}, {"rows", rows}};
         });

@@ -70,9 +70,9 @@ Opened built_in(const fs::path& out, Job& job) {
     opened.accuracy = {{"dice", found.dice},
                        {"cldice", found.cldice},
                        {"centreline_mean_mm", found.centreline_mean_mm},
-                       {"radius_mae_mm", found.radius_mae_mm},
                        {"bifurcation_recall", found.bifurcation_recall},
                        {"bifurcation_precision", found.bifurcation_precision}};
+    if (found.radius_mae_mm) opened.accuracy["radius_mae_mm"] = *found.radius_mae_mm;
     return opened;
 }
 

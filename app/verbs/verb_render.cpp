@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/output_place.h"
+#include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/corrections.h"
@@ -64,6 +65,7 @@ PictureOptions picture_options(const Options& options) {
 Vec3 injection_point(const Options& options, const VesselTree& tree) {
     if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
+    point_of_vessel("--at-mm", {x, y, z}, tree);
     return {x, y, z};
 }
 

@@ -76,10 +76,14 @@ void judge_centrelines(const VesselTree& tree, const VesselTree& truth, Accuracy
         accuracy.centreline_mean_mm += d / static_cast<double>(distances.size());
     std::ranges::sort(distances);
     accuracy.centreline_p95_mm = distances[distances.size() * 95 / 100];
+    if (errors.empty()) return;
+    double sum = 0.0, sum_of_magnitudes = 0.0;
     for (const double e : errors) {
-        accuracy.radius_bias_mm += e / static_cast<double>(errors.size());
-        accuracy.radius_mae_mm += std::abs(e) / static_cast<double>(errors.size());
+        sum += e;
+        sum_of_magnitudes += std::abs(e);
     }
+    accuracy.radius_bias_mm = sum / static_cast<double>(errors.size());
+    accuracy.radius_mae_mm = sum_of_magnitudes / static_cast<double>(errors.size());
 }
 
 double length_found(const VesselTree& tree, const VesselTree& truth, double voxel_mm,

@@ -3,6 +3,8 @@
 // centrelines, error of the radii, bifurcations found. clDice after Shit et al. (CVPR 2021).
 #pragma once
 
+#include <optional>
+
 #include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/image/volume.h"
@@ -34,9 +36,10 @@ struct Accuracy {
     double length_found = 0.0;
 
     // Radius of the tree minus that of the truth at the nearest point, over the points of the tree
-    // that lie inside the true lumen: mean (bias) and mean of the absolute value.
-    double radius_bias_mm = 0.0;
-    double radius_mae_mm = 0.0;
+    // that lie inside the true lumen: mean (bias) and mean of the absolute value. None where no
+    // point does.
+    std::optional<double> radius_bias_mm;
+    std::optional<double> radius_mae_mm;
 
     // One to one, nearest pairs first, within the larger of three voxels and the true radius there.
     // A node of degree d counts as d - 2 bifurcations. Recall: wide bifurcations of the truth

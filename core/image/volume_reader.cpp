@@ -40,7 +40,7 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
             constexpr double low = std::numeric_limits<std::int16_t>::min();
             constexpr double high = std::numeric_limits<std::int16_t>::max();
             for (double value : values) {
-                if (std::isnan(value)) {
+                if (!std::isfinite(value)) {
                     ++not_numbers;
                     value = air_hu;
                 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -149,13 +150,11 @@ SceneSpec scene_from_json(const Json& json) {
 }
 
 SceneFile read_scene(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in)
-        throw InputError("cannot be read", file.string(), "Give a scene file (JSON) or a case");
-    Json json = Json::parse(in, nullptr, false);
+    Json json =
+        Json::parse(read_text_file(file, "Give a scene file (JSON) or a case"), nullptr, false);
     if (json.is_discarded() || !json.is_object())
         throw InputError("is not a JSON object", file.string(),
-                         "Give a scene file such as assets/scenes/drag.json");
+                         "Give a scene file: {\"case\": \"NAME.hep\", \"deform\": {}}");
     SceneFile scene;
     const auto found = json.find("case");
     if (found == json.end() || !found->is_string())

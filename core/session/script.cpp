@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 
 namespace hepatica {
 
@@ -136,11 +137,8 @@ Vec3 point_on_longest_path(const VesselTree& tree, double share) {
 }
 
 Script read_script(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in)
-        throw InputError("cannot be read", file.string(),
-                         "Give a script such as assets/scripts/drag.json");
-    const Json json = Json::parse(in, nullptr, false);
+    const Json json = Json::parse(
+        read_text_file(file, "Give a script such as assets/scripts/drag.json"), nullptr, false);
     if (json.is_discarded() || !json.is_object() || !json.contains("actions") ||
         !json["actions"].is_array())
         throw InputError("is not a script", file.string(),

@@ -49,7 +49,8 @@ TEST(Accuracy, TruthAgainstItselfIsPerfect) {
     EXPECT_DOUBLE_EQ(a.dice, 1.0);
     EXPECT_DOUBLE_EQ(a.cldice, 1.0);
     EXPECT_NEAR(a.centreline_mean_mm, 0.0, 1e-9);
-    EXPECT_NEAR(a.radius_mae_mm, 0.0, 0.1);  // at forks the nearest branch may be the other one
+    EXPECT_NEAR(a.radius_mae_mm.value(), 0.0,
+                0.1);  // at forks the nearest branch may be the other one
     EXPECT_DOUBLE_EQ(a.length_found, 1.0);
     EXPECT_DOUBLE_EQ(a.bifurcation_recall, 1.0);
     EXPECT_DOUBLE_EQ(a.bifurcation_precision, 1.0);
@@ -77,8 +78,8 @@ TEST(Accuracy, WiderRadiiShowAsBias) {
     for (VesselSegment& segment : wide.segments)
         for (double& r : segment.radii_mm) r += 0.4;
     const Accuracy a = compared(wide, mask_of(forked_tree()));
-    EXPECT_NEAR(a.radius_bias_mm, 0.4, 0.05);
-    EXPECT_GE(a.radius_mae_mm, std::abs(a.radius_bias_mm));
+    EXPECT_NEAR(a.radius_bias_mm.value(), 0.4, 0.05);
+    EXPECT_GE(a.radius_mae_mm.value(), std::abs(a.radius_bias_mm.value()));
 }
 
 // Dice of a mask that misses half of the voxels and has no others is 2/3.
@@ -151,8 +152,8 @@ TEST(Accuracy, TreeFromThePhantomsOwnMaskIsNearItsTruth) {
         validate(tree);
         const Accuracy a = compare(tree, phantom.vessels, phantom.tree, phantom.vessels, {}, job);
         EXPECT_LT(a.centreline_mean_mm, 0.35 * a.voxel_mm) << "seed " << seed;
-        EXPECT_LT(std::abs(a.radius_bias_mm), 0.1 * a.voxel_mm) << "seed " << seed;
-        EXPECT_LT(a.radius_mae_mm, 0.2 * a.voxel_mm) << "seed " << seed;
+        EXPECT_LT(std::abs(a.radius_bias_mm.value()), 0.1 * a.voxel_mm) << "seed " << seed;
+        EXPECT_LT(a.radius_mae_mm.value(), 0.2 * a.voxel_mm) << "seed " << seed;
         EXPECT_GE(a.bifurcation_recall, 0.95) << "seed " << seed;
         EXPECT_GE(a.bifurcation_precision, 0.95) << "seed " << seed;
         EXPECT_EQ(a.components, 1) << "seed " << seed;

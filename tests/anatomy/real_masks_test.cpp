@@ -62,8 +62,8 @@ TEST_P(OtherPhantom, TreeFromItsMaskAndCtIsTheTruth) {
     RecordProperty("centreline_mean_mm", std::to_string(accuracy.centreline_mean_mm));
     EXPECT_LT(accuracy.centreline_mean_mm, 0.5 * accuracy.voxel_mm);
     EXPECT_GT(accuracy.length_found, 0.9);
-    EXPECT_LT(std::abs(accuracy.radius_bias_mm), 0.1 * accuracy.voxel_mm);
-    EXPECT_LT(accuracy.radius_mae_mm, 0.3 * accuracy.voxel_mm);
+    EXPECT_LT(std::abs(accuracy.radius_bias_mm.value()), 0.1 * accuracy.voxel_mm);
+    EXPECT_LT(accuracy.radius_mae_mm.value(), 0.3 * accuracy.voxel_mm);
     EXPECT_GE(accuracy.bifurcation_recall, 0.9);
     EXPECT_GE(accuracy.bifurcation_precision, 0.9);
 }

@@ -223,6 +223,31 @@ TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
     EXPECT_GE(interrupted, 2);
 }
 
+TEST_F(BadInput, WhatIsNoNumber) {
+    write_nifti(folder_ / "ct.nii.gz", small_ct());
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"reconstruct", path("ct.nii.gz"), "--seed-mm", "nan,1,1",
+                                   "--out", path("p.hep")},
+          {"reconstruct", path("ct.nii.gz"), "--spacing-mm", "nan", "--out", path("p.hep")},
+          {"reconstruct", path("ct.nii.gz"), "--out", path("p.hep"), "--spacing-mm=-NaN"},
+          {"simulate", path("none.hep"), "--dt-s", "inf"}}) {
+        const Outcome run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 2) << arguments.back();
+        EXPECT_NE(run.errors.find("number"), std::string::npos) << run.errors;
+    }
+}
+
+TEST_F(BadInput, AFolderInPlaceOfAFile) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"scene", path(".")},
+          {"inject", path("none.vtp")},
+          {"compare", path("none.hep"), "--truth-tree", path("none"), "--truth-mask", path("none")},
+          {"extremes", "--filter", "no row is called so"}}) {
+        const Outcome run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 1) << arguments[0] << run.errors;
+    }
+}
+
 TEST(BadUsage, ExitsWithTwoAndSaysWhereHelpIs) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{},

@@ -94,7 +94,7 @@ TEST(BodyTradeoff, FindsThatShorterStepsMissLess) {
 TEST(BodyTradeoff, NamesWhatTheBudgetLeftOut) {
     Job job;
     TradeoffOptions options;
-    options.budget_s = 0.2;
+    options.budget_s = 1e-3;
     const Tradeoff found = measure_body_tradeoff({bar()}, options, job);
     int left_out = 0;
     for (const TradeoffPoint& p : found.points) left_out += p.not_measured.empty() ? 0 : 1;

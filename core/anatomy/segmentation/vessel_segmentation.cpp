@@ -86,8 +86,11 @@ void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
 }
 
 void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver) {
-    const double share =
-        static_cast<double>(object_count(vessels)) / static_cast<double>(object_count(liver));
+    const std::size_t size = object_count(liver);
+    if (size == 0)
+        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
+                         "liver mask", "Give a mask of the whole liver.");
+    const double share = static_cast<double>(object_count(vessels)) / static_cast<double>(size);
     if (share >= least_vessel_share && found.contrast_hu() >= least_contrast_hu) return;
     throw InputError(
         "the vessels do not stand out from the liver: the brightest structures cover " +

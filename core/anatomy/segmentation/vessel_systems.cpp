@@ -24,6 +24,8 @@ std::string in_words(const Vec3& position) {
 // The object voxel nearest to a position, within seed_reach_mm; ties by index.
 std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
     const Grid& grid = vessels.grid;
+    if (!seed.position_mm.allFinite())
+        throw InputError("a seed's place is no number", "seed", "Give three finite numbers in mm.");
     const Vec3 index = grid.to_index(seed.position_mm);
     std::optional<std::size_t> nearest;
     double nearest_mm = seed_reach_mm;

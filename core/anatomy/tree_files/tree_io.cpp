@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/anatomy/tree_files/tree_io.h"
 
-#include <fstream>
-
 #include "core/anatomy/tree_files/tree_files.h"
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 
 namespace hepatica {
 
 std::string read_text(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError("cannot be read", file.string(), "Check the name and the permissions");
-    return {std::istreambuf_iterator<char>(in), {}};
+    return read_text_file(file, "Give a tree in a .vtp, .swc or .json file");
 }
 
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file) {
@@ -41,6 +37,10 @@ void write_tree(const std::filesystem::path& file, const VesselTree& tree) {
 }
 
 VesselTree read_tree(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw InputError("does not exist", file.string(),
+                         "Give a tree in a .vtp, .swc or .json file");
     const std::string extension = file.extension().string();
     if (extension == ".vtp") return read_tree_vtp(file);
     if (extension == ".swc") return read_tree_swc(file);
