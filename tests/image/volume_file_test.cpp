@@ -159,9 +159,9 @@ TEST(Nifti, MakesAirOfWhatIsNoNumber) {
     ReadRemarks remarks;
     const Volume read = read_volume(folder / "nan.nii.gz", job, &remarks);
     EXPECT_EQ(read.voxels[3], -1024);
-    EXPECT_EQ(read.voxels[4], 32767);
+    EXPECT_EQ(read.voxels[4], -1024);
     EXPECT_EQ(read.voxels[5], 50);
-    EXPECT_EQ(remarks.size(), 2u);
+    EXPECT_EQ(remarks.size(), 1u);
 }
 
 TEST(BadFile, IsRefusedByNameWithARemedy) {
