@@ -42,16 +42,21 @@ int report(const Error& error, int code) {
 // no check of a range finds it. A file of that name is ./nan.
 void refuse_non_numbers(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
-        std::istringstream parts{std::string(argv[i])};
+        std::string values = argv[i];
+        std::string option = argv[i - 1];
+        const std::size_t equals = values.starts_with("--") ? values.find('=') : std::string::npos;
+        if (equals != std::string::npos) {
+            option = values.substr(0, equals);
+            values.erase(0, equals + 1);
+        }
+        std::istringstream parts(values);
         for (std::string part; std::getline(parts, part, ',');) {
-            const std::size_t equals = part.starts_with("--") ? part.find('=') : std::string::npos;
-            if (equals != std::string::npos) part.erase(0, equals + 1);
             const char* const digits = part.c_str() + (part.find_first_of("+-") == 0 ? 1 : 0);
             if (!std::isalpha(static_cast<unsigned char>(*digits))) continue;
             char* end = nullptr;
             const double value = std::strtod(part.c_str(), &end);
             if (*end == '\0' && !std::isfinite(value))
-                throw UsageError("\"" + part + "\" is no number that can be used", argv[i - 1],
+                throw UsageError("\"" + part + "\" is no number that can be used", option,
                                  "Give a finite number");
         }
     }

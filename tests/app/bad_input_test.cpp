@@ -230,7 +230,7 @@ TEST_F(BadInput, WhatIsNoNumber) {
                                    "--out", path("p.hep")},
           {"reconstruct", path("ct.nii.gz"), "--spacing-mm", "nan", "--out", path("p.hep")},
           {"reconstruct", path("ct.nii.gz"), "--out", path("p.hep"), "--spacing-mm=-NaN"},
-          {"simulate", path("none.hep"), "--dt-s", "nan"}}) {
+          {"simulate", path("none.hep"), "--script", path("none.json"), "--dt-s", "nan"}}) {
         const Outcome run = run_cli(arguments);
         EXPECT_EQ(run.exit_code, 2) << arguments.back();
         EXPECT_NE(run.errors.find("number"), std::string::npos) << run.errors;
