@@ -27,12 +27,14 @@ struct Band {
     std::vector<std::uint8_t> free;  // in the vessels or next to them, and in the liver
 };
 
-Band band_around(const Mask& vessels, const Mask& liver) {
+Band band_around(const Mask& vessels, const Mask& liver, Job& job) {
     const Grid& grid = vessels.grid;
     const Mask everywhere(grid, 1);
     const double h = grid.spacing_mm[0];
     const Mask near = grow_within(vessels, liver, h);
+    job.throw_if_cancelled();
     const Mask wide = grow_within(near, everywhere, h);
+    job.throw_if_cancelled();
     Band band;
     std::vector<std::int32_t> place(grid.count(), -1);
     for (std::size_t i = 0; i < wide.voxels.size(); ++i)
@@ -41,6 +43,7 @@ Band band_around(const Mask& vessels, const Mask& liver) {
             band.voxels.push_back(i);
             band.free.push_back(near.voxels[i]);
         }
+    job.throw_if_cancelled();
     for (const std::size_t i : band.voxels) {
         const Index3 at = grid.index_of(i);
         std::array<std::int32_t, 6> around;
@@ -124,7 +127,7 @@ std::vector<float> minimise(const Band& band, const std::vector<float>& cost, in
 
 Mask fit_surface(const FloatVolume& intensity, const FloatVolume& rise, const Mask& vessels,
                  const Mask& liver, double deviation, const SurfaceOptions& options, Job& job) {
-    const Band band = band_around(vessels, liver);
+    const Band band = band_around(vessels, liver, job);
     job.throw_if_cancelled();
     const std::vector<Index3> ball = ball_of(options.peak_reach_mm / rise.grid.spacing_mm[0]);
     const auto weight = static_cast<float>(options.data_weight / deviation);

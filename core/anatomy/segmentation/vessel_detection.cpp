@@ -58,7 +58,9 @@ Evidence smoothed(const TissueContrast& tissue, double slice_mm, Job& job) {
     Evidence evidence;
     evidence.rise = tissue.excess;
     gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
+    job.throw_if_cancelled();
     const RobustSpread spread = robust_spread(evidence.rise, tissue.interior);
+    job.throw_if_cancelled();
     for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
     evidence.deviation = spread.deviation;
     evidence.weak_hu =
@@ -91,6 +93,7 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, evidence.weak_hu),
               liver);
+    job.advance(0.3);
     return above(line_coherence(clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates,
                                 LineOptions{}, job),
                  evidence.coherent_hu, liver);
@@ -123,6 +126,7 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double
                          SegmentationMethod method, Job& job) {
     if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
     const Evidence evidence = smoothed(tissue, slice_mm, job);
+    job.advance(0.1);
     const Mask inner = erode(liver, dimmed_rim_mm * dimming(slice_mm), job);
     const Mask weak = above(evidence.rise, evidence.weak_hu, inner);
     Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, inner, evidence, job)
@@ -136,11 +140,14 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double
     job.advance(0.7);
     const Mask vessels = hysteresis(grown, grown, smallest_vessel_mm3);
     job.advance(0.75);
+    const FloatVolume wall = clipped(tissue, evidence.deviation, wall_sigma_mm, job);
+    job.advance(0.8);
     Mask fitted =
-        fit_surface(clipped(tissue, evidence.deviation, wall_sigma_mm, job), evidence.rise, vessels,
-                    liver, evidence.deviation, SurfaceOptions{}, job);
+        fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation, SurfaceOptions{}, job);
     job.advance(0.9);
-    rejoin(thin(vessels, ThinningMethod::queue, job), kept_branch_mm, fitted);
+    const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
+    job.throw_if_cancelled();
+    rejoin(skeleton, kept_branch_mm, fitted);
     return {std::move(fitted), Mask()};
 }
 
