@@ -34,12 +34,6 @@ QualityDial::QualityDial(std::vector<QualityPoint> measured) {
         throw InputError("there is no measurement", "the dial", "Measure at least one setting");
 }
 
-const QualityPoint& QualityDial::within(double frame_budget_ms) const {
-    const auto beyond = std::ranges::find_if(
-        front_, [&](const QualityPoint& point) { return point.frame_ms > frame_budget_ms; });
-    return beyond == front_.begin() ? front_.front() : *(beyond - 1);
-}
-
 std::size_t QualityDial::index_at(double quality) const {
     constexpr double rounding = 1e-9;
     std::size_t best = 0;

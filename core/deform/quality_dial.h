@@ -28,9 +28,6 @@ class QualityDial {
     // The points that no other beats in both cost and error, cheapest first: error falls along it.
     std::span<const QualityPoint> front() const { return front_; }
 
-    // The most accurate point whose frame fits the budget; the cheapest where none does.
-    const QualityPoint& within(double frame_budget_ms) const;
-
     // quality 0: the cheapest point; 1: the most accurate; in between the most accurate that costs
     // no more than the quality asks for, on a logarithmic scale. Values outside are clamped.
     const QualityPoint& at(double quality) const { return front_[index_at(quality)]; }

@@ -21,14 +21,6 @@ TEST(QualityDial, KeepsOnlyWhatNothingBeats) {
     EXPECT_EQ(dial.front()[2].frame_ms, 16);
 }
 
-TEST(QualityDial, PicksTheMostAccurateThatFits) {
-    const QualityDial dial({point(1, 0.3), point(4, 0.02), point(16, 0.001)});
-    EXPECT_EQ(dial.within(10).frame_ms, 4);
-    EXPECT_EQ(dial.within(16).frame_ms, 16);
-    EXPECT_EQ(dial.within(1000).frame_ms, 16);
-    EXPECT_EQ(dial.within(0.5).frame_ms, 1);
-}
-
 TEST(QualityDial, TurnsFromCheapestToMostAccurate) {
     const QualityDial dial({point(1, 0.3), point(4, 0.02), point(16, 0.001)});
     EXPECT_EQ(dial.at(0.0).frame_ms, 1);

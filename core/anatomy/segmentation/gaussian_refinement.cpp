@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/anatomy/segmentation/neighbours.h"
 #include "core/anatomy/segmentation/vessel_growth.h"
 #include "core/anatomy/skeleton/thinning.h"
 #include "core/base/error.h"
@@ -49,17 +50,6 @@ Mask level_set(const Mask& object, const RefinementOptions& options, Job& job) {
     std::transform(volume.voxels.begin(), volume.voxels.end(), inside.voxels.begin(),
                    [&](float v) { return static_cast<std::uint8_t>(v > options.level); });
     return inside;
-}
-
-// Calls visit(neighbour) for the 26 neighbours inside the grid.
-template <class Visit>
-void for_each_neighbour(const Grid& grid, std::size_t voxel, const Visit& visit) {
-    const Index3 at = grid.index_of(voxel);
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                if ((x != 0 || y != 0 || z != 0) && grid.contains(at[0] + x, at[1] + y, at[2] + z))
-                    visit(grid.offset(at[0] + x, at[1] + y, at[2] + z));
 }
 
 // Every voxel of the surface takes its old label, new ones the smallest label around them, layer

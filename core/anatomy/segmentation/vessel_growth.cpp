@@ -5,24 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/anatomy/segmentation/neighbours.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
-
-namespace {
-
-// Calls visit(neighbour) for the 26 neighbours inside the grid.
-template <class Visit>
-void for_each_neighbour(const Grid& grid, std::size_t voxel, const Visit& visit) {
-    const Index3 at = grid.index_of(voxel);
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                if ((x != 0 || y != 0 || z != 0) && grid.contains(at[0] + x, at[1] + y, at[2] + z))
-                    visit(grid.offset(at[0] + x, at[1] + y, at[2] + z));
-}
-
-}  // namespace
 
 Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3) {
     const Components pieces = connected_components(weak, Connectivity::all26);
