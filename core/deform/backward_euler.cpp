@@ -61,7 +61,8 @@ struct BackwardEuler::Step {
     std::vector<Vec3> x;          // x_n + dt w
     std::vector<Vec3> direction;  // of w
     double value = 0.0;           // of the potential at w
-    double damping_form = 0.0;    // w^T K_n w beta, while w is a multiple of the first direction
+    double damping_form = 0.0;    // w^T K_n w beta
+    double direction_form = 0.0;  // the same of the first direction
     int iterate = 0;
     double share = 1.0;  // of the last direction that was taken
     bool whole = false;  // one iterate, taken whole: the linearised equations hold
@@ -221,7 +222,7 @@ bool BackwardEuler::try_share(Step& step, double share, double slope) {
     if (all_finite(step.x)) {
         if (body_.damping.beta_s > 0.0) {
             if (step.iterate == 0) {
-                step.damping_form *= share * share;
+                step.damping_form = share * share * step.direction_form;
             } else {
                 multiply(damping_, step.w, product_);
                 step.damping_form = dot(step.w, product_);
@@ -284,7 +285,7 @@ void BackwardEuler::book_linearised(Step& step) {
     const double elastic = dot(dx, elastic_force_);
     step.linear_elastic_work = elastic - elastic_form;
     step.linear_external_work = dot(dx, force_) - elastic - gravity - external_form;
-    step.damping_form = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
+    step.direction_form = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
     multiply(matrix_, change_, product_);
     step.residual_work = dot(step.direction, product_) - dot(step.direction, residual_);
     if (!has_error_) return;

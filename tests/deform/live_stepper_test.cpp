@@ -147,6 +147,35 @@ TEST(LiveStepper, GravityWakesEverything) {
     EXPECT_FALSE(live->step(1.0 / 60.0).asleep);
 }
 
+// Where it rests under gravity, and what is held there still feels its weight: neither what froze
+// nor what woke again is lifted.
+TEST(LiveStepper, SagsAsTheWholeBodyAndStaysSagged) {
+    const BodyDescription body = tree_body();
+    const Vec3 gravity(0.0, -9810.0, 0.0);
+    const auto live = make_live_stepper(body, {});
+    const auto whole = make_cpu_stepper(body, {});
+    live->set_gravity(gravity);
+    whole->set_gravity(gravity);
+    for (int k = 0; k < 400; ++k) {
+        live->step(1.0 / 60.0);
+        whole->step(1.0 / 60.0);
+    }
+    const int tip = tip_of(body);
+    const double sagged = body.mesh.vertices_mm[tip].y() - live->positions_mm()[tip].y();
+    EXPECT_GT(sagged, 0.1);
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+        EXPECT_LT((live->positions_mm()[v] - whole->positions_mm()[v]).norm(), 0.02 * sagged);
+    }
+    EXPECT_EQ(live->extent().live_elements, 0);
+    const Grab grab = pull(tip, live->positions_mm()[tip]);
+    live->set_grabs(std::span(&grab, 1));
+    for (int k = 0; k < 100; ++k) live->step(1.0 / 60.0);
+    EXPECT_GT(live->extent().live_elements, 0);
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+        EXPECT_LT((live->positions_mm()[v] - whole->positions_mm()[v]).norm(), 0.02 * sagged);
+    }
+}
+
 TEST(LiveStepper, QuadraticElementsAreAlwaysComputedWhole) {
     StepperOptions options;
     options.order = ElementOrder::quadratic;
