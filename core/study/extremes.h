@@ -19,7 +19,7 @@ struct ExtremeRow {
     bool survived = false;
     bool refused = false;      // by name, and rightly
     std::string note;          // what went wrong, or the words of the refusal
-    double energy_made = 0.0;  // largest, relative to what went in; rounding if physical
+    double energy_made = 0.0;  // largest of any step, relative to what it handled
     int degraded_steps = 0;    // steps that the stepper itself shortened or braked, and said so
     double error = std::numeric_limits<double>::quiet_NaN();  // relative to the reference
     std::string reference;  // what the error is measured against; empty: nothing independent

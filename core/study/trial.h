@@ -12,7 +12,9 @@ namespace hepatica {
 
 class Trial {
   public:
-    Trial(Stepper& stepper, ExtremeRow& row) : stepper_(stepper), row_(row) {}
+    // most_left_open: of the energies handled in a step, by the ledger.
+    Trial(Stepper& stepper, ExtremeRow& row, double most_left_open = 1e-9)
+        : stepper_(stepper), row_(row), most_left_open_(most_left_open) {}
 
     // Steps; false as soon as something is wrong, which the row then says.
     bool run(int steps, double dt_s);
@@ -28,11 +30,14 @@ class Trial {
     bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
 
   private:
+    // Nothing more is stored than before and put in, and the ledger says where the rest went.
+    bool check_energy(const EnergyLedger& e);
+
     Stepper& stepper_;
     ExtremeRow& row_;
-    double put_in_ = 0.0;   // work of gravity and tools so far
-    double handled_ = 0.0;  // sum of the sizes of all energies and works so far
-    double start_ = 0.0;
+    double most_left_open_;
+    double stored_ = 0.0;   // after the last step
+    double handled_ = 0.0;  // the most in any step so far
     bool started_ = false;
 };
 
