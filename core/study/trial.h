@@ -12,9 +12,10 @@ namespace hepatica {
 
 class Trial {
   public:
-    // most_left_open: of the energies handled in a step, by the ledger.
-    Trial(Stepper& stepper, ExtremeRow& row, double most_left_open = 1e-9)
-        : stepper_(stepper), row_(row), most_left_open_(most_left_open) {}
+    // What the ledger leaves open is judged against what the step handled, but at least against
+    // this share of the most that any step has handled.
+    Trial(Stepper& stepper, ExtremeRow& row, double ledger_share = 0.0)
+        : stepper_(stepper), row_(row), ledger_share_(ledger_share) {}
 
     // Steps; false as soon as something is wrong, which the row then says.
     bool run(int steps, double dt_s);
@@ -35,7 +36,7 @@ class Trial {
 
     Stepper& stepper_;
     ExtremeRow& row_;
-    double most_left_open_;
+    double ledger_share_;
     double stored_ = 0.0;   // after the last step
     double handled_ = 0.0;  // the most in any step so far
     bool started_ = false;
