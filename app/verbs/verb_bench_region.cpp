@@ -28,6 +28,12 @@ void add_bench_region(CommandLine& line) {
     verb.add_option("--frames", options->frames, "Frames of 1/60 s")->check(CLI::Range(1, 100000));
     verb.add_option("--tether-pa-per-mm2", options->tether_pa_per_mm2,
                     "Pull of the surrounding tissue");
+    verb.add_option("--wake-radii", options->region.wake_radii,
+                    "Strain at the border that wakes a stretch; scenes play with 0.003")
+        ->check(CLI::Range(1e-9, 1.0));
+    verb.add_option("--still-radii-per-s", options->region.still_radii_per_s,
+                    "Speed below which a stretch freezes; scenes play with 0.015")
+        ->check(CLI::Range(1e-9, 10.0));
 }
 
 }  // namespace hepatica

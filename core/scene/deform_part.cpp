@@ -49,6 +49,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec)
     body_.material = material_named(spec.material);
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
     body_.skeleton = skeleton_of(patient.tree);
+    if (spec.wall_mm > 0.0) make_hollow(body_, spec.wall_mm);
     surface_vertices_ = surface_of(body_.mesh).body_vertex;
     places_ = places_of(body_.mesh.vertices_mm, patient.tree);
     fix_ends(patient.tree, spec.fixed);

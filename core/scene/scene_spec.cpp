@@ -84,6 +84,7 @@ DeformSpec deform_from(const Json& json) {
     spec.fixed = ends->second;
     fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
     fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
+    fields.read_number("wall_mm", spec.wall_mm, 0.0, 100.0);
     fields.read_number("quality", spec.quality, 0.0, 1.0);
     Json setting;
     fields.read("setting", setting);
@@ -124,6 +125,7 @@ Json to_json(const SceneSpec& spec) {
                           {"quality", spec.deform->quality}};
         const RayleighDamping& error = spec.deform->velocity_error;
         if (spec.deform->setting) json["deform"]["setting"] = to_json(*spec.deform->setting);
+        if (spec.deform->wall_mm > 0.0) json["deform"]["wall_mm"] = spec.deform->wall_mm;
         if (error.alpha_per_s != 0.0 || error.beta_s != 0.0)
             json["deform"]["velocity_error"] = {error.alpha_per_s, error.beta_s};
     }

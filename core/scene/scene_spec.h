@@ -25,6 +25,8 @@ struct DeformSpec {
     // Pull of the tissue around to the place at rest, per volume; 0: none. An order of magnitude:
     // the vessel still follows most of the hand's way, and steps do not fail.
     double tether_pa_per_mm2 = 20.0;
+    // Thickness of the vessels' wall; 0: solid. See make_hollow in core/deform/body.h.
+    double wall_mm = 0.0;
     double quality = 0.5;  // the dial, 0 to 1
     // One setting exactly, instead of the dial's: what a recording begins with.
     std::optional<StepperOptions> setting{};

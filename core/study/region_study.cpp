@@ -34,7 +34,7 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
     body.material.damping_ratio = 0.3;
     StepperOptions stepper_options;
     stepper_options.sleeping = false;
-    const auto live = make_live_stepper(body, stepper_options);
+    const auto live = make_live_stepper(body, stepper_options, options.region);
     const auto whole = make_cpu_stepper(body, stepper_options);
     for (int k = 0; k < 60; ++k) live->step(dt_s);  // at rest, until it sleeps
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/live_region.h"
 
 namespace hepatica {
 
@@ -21,6 +22,7 @@ struct RegionRow {
 struct RegionStudyOptions {
     int frames = 120;                    // of 1/60 s
     double tether_pa_per_mm2 = 1000.0;   // of the tissue around
+    LiveRegionOptions region{};          // thresholds; a scene's are DeformPart::region
     std::vector<int> generations{4, 7};  // of the trees; twigs are alike
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -98,6 +99,33 @@ TEST(SceneFile, NamesItsCaseRelativeToItself) {
     }
     EXPECT_THROW(read_scene(folder / "missing.json"), InputError);
     std::filesystem::remove_all(folder);
+}
+
+TEST(DeformPart, AHollowWallGivesWayWhereASolidVesselDoesNot) {
+    const auto held = [](double wall_mm) {
+        DeformSpec spec;
+        spec.wall_mm = wall_mm;
+        spec.tether_pa_per_mm2 = 0.0;
+        spec.gravity_mm_per_s2 = Vec3(0, 9810, 0);
+        DeformPart part(*small_patient(), spec);
+        for (int i = 0; i < 60; ++i) part.step(1.0 / 60.0);
+        double sag_mm = 0.0;
+        const auto& rest = small_patient()->mesh.vertices_mm;
+        for (std::size_t v = 0; v < rest.size(); ++v)
+            sag_mm = std::max(sag_mm, (part.positions_mm()[v] - rest[v]).norm());
+        return sag_mm;
+    };
+    const double solid_mm = held(0.0);
+    EXPECT_GT(held(0.1), 1.2 * solid_mm);
+    EXPECT_DOUBLE_EQ(held(50.0), solid_mm);  // thicker than the radius is solid
+}
+
+TEST(SceneSpec, NamesTheWall) {
+    SceneSpec spec = default_scene();
+    EXPECT_FALSE(to_json(spec)["deform"].contains("wall_mm"));
+    spec.deform->wall_mm = 0.4;
+    EXPECT_EQ(scene_from_json(to_json(spec)).deform->wall_mm, 0.4);
+    EXPECT_THROW(scene_from_json(Json{{"deform", {{"wall_mm", -1}}}}), InputError);
 }
 
 TEST(DeformPart, RefusesAMaterialThatNobodyKnows) {
