@@ -341,8 +341,9 @@ void MainWindow::show_play(LoadedPatient patient) {
     scene.set_highlight({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     actions_->set_patient_shown(true);
-    (*actions_)[ActionId::save_case].setEnabled(!patient_->on_disk);
+    (*actions_)[ActionId::save_case].setEnabled(true);
     (*actions_)[ActionId::pause_simulation].setChecked(false);
+    quality_->post_choices();
     frame_timer_->start(16);
 }
 

@@ -82,6 +82,12 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     show_statistics({});
 }
 
+void QualityPanel::post_choices() {
+    if (!automatic_->isChecked()) post_(SetQuality{dial_->value() / 100.0});
+    if (gravity_->isChecked()) post_(SetGravity{Vec3(0, units::standard_gravity, 0)});
+    if (!tether_->isChecked()) post_(SetTether{0.0});
+}
+
 void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     if (statistics.expected_error > 0.0) {
         const QString against = QString::fromStdString(statistics.error_reference);
@@ -90,7 +96,8 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     } else {
         error_->setText("Expected error: not measured for this scene");
     }
-    if (!dial_->isSliderDown()) {
+    const bool begun = !statistics.setting.empty();
+    if (begun && !dial_->isSliderDown()) {
         automatic_->setChecked(statistics.automatic);
         if (statistics.automatic) {
             const QSignalBlocker silent(dial_);

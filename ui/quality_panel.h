@@ -20,6 +20,10 @@ class QualityPanel : public QWidget {
 
     void show_statistics(const FrameStatistics& statistics);
 
+    // Tells a simulation that has just begun what the user had chosen before: a corrected patient
+    // is played on as the former one was.
+    void post_choices();
+
   private:
     std::function<void(Command)> post_;
     QCheckBox* automatic_;

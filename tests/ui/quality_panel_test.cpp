@@ -44,6 +44,7 @@ TEST(QualityPanel, AHandAtTheDialEndsAutomaticAndAClickBringsItBack) {
     Panel p;
     FrameStatistics statistics;
     statistics.automatic = true;
+    statistics.setting = "corotated";
     p.panel.show_statistics(statistics);
     p.dial.setValue(30);
     ASSERT_EQ(p.posted.size(), 1u);
@@ -55,6 +56,22 @@ TEST(QualityPanel, AHandAtTheDialEndsAutomaticAndAClickBringsItBack) {
     p.automatic.click();
     ASSERT_EQ(p.posted.size(), 3u);
     EXPECT_EQ(std::get<SetQuality>(p.posted[2]).quality, 0.3);
+}
+
+TEST(QualityPanel, TellsANewSimulationWhatTheUserHadChosen) {
+    Panel p;
+    p.panel.show_statistics({});  // nothing is played yet: that is no choice
+    p.panel.post_choices();
+    EXPECT_TRUE(p.posted.empty()) << "automatic, tissue and no gravity are how a session begins";
+    p.dial.setValue(30);
+    for (QCheckBox* box : p.panel.findChildren<QCheckBox*>())
+        if (box != &p.automatic) box->click();
+    p.posted.clear();
+    p.panel.post_choices();
+    ASSERT_EQ(p.posted.size(), 3u);
+    EXPECT_EQ(std::get<SetQuality>(p.posted[0]).quality, 0.3);
+    EXPECT_GT(std::get<SetGravity>(p.posted[1]).gravity_mm_per_s2.norm(), 9000.0);
+    EXPECT_EQ(std::get<SetTether>(p.posted[2]).pa_per_mm2, 0.0);
 }
 
 }  // namespace
