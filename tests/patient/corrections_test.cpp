@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "core/base/error.h"
@@ -63,6 +64,24 @@ TEST(Corrections, TakingAllEditsBackGivesTheCaseBeforeToTheByte) {
     EXPECT_EQ(hash_of(back), hash_of(patient));
     EXPECT_TRUE(back.corrections.extracted.segments.empty());
     EXPECT_EQ(open_bridges(back).size(), 2u);
+}
+
+TEST(Corrections, ACutShowsAGapBetweenTheSurfaces) {
+    const PatientCase patient = patient_with_bridges();
+    TreeEdit cut;
+    cut.kind = TreeEditKind::cut_link;
+    cut.at_mm = Vec3(0.05, 10, 1.5);  // the trunk, 3.85 mm in radius
+    Job job;
+    const PatientCase parted = with_edits(patient, {cut}, job);
+    const Vec3 axis = Vec3(0.1, 20, 3).normalized();
+    double before_mm = -HUGE_VAL, behind_mm = HUGE_VAL;
+    for (const Vec3& vertex : parted.surface.vertices_mm) {
+        const double along_mm = (vertex - cut.at_mm).dot(axis);
+        (along_mm < 0.0 ? before_mm : behind_mm) =
+            along_mm < 0.0 ? std::max(before_mm, along_mm) : std::min(behind_mm, along_mm);
+    }
+    EXPECT_NEAR(behind_mm - before_mm, 1.0, 0.3);
+    EXPECT_EQ(hash_of(with_edits(parted, {}, job)), hash_of(patient));
 }
 
 TEST(Corrections, NamesTheEditThatCannotBeDone) {

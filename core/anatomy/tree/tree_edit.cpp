@@ -7,6 +7,7 @@
 
 #include "core/anatomy/tree/bridged_points.h"
 #include "core/anatomy/tree/centreline.h"
+#include "core/anatomy/tree/cut_gap.h"
 #include "core/anatomy/tree/vessel_graph.h"
 #include "core/base/error.h"
 
@@ -15,7 +16,6 @@ namespace hepatica {
 namespace {
 
 constexpr double reach_mm = 10.0;  // of a click
-constexpr double gap_mm = 1.0;     // left open by a cut
 
 std::string text_of(const Vec3& p) {
     return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
@@ -62,12 +62,19 @@ class Edit {
 
     void cut(const TreeEdit& edit) {
         const TreePoint at = locate(tree_, edit.at_mm);
-        const double length = length_mm(tree_.segments[at.segment]);
-        const double gap = std::min(gap_mm, length / 4.0);
-        const double middle = std::clamp(at.arclength_mm, gap, length - gap);
-        split_link(graph_, at.segment, middle + gap / 2.0, 0.0);
-        split_link(graph_, at.segment, middle - gap / 2.0, 0.0);
-        graph_.links.pop_back();  // the stretch between the two
+        const auto stretch = cut_stretch(graph_, at.segment, at.arclength_mm);
+        if (!stretch)
+            throw InputError("the vessel is too short here to be parted by a gap of 1 mm",
+                             text_of(edit.at_mm), "Cut a longer one beside it, or delete it");
+        int taken = at.segment;
+        if (stretch->to_mm) split_link(graph_, taken, *stretch->to_mm, 0.0);
+        // What is parted begins at the cut, unless its root stays.
+        wishes_.push_back({graph_.links[taken].to, graph_.links[taken].system});
+        if (stretch->from_mm) {
+            split_link(graph_, taken, *stretch->from_mm, 0.0);
+            taken = static_cast<int>(graph_.links.size()) - 1;
+        }
+        graph_.links.erase(graph_.links.begin() + taken);
     }
 
     void add(const TreeEdit& edit) {

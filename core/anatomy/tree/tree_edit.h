@@ -12,7 +12,8 @@
 namespace hepatica {
 
 enum class TreeEditKind {
-    cut_link,         // parts the vessel at `at_mm`; what hangs there becomes a tree of its own
+    cut_link,         // parts the vessel at `at_mm`, wall from wall by 1 mm; what hangs there
+                      // becomes a tree of its own
     add_link,         // joins the vessels nearest to `at_mm` and `to_mm`
     delete_branch,    // removes the segment at `at_mm` and all that hangs on it
     set_root,         // makes the end nearest to `at_mm` the root of its component
@@ -30,7 +31,8 @@ struct TreeEdit {
 };
 
 // The tree after the edit. Throws InputError where the edit cannot be done (an empty tree, a place
-// farther than 10 mm from any vessel, two ends of a link at one point).
+// farther than 10 mm from any vessel, two ends of a link at one point, a cut between two forks too
+// close for a gap).
 VesselTree edited(const VesselTree& tree, const TreeEdit& edit);
 
 // A tree and the edits made to it. Not thread-safe.

@@ -143,7 +143,7 @@ int split_link(VesselGraph& graph, int id, double along_mm, double snap_mm) {
     if (along_mm <= snap_mm && along_mm <= at_mm.back() - along_mm) return link.from;
     if (at_mm.back() - along_mm <= snap_mm) return link.to;
     std::size_t i = 1;
-    while (i + 2 < at_mm.size() && at_mm[i] <= along_mm) ++i;
+    while (i + 1 < at_mm.size() && at_mm[i] <= along_mm) ++i;
     const double share =
         std::clamp((along_mm - at_mm[i - 1]) / (at_mm[i] - at_mm[i - 1]), 0.0, 1.0);
     const Vec3 place = link.points_mm[i - 1] + share * (link.points_mm[i] - link.points_mm[i - 1]);
