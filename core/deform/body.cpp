@@ -217,9 +217,9 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
 }
 
 void make_hollow(BodyDescription& body, double wall_thickness_mm) {
-    if (!(wall_thickness_mm > 0.0))
+    if (!(wall_thickness_mm > 0.0) || !std::isfinite(wall_thickness_mm))
         reject("is " + std::to_string(wall_thickness_mm), "wall thickness [mm]",
-               "Give a value greater than 0");
+               "Give a finite value greater than 0");
     const FrameSkeleton& skeleton = body.skeleton;
     if (skeleton.positions_mm.empty())
         reject("has no skeleton", "the body", "A hollow wall needs the radii along the centreline");

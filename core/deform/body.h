@@ -40,7 +40,7 @@ enum class ElementOrder { linear, quadratic };
 // Scales each tetrahedron's stiffness so that the solid tube bends like a hollow one with a wall of
 // the given thickness: by 1 - ((r - t)/r)^4 with the radius r of the nearest skeleton node (1 where
 // t >= r). The lumen's content keeps its mass. Wanted where elements cannot resolve the wall.
-// Throws InputError for a thickness <= 0 or an empty skeleton.
+// Throws InputError for a thickness that is not finite and greater than 0, or an empty skeleton.
 void make_hollow(BodyDescription& body, double wall_thickness_mm);
 
 // Elements of one kind; connectivity holds nodes_per_element indices each.

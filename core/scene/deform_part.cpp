@@ -49,6 +49,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec)
     body_.material = material_named(spec.material);
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
     body_.skeleton = skeleton_of(patient.tree);
+    validate_wall(spec.wall_mm);
     if (spec.wall_mm > 0.0) make_hollow(body_, spec.wall_mm);
     surface_vertices_ = surface_of(body_.mesh).body_vertex;
     places_ = places_of(body_.mesh.vertices_mm, patient.tree);
@@ -187,6 +188,13 @@ void DeformPart::set_tether(double pa_per_mm2) {
     if (!(pa_per_mm2 >= 0.0) || !std::isfinite(pa_per_mm2))
         throw InputError("is " + std::to_string(pa_per_mm2), "tether", "Give 0 or more");
     body_.tether_pa_per_mm2 = pa_per_mm2;
+    build_stepper();
+}
+
+void DeformPart::set_wall(double wall_mm) {
+    validate_wall(wall_mm);
+    body_.stiffness_factor.clear();
+    if (wall_mm > 0.0) make_hollow(body_, wall_mm);
     build_stepper();
 }
 

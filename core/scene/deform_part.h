@@ -26,7 +26,7 @@ class DeformPart {
     static constexpr LiveRegionOptions region{.wake_radii = 3e-3, .still_radii_per_s = 1.5e-2};
 
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
-    // InputError where the case has no mesh or the material is not known.
+    // InputError where the case has no mesh, the material is not known, or a value is out of range.
     DeformPart(const PatientCase& patient, const DeformSpec& spec);
     ~DeformPart();
 
@@ -42,6 +42,7 @@ class DeformPart {
     // Settings that keep the state. Throw InputError for values out of range.
     void set_gravity(const Vec3& gravity_mm_per_s2);
     void set_tether(double pa_per_mm2);
+    void set_wall(double wall_mm);  // see DeformSpec
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
 

@@ -84,7 +84,8 @@ DeformSpec deform_from(const Json& json) {
     spec.fixed = ends->second;
     fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
     fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
-    fields.read_number("wall_mm", spec.wall_mm, 0.0, 100.0);
+    fields.read("wall_mm", spec.wall_mm);
+    validate_wall(spec.wall_mm);
     fields.read_number("quality", spec.quality, 0.0, 1.0);
     Json setting;
     fields.read("setting", setting);
@@ -107,6 +108,12 @@ FlowSpec flow_from(const Json& json) {
 }
 
 }  // namespace
+
+void validate_wall(double wall_mm) {
+    if (wall_mm == 0.0 || (wall_mm >= thinnest_wall_mm && wall_mm <= thickest_wall_mm)) return;
+    throw InputError("is " + std::to_string(wall_mm), "wall_mm",
+                     "Give a wall from 0.01 to 100 mm, or 0 for solid vessels");
+}
 
 SceneSpec default_scene() {
     SceneSpec spec;

@@ -25,7 +25,8 @@ struct DeformSpec {
     // Pull of the tissue around to the place at rest, per volume; 0: none. An order of magnitude:
     // the vessel still follows most of the hand's way, and steps do not fail.
     double tether_pa_per_mm2 = 20.0;
-    // Thickness of the vessels' wall; 0: solid. See make_hollow in core/deform/body.h.
+    // Thickness of the vessels' wall, see validate_wall; 0: solid. See make_hollow in
+    // core/deform/body.h.
     double wall_mm = 0.0;
     double quality = 0.5;  // the dial, 0 to 1
     // One setting exactly, instead of the dial's: what a recording begins with.
@@ -43,6 +44,11 @@ struct SceneSpec {
     std::optional<FlowSpec> flow = FlowSpec{};
     double dt_s = 1.0 / 60.0;  // 1e-4 to 1
 };
+
+// Throws InputError unless the thickness is 0 (solid) or from thinnest_wall_mm to thickest_wall_mm.
+constexpr double thinnest_wall_mm = 0.01;
+constexpr double thickest_wall_mm = 100.0;
+void validate_wall(double wall_mm);
 
 // Both parts, with their defaults: what the window opens a case with.
 SceneSpec default_scene();

@@ -78,6 +78,10 @@ void fields(UseSetting& c, Visitor& v) {
     v("setting", c.setting);
 }
 template <class Visitor>
+void fields(SetWall& c, Visitor& v) {
+    v("wall_mm", c.wall_mm);
+}
+template <class Visitor>
 void fields(ResetWorld&, Visitor&) {}
 template <class Visitor>
 void fields(RestoreSnapshot&, Visitor&) {}
@@ -88,7 +92,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "inject_drug",    "remove_drug", "play_drug",        "set_drug_time",
     "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
     "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
-    "use_setting"};
+    "use_setting",    "set_wall"};
 
 struct Writer {
     Json& json;

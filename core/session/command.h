@@ -56,6 +56,11 @@ struct SetGravity {
 struct SetTether {
     double pa_per_mm2 = 0.0;  // force per volume per millimetre of displacement, >= 0
 };
+// Thickness of the vessels' wall: 0 solid, otherwise thinnest_wall_mm to thickest_wall_mm of
+// core/scene/scene_spec.h.
+struct SetWall {
+    double wall_mm = 0.0;
+};
 // The dial: 0 fastest, 1 most accurate. Ends automatic quality.
 struct SetQuality {
     double quality = 0.5;
@@ -81,7 +86,7 @@ struct RestoreSnapshot {};
 using Command =
     std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
                  SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
-                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting>;
+                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -32,12 +32,6 @@ std::vector<double> costs_of(const QualityDial& dial) {
     return costs;
 }
 
-std::optional<std::size_t> point_of(const QualityDial& dial, const StepperOptions& setting) {
-    for (std::size_t i = 0; i < dial.front().size(); ++i)
-        if (same_setting(dial.front()[i].options, setting)) return i;
-    return std::nullopt;
-}
-
 }  // namespace
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
@@ -48,7 +42,7 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
     recording_.scene = spec;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
         recording_.scene.deform->setting = deform->setting();
-        point_ = point_of(dial_, deform->setting());
+        point_ = point_of(deform->setting());
     }
     if (world_->deform() != nullptr)
         last_good_ = std::make_unique<BodyState>(world_->deform()->state());
@@ -94,6 +88,12 @@ void Session::record(const Command& command, std::vector<Command>& recorded) con
     recorded.push_back(dial ? Command(UseSetting{world_->deform()->setting()}) : command);
 }
 
+std::optional<std::size_t> Session::point_of(const StepperOptions& setting) const {
+    for (std::size_t i = 0; i < dial_.front().size(); ++i)
+        if (same_setting(dial_.front()[i].options, setting)) return i;
+    return std::nullopt;
+}
+
 void Session::use_point(std::size_t index) {
     world_->deform()->use(dial_.front()[index].options);
     point_ = index;
@@ -108,87 +108,6 @@ void Session::govern(const SessionStep& done) {
     if (next == *point_) return;
     use_point(next);
     setting_changed_ = true;
-}
-
-void Session::require_deform() const {
-    if (world_->deform() == nullptr)
-        throw InputError("nothing moves in this scene", world_->spec().name,
-                         "Add \"deform\" to the scene");
-}
-
-void Session::require_flow() const {
-    if (world_->flow() == nullptr)
-        throw InputError("nothing flows in this scene", world_->spec().name,
-                         "Add \"flow\" to the scene");
-}
-
-void Session::apply(const Command& command) {
-    World& world = *world_;
-    struct Apply {
-        Session& session;
-        World& world;
-
-        DeformPart& deform() {
-            session.require_deform();
-            return *world.deform();
-        }
-        FlowPart& flow() {
-            session.require_flow();
-            return *world.flow();
-        }
-        void operator()(const GrabPoint& c) { deform().grab(c.point_mm); }
-        void operator()(const GrabVertex& c) { deform().grab_vertex(c.vertex); }
-        void operator()(const MoveGrab& c) { deform().move_grab(c.target_mm); }
-        void operator()(const ReleaseGrab&) { deform().release(); }
-        void operator()(const InjectDrug& c) {
-            Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
-                                c.second_phase, c.pressure_model};
-            if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
-            flow().inject(injection);
-        }
-        void operator()(const RemoveDrug&) { flow().remove_drug(); }
-        void operator()(const PlayDrug& c) { flow().play(c.playing); }
-        void operator()(const SetDrugTime& c) { flow().set_time(c.time_s); }
-        void operator()(const SetDrugSpeed& c) { flow().set_speed(c.factor); }
-        void operator()(const SetGravity& c) { deform().set_gravity(c.gravity_mm_per_s2); }
-        void operator()(const SetTether& c) { deform().set_tether(c.pa_per_mm2); }
-        void operator()(const SetQuality& c) {
-            if (!(c.quality >= 0.0 && c.quality <= 1.0))
-                throw InputError("is " + std::to_string(c.quality), "quality",
-                                 "Choose a value from 0 to 1");
-            deform();
-            session.automatic_ = false;
-            session.use_point(session.dial_.index_at(c.quality));
-        }
-        void operator()(const SetAutomaticQuality& c) {
-            deform();
-            session.automatic_ = c.automatic;
-            if (!c.automatic) return;
-            session.use_point(session.governor_.start(1e3 * world.spec().dt_s));
-        }
-        void operator()(const UseSetting& c) {
-            deform().use(c.setting);
-            session.point_ = point_of(session.dial_, c.setting);
-            session.automatic_ = false;
-        }
-        void operator()(const SetPaused& c) {
-            session.paused_ = c.paused;
-            if (!c.paused) session.forget_divergence();
-        }
-        void operator()(const ResetWorld&) {
-            world.reset();
-            if (world.deform() != nullptr) *session.last_good_ = world.deform()->state();
-            session.paused_ = false;
-            session.forget_divergence();
-        }
-        void operator()(const RestoreSnapshot&) {
-            deform().release();
-            deform().set_state(*session.last_good_);
-            session.paused_ = false;
-            session.forget_divergence();
-        }
-    };
-    std::visit(Apply{*this, world}, command);
 }
 
 void Session::forget_divergence() {

@@ -85,14 +85,15 @@ class Session {
 
   private:
     void apply_waiting_commands();
+    struct Apply;  // one operator per command
     void apply(const Command& command);
     // What the recording keeps of a command that was applied.
     void record(const Command& command, std::vector<Command>& recorded) const;
+    // Of the dial's front, where the setting is one of its points.
+    std::optional<std::size_t> point_of(const StepperOptions& setting) const;
     void use_point(std::size_t index);
     // Picks the setting of the next step by what this one cost.
     void govern(const SessionStep& done);
-    void require_deform() const;
-    void require_flow() const;
     void guard_state();
     void forget_divergence();
     void publish(const SessionStep& step);

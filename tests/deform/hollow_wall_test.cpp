@@ -97,7 +97,7 @@ TEST(HollowWall, KeepsWhatIsThickerThanTheRadius) {
 }
 
 TEST(HollowWall, RefusesAWallOfNothing) {
-    for (const double wall_mm : {0.0, -1.0, std::nan("")}) {
+    for (const double wall_mm : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
         BodyDescription body = tube();
         EXPECT_THROW(make_hollow(body, wall_mm), InputError);
     }

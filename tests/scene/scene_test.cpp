@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -126,6 +128,22 @@ TEST(SceneSpec, NamesTheWall) {
     spec.deform->wall_mm = 0.4;
     EXPECT_EQ(scene_from_json(to_json(spec)).deform->wall_mm, 0.4);
     EXPECT_THROW(scene_from_json(Json{{"deform", {{"wall_mm", -1}}}}), InputError);
+}
+
+TEST(DeformPart, RefusesAWallThatIsNone) {
+    DeformPart part(*small_patient(), {});
+    for (const double wall_mm : {-0.5, 1e-9, 101.0, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        DeformSpec spec;
+        spec.wall_mm = wall_mm;
+        EXPECT_THROW(DeformPart(*small_patient(), spec), InputError) << wall_mm;
+        EXPECT_THROW(part.set_wall(wall_mm), InputError) << wall_mm;
+        EXPECT_TRUE(part.body().stiffness_factor.empty());
+    }
+    part.set_wall(thickest_wall_mm);
+    part.set_wall(thinnest_wall_mm);
+    EXPECT_LT(part.body().stiffness_factor.front(), 0.1);
+    part.set_wall(0.0);
+    EXPECT_TRUE(part.body().stiffness_factor.empty());
 }
 
 TEST(DeformPart, RefusesAMaterialThatNobodyKnows) {

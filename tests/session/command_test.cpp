@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/session/recording.h"
@@ -33,10 +34,16 @@ std::vector<Command> one_of_each() {
             SetQuality{odd},
             SetPaused{true},
             ResetWorld{},
-            RestoreSnapshot{}};
+            RestoreSnapshot{},
+            SetAutomaticQuality{false},
+            UseSetting{},
+            SetWall{odd}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {
+    std::set<std::size_t> kinds;
+    for (const Command& command : one_of_each()) kinds.insert(command.index());
+    EXPECT_EQ(kinds.size(), std::variant_size_v<Command>);
     for (const Command& command : one_of_each()) {
         const Json json = to_json(command);
         const Command back = command_from_json(Json::parse(json.dump()));

@@ -170,8 +170,10 @@ TEST(Session, RefusesWhatIsOutOfRangeAndSaysSo) {
     untouched->keep_recording(true);
     for (const Command& command :
          {Command(GrabVertex{-1}), Command(GrabVertex{1 << 30}), Command(SetQuality{2.0}),
-          Command(SetTether{-1.0}), Command(SetDrugTime{-1.0}), Command(SetDrugSpeed{0.0}),
-          Command(InjectDrug{.mass_flow_g_s = -1.0}),
+          Command(SetTether{-1.0}), Command(SetWall{-0.1}), Command(SetWall{1e-3}),
+          Command(SetWall{std::numeric_limits<double>::infinity()}),
+          Command(SetWall{std::numeric_limits<double>::quiet_NaN()}), Command(SetDrugTime{-1.0}),
+          Command(SetDrugSpeed{0.0}), Command(InjectDrug{.mass_flow_g_s = -1.0}),
           Command(InjectDrug{.pressure_model = "nonsense"}),
           Command(InjectDrug{.void_fraction = 1.0}),
           Command(MoveGrab{Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)}),
@@ -227,15 +229,16 @@ TEST(Session, AResetIsTheStateThatARestoreGoesBackTo) {
 }
 
 // What a setting changes is the next step, not the state that it begins with: to the last bit.
-TEST(Session, ChangesQualityAndTetherInMidPullWithoutAJump) {
+TEST(Session, ChangesQualityTetherAndWallInMidPullWithoutAJump) {
     SceneSpec spec = default_scene();
     spec.deform->tether_pa_per_mm2 = 0.0;
     const auto session = new_session(spec);
     session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
     session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
     play(*session, 60);
-    for (const Command& command : {Command(SetQuality{1.0}), Command(SetQuality{0.0}),
-                                   Command(SetTether{1.0}), Command(SetTether{0.0})}) {
+    for (const Command& command :
+         {Command(SetQuality{1.0}), Command(SetQuality{0.0}), Command(SetTether{1.0}),
+          Command(SetTether{0.0}), Command(SetWall{0.5}), Command(SetWall{0.0})}) {
         const std::uint64_t before = session->state_hash();
         session->post(SetPaused{true});
         session->post(command);
@@ -246,6 +249,28 @@ TEST(Session, ChangesQualityAndTetherInMidPullWithoutAJump) {
         EXPECT_NE(session->state_hash(), before);
         EXPECT_TRUE(session->world().deform()->plausible());
     }
+}
+
+// A wall given in mid-play is the wall that a scene begins with, and comes back in a replay.
+TEST(Session, AWallChosenLaterIsThatOfTheScene) {
+    const auto hash_after = [](const SceneSpec& spec, double wall_mm) {
+        const auto session = new_session(spec);
+        session->keep_recording(true);
+        session->post(SetWall{wall_mm});
+        session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
+        session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
+        const std::uint64_t hash = play(*session, 20).state_hash;
+        Job job;
+        const ReplayResult same = replay(session->recording(), small_patient(), job);
+        EXPECT_FALSE(same.diverged_at.has_value());
+        EXPECT_EQ(same.state_hash, hash);
+        return hash;
+    };
+    SceneSpec hollow = default_scene();
+    hollow.deform->wall_mm = 0.6;
+    EXPECT_EQ(hash_after(default_scene(), 0.6), hash_after(hollow, 0.6));
+    EXPECT_EQ(hash_after(hollow, 0.0), hash_after(default_scene(), 0.0));
+    EXPECT_NE(hash_after(default_scene(), 0.6), hash_after(default_scene(), 0.0));
 }
 
 TEST(Session, GivesTheSameStatesForAnyNumberOfThreads) {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hepatica::Session::apply: what each command does to the world and to the session.
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/world.h"
+#include "core/session/session.h"
+
+namespace hepatica {
+
+struct Session::Apply {
+    Session& session;
+    World& world;
+
+    // The parts, for commands that need them.
+    DeformPart& deform() const {
+        if (world.deform() == nullptr)
+            throw InputError("nothing moves in this scene", world.spec().name,
+                             "Add \"deform\" to the scene");
+        return *world.deform();
+    }
+    FlowPart& flow() const {
+        if (world.flow() == nullptr)
+            throw InputError("nothing flows in this scene", world.spec().name,
+                             "Add \"flow\" to the scene");
+        return *world.flow();
+    }
+
+    // The hand.
+    void operator()(const GrabPoint& c) const { deform().grab(c.point_mm); }
+    void operator()(const GrabVertex& c) const { deform().grab_vertex(c.vertex); }
+    void operator()(const MoveGrab& c) const { deform().move_grab(c.target_mm); }
+    void operator()(const ReleaseGrab&) const { deform().release(); }
+
+    // The drug.
+    void operator()(const InjectDrug& c) const {
+        Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
+                            c.second_phase, c.pressure_model};
+        if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
+        flow().inject(injection);
+    }
+    void operator()(const RemoveDrug&) const { flow().remove_drug(); }
+    void operator()(const PlayDrug& c) const { flow().play(c.playing); }
+    void operator()(const SetDrugTime& c) const { flow().set_time(c.time_s); }
+    void operator()(const SetDrugSpeed& c) const { flow().set_speed(c.factor); }
+
+    // What the body is and what acts on it.
+    void operator()(const SetGravity& c) const { deform().set_gravity(c.gravity_mm_per_s2); }
+    void operator()(const SetTether& c) const { deform().set_tether(c.pa_per_mm2); }
+    void operator()(const SetWall& c) const { deform().set_wall(c.wall_mm); }
+
+    // The dial.
+    void operator()(const SetQuality& c) const;
+    void operator()(const SetAutomaticQuality& c) const;
+    void operator()(const UseSetting& c) const;
+
+    // The play.
+    void operator()(const SetPaused& c) const;
+    void operator()(const ResetWorld&) const;
+    void operator()(const RestoreSnapshot&) const;
+};
+
+void Session::Apply::operator()(const SetQuality& c) const {
+    if (!(c.quality >= 0.0 && c.quality <= 1.0))
+        throw InputError("is " + std::to_string(c.quality), "quality",
+                         "Choose a value from 0 to 1");
+    deform();
+    session.automatic_ = false;
+    session.use_point(session.dial_.index_at(c.quality));
+}
+
+void Session::Apply::operator()(const SetAutomaticQuality& c) const {
+    deform();
+    session.automatic_ = c.automatic;
+    if (!c.automatic) return;
+    session.use_point(session.governor_.start(1e3 * world.spec().dt_s));
+}
+
+void Session::Apply::operator()(const UseSetting& c) const {
+    deform().use(c.setting);
+    session.point_ = session.point_of(c.setting);
+    session.automatic_ = false;
+}
+
+void Session::Apply::operator()(const SetPaused& c) const {
+    session.paused_ = c.paused;
+    if (!c.paused) session.forget_divergence();
+}
+
+void Session::Apply::operator()(const ResetWorld&) const {
+    world.reset();
+    if (world.deform() != nullptr) *session.last_good_ = world.deform()->state();
+    session.paused_ = false;
+    session.forget_divergence();
+}
+
+void Session::Apply::operator()(const RestoreSnapshot&) const {
+    deform().release();
+    deform().set_state(*session.last_good_);
+    session.paused_ = false;
+    session.forget_divergence();
+}
+
+void Session::apply(const Command& command) {
+    std::visit(Apply{*this, *world_}, command);
+}
+
+}  // namespace hepatica
