@@ -13,6 +13,7 @@
 #include <array>
 #include <utility>
 
+#include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
 
 namespace hepatica {
@@ -113,7 +114,8 @@ QWidget* InjectPanel::make_clock() {
     });
     column->addWidget(time_);
     auto* form = new QFormLayout;
-    speed_ = new DecimalSpinBox(0.01, 100.0, 1.0, 2, "×", box);
+    speed_ = new DecimalSpinBox(0.01, 100.0, FlowSpec{}.drug_speed, 2, "×", box);
+    speed_->setObjectName("speed");
     speed_->setToolTip("Seconds of the drug's clock per second of the simulation");
     connect(speed_, &QDoubleSpinBox::valueChanged, this,
             [this](double factor) { post_(SetDrugSpeed{factor}); });
@@ -163,6 +165,10 @@ void InjectPanel::show_drug(const DrugView& drug) {
 void InjectPanel::show_hover(const QString& text) {
     hover_->setText(text.isEmpty() ? QString("Point at a vessel to see what lies downstream.")
                                    : text);
+}
+
+void InjectPanel::post_choices() {
+    if (speed_->value() != FlowSpec{}.drug_speed) post_(SetDrugSpeed{speed_->value()});
 }
 
 void InjectPanel::toggle_playing() {

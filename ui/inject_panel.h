@@ -29,6 +29,8 @@ class InjectPanel : public QWidget {
     // What lies under the mouse; empty for nothing.
     void show_hover(const QString& text);
     void toggle_playing();
+    // Tells a simulation that has just begun what the user had chosen before.
+    void post_choices();
 
   private:
     void choose_preset(int index);

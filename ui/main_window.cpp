@@ -11,10 +11,12 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTextBrowser>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -54,7 +56,8 @@ QDockWidget* make_dock(QMainWindow& window, const QString& title, QWidget* conte
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(content);
-    scroll->setMinimumWidth(290);
+    const int bar = scroll->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, scroll);
+    scroll->setMinimumWidth(std::max(290, content->minimumSizeHint().width() + bar));
     dock->setWidget(scroll);
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     return dock;
@@ -314,18 +317,18 @@ void MainWindow::show_patient(LoadedPatient patient) {
 
 void MainWindow::rebuild(std::vector<TreeEdit> edits) {
     if (!patient_) return;
-    start_job(
-        "Correcting the tree", [this, edits = std::move(edits), title = patient_->title,
-                                folder = patient_->folder, patient = patient_->patient](Job& job) {
-            auto corrected = std::make_shared<const PatientCase>(with_edits(*patient, edits, job));
-            auto loaded = std::make_shared<LoadedPatient>(play(std::move(corrected), job));
-            loaded->title = title;
-            loaded->folder = folder;
-            return [this, loaded] {
-                show_play(std::move(*loaded));
-                editing_->show(patient_->patient, true);
-            };
-        });
+    start_job("Correcting the tree", [this, edits = std::move(edits), title = patient_->title,
+                                      folder = patient_->folder, patient = patient_->patient,
+                                      play_on = patients_.play_on](Job& job) {
+        auto corrected = std::make_shared<const PatientCase>(with_edits(*patient, edits, job));
+        auto loaded = std::make_shared<LoadedPatient>(play_on(std::move(corrected), job));
+        loaded->title = title;
+        loaded->folder = folder;
+        return [this, loaded] {
+            show_play(std::move(*loaded));
+            editing_->show(patient_->patient, true);
+        };
+    });
 }
 
 void MainWindow::show_play(LoadedPatient patient) {
@@ -344,6 +347,7 @@ void MainWindow::show_play(LoadedPatient patient) {
     (*actions_)[ActionId::save_case].setEnabled(true);
     (*actions_)[ActionId::pause_simulation].setChecked(false);
     quality_->post_choices();
+    inject_->post_choices();
     frame_timer_->start(16);
 }
 

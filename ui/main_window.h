@@ -33,11 +33,13 @@ class Welcome;
 
 class MainWindow : public QMainWindow {
   public:
-    // How patients come and go, both on the worker thread: load_patient() and write_case() in the
+    // How patients come and go, all on the worker thread: load_patient() and write_case() in the
     // program, whatever a test needs in a test.
     struct Patients {
         std::function<LoadedPatient(const OpenRequest&, Job&)> load;
         std::function<void(const std::filesystem::path& folder, const PatientCase&)> save;
+        // Of one that was corrected.
+        std::function<LoadedPatient(std::shared_ptr<const PatientCase>, Job&)> play_on = play;
     };
 
     MainWindow(Settings& settings, Patients patients);

@@ -2,6 +2,7 @@
 #include "ui/quality_panel.h"
 
 #include <QCheckBox>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@
 
 #include "core/base/units.h"
 #include "core/scene/scene_spec.h"
+#include "ui/decimal_spin_box.h"
 
 namespace hepatica {
 namespace {
@@ -29,17 +31,18 @@ QString percent_text(double share) {
 }
 
 QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
-    : QWidget(parent),
-      post_(std::move(post)),
-      automatic_(new QCheckBox("Automatic: as accurate as this computer can", this)),
-      dial_(new QSlider(Qt::Horizontal, this)),
-      error_(new QLabel(this)),
-      solver_(new QLabel(this)),
-      gravity_(new QCheckBox("Gravity (patient on the back)", this)),
-      tether_(new QCheckBox("Tissue holds the vessels", this)) {
+    : QWidget(parent), post_(std::move(post)) {
     auto* column = new QVBoxLayout(this);
-    auto* dial_box = new QGroupBox("Speed or accuracy", this);
-    auto* dial_column = new QVBoxLayout(dial_box);
+    column->addWidget(make_dial());
+    column->addWidget(make_body());
+    column->addStretch(1);
+    show_statistics({});
+}
+
+QWidget* QualityPanel::make_dial() {
+    auto* box = new QGroupBox("Speed or accuracy", this);
+    auto* column = new QVBoxLayout(box);
+    automatic_ = new QCheckBox("Automatic: as accurate as this computer can", box);
     automatic_->setObjectName("automatic");
     automatic_->setChecked(true);
     automatic_->setToolTip(
@@ -48,10 +51,9 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
         post_(on ? Command(SetAutomaticQuality{true})
                  : Command(SetQuality{dial_->value() / 100.0}));
     });
-    dial_column->addWidget(automatic_);
-    auto* ends = new QHBoxLayout;
-    ends->addWidget(new QLabel("fastest", dial_box));
-    ends->addWidget(new QLabel("most accurate", dial_box), 0, Qt::AlignRight);
+    column->addWidget(automatic_);
+    dial_ = new QSlider(Qt::Horizontal, box);
+    dial_->setObjectName("dial");
     dial_->setRange(0, 100);
     dial_->setValue(50);
     dial_->setAccessibleName("Speed or accuracy");
@@ -59,33 +61,57 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
         automatic_->setChecked(false);
         post_(SetQuality{value / 100.0});
     });
-    dial_column->addWidget(dial_);
-    dial_column->addLayout(ends);
+    column->addWidget(dial_);
+    auto* ends = new QHBoxLayout;
+    ends->addWidget(new QLabel("fastest", box));
+    ends->addWidget(new QLabel("most accurate", box), 0, Qt::AlignRight);
+    column->addLayout(ends);
+    error_ = new QLabel(box);
     error_->setWordWrap(true);
+    column->addWidget(error_);
+    solver_ = new QLabel(box);
     solver_->setObjectName("quiet");
     solver_->setWordWrap(true);
-    dial_column->addWidget(error_);
-    dial_column->addWidget(solver_);
-    column->addWidget(dial_box);
+    column->addWidget(solver_);
+    return box;
+}
 
-    auto* body_box = new QGroupBox("What acts on the vessels", this);
-    auto* body_column = new QVBoxLayout(body_box);
+QWidget* QualityPanel::make_body() {
+    auto* box = new QGroupBox("The vessels, and what acts on them", this);
+    auto* column = new QVBoxLayout(box);
+    gravity_ = new QCheckBox("Gravity (patient on the back)", box);
+    gravity_->setObjectName("gravity");
     connect(gravity_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetGravity{Vec3(0, on ? units::standard_gravity : 0.0, 0)}); });
+    column->addWidget(gravity_);
+    tether_ = new QCheckBox("Tissue holds the vessels", box);
+    tether_->setObjectName("tissue");
     tether_->setChecked(true);
     connect(tether_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetTether{on ? tissue_pa_per_mm2 : 0.0}); });
-    body_column->addWidget(gravity_);
-    body_column->addWidget(tether_);
-    column->addWidget(body_box);
-    column->addStretch(1);
-    show_statistics({});
+    column->addWidget(tether_);
+    wall_ = new DecimalSpinBox(0.0, thickest_wall_mm, 0.0, 2, "mm", box);
+    wall_->setObjectName("wall");
+    wall_->setAccessibleName("Thickness of the vessels' wall");
+    wall_->setSpecialValueText("solid");
+    wall_->setSingleStep(0.1);
+    wall_->setToolTip(QString("Vessels bend like pipes with a wall this thick, from %1 to %2 mm; "
+                              "0, or more than the radius, is solid")
+                          .arg(thinnest_wall_mm)
+                          .arg(thickest_wall_mm));
+    connect(wall_, &QDoubleSpinBox::valueChanged, this,
+            [this](double wall_mm) { post_(SetWall{wall_mm}); });
+    auto* form = new QFormLayout;
+    form->addRow("Vessel wall", wall_);
+    column->addLayout(form);
+    return box;
 }
 
 void QualityPanel::post_choices() {
     if (!automatic_->isChecked()) post_(SetQuality{dial_->value() / 100.0});
     if (gravity_->isChecked()) post_(SetGravity{Vec3(0, units::standard_gravity, 0)});
     if (!tether_->isChecked()) post_(SetTether{0.0});
+    if (wall_->value() > 0.0) post_(SetWall{wall_->value()});
 }
 
 void QualityPanel::show_statistics(const FrameStatistics& statistics) {
@@ -96,13 +122,9 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     } else {
         error_->setText("Expected error: not measured for this scene");
     }
-    const bool begun = !statistics.setting.empty();
-    if (begun && !dial_->isSliderDown()) {
-        automatic_->setChecked(statistics.automatic);
-        if (statistics.automatic) {
-            const QSignalBlocker silent(dial_);
-            dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
-        }
+    if (automatic_->isChecked() && statistics.automatic && !dial_->isSliderDown()) {
+        const QSignalBlocker silent(dial_);
+        dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
     }
     solver_->setText(statistics.setting.empty()
                          ? QString()

@@ -14,6 +14,10 @@ class QSlider;
 
 namespace hepatica {
 
+class DecimalSpinBox;
+
+// What is chosen stands in the panel alone: frames may be older than the last choice, so they only
+// show what it led to.
 class QualityPanel : public QWidget {
   public:
     explicit QualityPanel(std::function<void(Command)> post, QWidget* parent = nullptr);
@@ -25,13 +29,17 @@ class QualityPanel : public QWidget {
     void post_choices();
 
   private:
+    QWidget* make_dial();
+    QWidget* make_body();
+
     std::function<void(Command)> post_;
-    QCheckBox* automatic_;
-    QSlider* dial_;
-    QLabel* error_;
-    QLabel* solver_;
-    QCheckBox* gravity_;
-    QCheckBox* tether_;
+    QCheckBox* automatic_ = nullptr;
+    QSlider* dial_ = nullptr;
+    QLabel* error_ = nullptr;
+    QLabel* solver_ = nullptr;
+    QCheckBox* gravity_ = nullptr;
+    QCheckBox* tether_ = nullptr;
+    DecimalSpinBox* wall_ = nullptr;
 };
 
 // "1.2 %" from 0.012; as many digits as mean something.

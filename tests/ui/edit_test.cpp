@@ -1,63 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Correcting a patient's tree in the window, as a person does.
-#include <gtest/gtest.h>
-
-#include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QSlider>
+#include <QTimer>
+#include <stdexcept>
 
 #include "tests/patient/parted_patient.h"
-#include "ui/main_window.h"
+#include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
-#include "ui/pixel_mapping.h"
-#include "ui/vtk_widget.h"
 
 namespace hepatica {
 namespace {
 
-class Editing : public ::testing::Test {
+// Hears what is posted to a simulation.
+class Overheard : public Simulation {
+  public:
+    Overheard(std::unique_ptr<Simulation> played, std::vector<Command>& heard)
+        : played_(std::move(played)), heard_(heard) {}
+    void post(Command command) override {
+        heard_.push_back(command);
+        played_->post(std::move(command));
+    }
+    bool update_frame() override { return played_->update_frame(); }
+    const Frame& frame() const override { return played_->frame(); }
+
+  private:
+    std::unique_ptr<Simulation> played_;
+    std::vector<Command>& heard_;
+};
+
+class Editing : public testing::WindowTest {
   protected:
     Editing()
-        : settings_(folder_.filePath("settings.ini")),
-          window_(settings_,
-                  {[](const OpenRequest&, Job& job) {
-                       auto patient =
-                           std::make_shared<const PatientCase>(test::patient_with_bridges());
-                       return play(std::move(patient), job);
-                   },
-                   [this](const std::filesystem::path& path, const PatientCase& patient) {
-                       write_case(path, patient);
-                       saved_ = patient;
-                   }}) {
-        window_.resize(1100, 760);
-        window_.show();
-        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
-        QApplication::setActiveWindow(&window_);
-        window_.open(OpenRequest{true, {}});
-        wait();
+        : WindowTest({[](const OpenRequest& request, Job& job) {
+                          if (!request.built_in) return load_patient(request, job);
+                          return play(
+                              std::make_shared<const PatientCase>(test::patient_with_bridges()),
+                              job);
+                      },
+                      [this](const std::filesystem::path& path, const PatientCase& patient) {
+                          write_case(path, patient);
+
+                          saved_ = patient;
+                      },
+                      [this](std::shared_ptr<const PatientCase> patient, Job& job) {
+                          LoadedPatient loaded = play(std::move(patient), job);
+                          loaded.simulation =
+                              std::make_unique<Overheard>(std::move(loaded.simulation), heard_);
+                          return loaded;
+                      }}) {
+        open_built_in();
     }
 
-    void wait() {
-        const bool done = QTest::qWaitFor(
-            [this] {
-                return window_.has_patient() && !window_.busy() &&
-                       !window_.frame().positions_mm.empty();
-            },
-            60000);
-        EXPECT_TRUE(done);
-        paint();
-    }
-    void paint() {
-        QTest::qWait(80);
-        window_.view().grabFramebuffer();
-    }
-    QPoint on_widget(const Vec3& point_mm) {
-        return point_at(window_.view().scene().pixel_of(point_mm),
-                        window_.view().devicePixelRatioF())
-            .toPoint();
-    }
     void click(const Vec3& point_mm) {
         QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(point_mm));
         wait();
@@ -75,10 +74,23 @@ class Editing : public ::testing::Test {
         tools->setCurrentIndex(tools->findText(name));
     }
 
-    QTemporaryDir folder_;
-    Settings settings_;
+    template <class T>
+    T& child(const char* name) {
+        T* found = window_.findChild<T*>(name);
+        if (found == nullptr) throw std::runtime_error(std::string("there is no ") + name);
+        return *found;
+    }
+    // The last command of this kind that a corrected patient's simulation was given.
+    template <class T>
+    std::optional<T> heard() const {
+        std::optional<T> last;
+        for (const Command& command : heard_)
+            if (const T* one = std::get_if<T>(&command)) last = *one;
+        return last;
+    }
+
     PatientCase saved_;
-    MainWindow window_;
+    std::vector<Command> heard_;
 };
 
 TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
@@ -129,6 +141,68 @@ TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {
     EXPECT_TRUE(window_.messages().text().contains("nothing of the tree"));
     EXPECT_EQ(saved().corrections.edits.size(), 1u);
     EXPECT_FALSE(saved_.tree.segments.empty());
+}
+
+TEST_F(Editing, a_corrected_patient_is_played_on_with_all_that_was_chosen) {
+    child<QCheckBox>("gravity").click();
+    child<QCheckBox>("tissue").click();
+    child<QSlider>("dial").setValue(30);
+    child<QDoubleSpinBox>("wall").setValue(0.8);
+    child<QDoubleSpinBox>("speed").setValue(2.5);
+    click(test::last_gap[1]);
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    ASSERT_TRUE(heard<SetQuality>() && heard<SetGravity>() && heard<SetTether>() &&
+                heard<SetWall>() && heard<SetDrugSpeed>());
+    EXPECT_EQ(heard<SetQuality>()->quality, 0.3);
+    EXPECT_GT(heard<SetGravity>()->gravity_mm_per_s2.y(), 9000.0);
+    EXPECT_EQ(heard<SetTether>()->pa_per_mm2, 0.0);
+    EXPECT_EQ(heard<SetWall>()->wall_mm, 0.8);
+    EXPECT_EQ(heard<SetDrugSpeed>()->factor, 2.5);
+    // The simulation itself took them, and the panels still show them.
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window_.frame().step > 2; }, 30000));
+    EXPECT_EQ(window_.frame().statistics.message, "");
+    EXPECT_FALSE(window_.frame().statistics.automatic);
+    QTest::qWait(600);  // the figures are shown four times a second
+    EXPECT_FALSE(child<QCheckBox>("automatic").isChecked());
+    EXPECT_EQ(child<QSlider>("dial").value(), 30);
+    EXPECT_EQ(child<QDoubleSpinBox>("wall").value(), 0.8);
+}
+
+TEST_F(Editing, what_was_not_chosen_stays_automatic_after_a_correction) {
+    click(test::last_gap[1]);
+    EXPECT_TRUE(heard_.empty());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window_.frame().statistics.automatic; }, 30000));
+    QTest::qWait(600);
+    EXPECT_TRUE(child<QCheckBox>("automatic").isChecked());
+}
+
+TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
+    const QString first = folder_.filePath("first.hep"), second = folder_.filePath("second.hep");
+    PatientCase patient = test::patient_with_bridges();
+    patient.mask = Mask(Grid{{4, 4, 4}}, 1);
+    write_case(to_path(first), patient);
+    window_.open(first);
+    QTest::qWait(50);
+    wait();
+    EXPECT_FALSE(window_.isWindowModified());
+    click(test::last_gap[1]);
+    EXPECT_TRUE(window_.isWindowModified());
+
+    QTimer::singleShot(300, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(second);
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+    window_.actions()[ActionId::save_case].trigger();
+    wait();
+    EXPECT_EQ(window_.messages().text(), "");
+    EXPECT_FALSE(window_.isWindowModified());
+    const PatientCase written = read_case(to_path(second));
+    EXPECT_EQ(written.corrections.edits.size(), 1u);
+    EXPECT_EQ(roots(written.tree).size(), 1u);
+    EXPECT_EQ(written.mask.voxels, patient.mask.voxels);
+    EXPECT_EQ(hash_of(read_case(to_path(first))), hash_of(patient));
 }
 
 }  // namespace

@@ -2,22 +2,16 @@
 // The window driven as a person does: mouse, keys, drops. Runs under Xvfb.
 #include "ui/main_window.h"
 
-#include <gtest/gtest.h>
-
-#include <QApplication>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "tests/ui/fake_simulation.h"
+#include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
-#include "ui/pixel_mapping.h"
-#include "ui/vtk_widget.h"
 
 namespace hepatica {
 namespace {
@@ -25,19 +19,12 @@ namespace {
 using testing::fake_patient;
 using testing::FakeSimulation;
 
-class Window : public ::testing::Test {
+class Window : public testing::WindowTest {
   protected:
     Window()
-        : settings_(folder_.filePath("settings.ini")),
-          window_(
-              settings_,
+        : WindowTest(
               {[this](const OpenRequest& request, Job& job) { return load(request, job); },
-               [this](const std::filesystem::path& path, const PatientCase&) { saved_ = path; }}) {
-        window_.resize(1000, 700);
-        window_.show();
-        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
-        QApplication::setActiveWindow(&window_);  // there is no window manager that would
-    }
+               [this](const std::filesystem::path& path, const PatientCase&) { saved_ = path; }}) {}
 
     LoadedPatient load(const OpenRequest& request, Job& job) {
         if (request.built_in) return fake_patient(&simulation_);
@@ -59,18 +46,6 @@ class Window : public ::testing::Test {
         paint();
     }
 
-    void paint() {
-        QTest::qWait(80);
-        window_.view().grabFramebuffer();
-    }
-
-    // Where a point of the patient is on the widget, in Qt's points.
-    QPoint on_widget(const Vec3& point_mm) {
-        return point_at(window_.view().scene().pixel_of(point_mm),
-                        window_.view().devicePixelRatioF())
-            .toPoint();
-    }
-
     template <class T>
     std::vector<T> commands_of_type() const {
         std::vector<T> found;
@@ -80,11 +55,8 @@ class Window : public ::testing::Test {
         return found;
     }
 
-    QTemporaryDir folder_;
-    Settings settings_;
     FakeSimulation* simulation_ = nullptr;
     std::filesystem::path saved_;
-    MainWindow window_;
 };
 
 constexpr int half_way_up_the_trunk_mm = -40;

@@ -1,54 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window with a real simulation behind it, on its own thread.
-#include <gtest/gtest.h>
-
-#include <QApplication>
-#include <QTemporaryDir>
-#include <QTest>
-
 #include "tests/session/small_patient.h"
-#include "ui/main_window.h"
-#include "ui/pixel_mapping.h"
-#include "ui/vtk_widget.h"
+#include "tests/ui/window_test.h"
 
 namespace hepatica {
 namespace {
 
-class Play : public ::testing::Test {
+class Play : public testing::WindowTest {
   protected:
     Play()
-        : settings_(folder_.filePath("settings.ini")),
-          window_(settings_,
-                  {[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
-                   write_case}) {
-        window_.resize(1000, 700);
-        window_.show();
-        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
-        window_.open(OpenRequest{true, {}});
-        const bool shown = QTest::qWaitFor(
-            [this] {
-                return window_.has_patient() && !window_.busy() && !frame().positions_mm.empty();
-            },
-            60000);
-        EXPECT_TRUE(shown);
-        window_.view().grabFramebuffer();
+        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+                      write_case}) {
+        open_built_in();
     }
 
     const Frame& frame() { return window_.frame(); }
 
-    QPoint on_widget(const Vec3& point_mm) {
-        return point_at(window_.view().scene().pixel_of(point_mm),
-                        window_.view().devicePixelRatioF())
-            .toPoint();
-    }
     QPoint vertex_on_widget(int vertex) {
         const float* v = &frame().positions_mm[3 * static_cast<std::size_t>(vertex)];
         return on_widget(Vec3(v[0], v[1], v[2]));
     }
-
-    QTemporaryDir folder_;
-    Settings settings_;
-    MainWindow window_;
 };
 
 // The middle of the longest segment: the one that gives way most.

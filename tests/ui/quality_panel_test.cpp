@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
 #include <vector>
+
+#include "core/scene/scene_spec.h"
 
 namespace hepatica {
 namespace {
@@ -56,6 +59,42 @@ TEST(QualityPanel, AHandAtTheDialEndsAutomaticAndAClickBringsItBack) {
     p.automatic.click();
     ASSERT_EQ(p.posted.size(), 3u);
     EXPECT_EQ(std::get<SetQuality>(p.posted[2]).quality, 0.3);
+}
+
+// Frames reach the panel late: what they say of the choice may be from before it.
+TEST(QualityPanel, AFrameFromBeforeTheChoiceDoesNotUndoIt) {
+    Panel p;
+    FrameStatistics statistics;
+    statistics.setting = "corotated";
+    statistics.quality = 0.5;
+    p.panel.show_statistics(statistics);  // the session's first frame, before its first step
+    EXPECT_TRUE(p.automatic.isChecked());
+    statistics.automatic = true;
+    p.panel.show_statistics(statistics);
+    p.dial.setValue(30);
+    statistics.quality = 0.9;
+    p.panel.show_statistics(statistics);
+    EXPECT_FALSE(p.automatic.isChecked());
+    EXPECT_EQ(p.dial.value(), 30);
+    p.automatic.click();
+    statistics.automatic = false;
+    statistics.quality = 0.3;
+    p.panel.show_statistics(statistics);
+    EXPECT_TRUE(p.automatic.isChecked());
+    EXPECT_EQ(p.posted.size(), 2u);
+}
+
+TEST(QualityPanel, TheWallIsSolidUntilAThicknessIsGiven) {
+    Panel p;
+    auto& wall = *p.panel.findChild<QDoubleSpinBox*>("wall");
+    EXPECT_EQ(wall.text(), "solid");
+    wall.setValue(0.6);
+    ASSERT_EQ(p.posted.size(), 1u);
+    EXPECT_EQ(std::get<SetWall>(p.posted[0]).wall_mm, 0.6);
+    wall.setValue(1e6);
+    EXPECT_EQ(std::get<SetWall>(p.posted[1]).wall_mm, thickest_wall_mm);
+    wall.setValue(0.0);
+    EXPECT_EQ(std::get<SetWall>(p.posted[2]).wall_mm, 0.0);
 }
 
 TEST(QualityPanel, TellsANewSimulationWhatTheUserHadChosen) {
