@@ -75,6 +75,7 @@ void judge_centrelines(const VesselTree& tree, const VesselTree& truth, Accuracy
     for (const double d : distances)
         accuracy.centreline_mean_mm += d / static_cast<double>(distances.size());
     std::ranges::sort(distances);
+    accuracy.centreline_median_mm = distances[distances.size() / 2];
     accuracy.centreline_p95_mm = distances[distances.size() * 95 / 100];
     if (errors.empty()) return;
     double sum = 0.0, sum_of_magnitudes = 0.0;
@@ -104,6 +105,21 @@ double length_found(const VesselTree& tree, const VesselTree& truth, double voxe
         }
     }
     return share(found, all);
+}
+
+std::optional<double> median_distance_mm(const VesselTree& from, const VesselTree& to,
+                                         double voxel_mm) {
+    if (to.segments.empty()) return std::nullopt;
+    const CentrelineLocator locator(to);
+    std::vector<double> distances;
+    for (const VesselSegment& segment : from.segments)
+        for (const Vec3& point :
+             resampled({segment.points_mm, segment.radii_mm}, 0.5 * voxel_mm).points_mm)
+            distances.push_back(
+                locator.nearest(point, std::numeric_limits<double>::max())->distance_mm);
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::ranges::nth_element(distances, middle);
+    return *middle;
 }
 
 struct Bifurcation {
@@ -197,6 +213,7 @@ Accuracy compare(const VesselTree& tree, const Mask& mask, const VesselTree& tru
                           : 0.0;
     job.advance(0.7);
     judge_centrelines(tree, truth_tree, accuracy);
+    accuracy.truth_median_mm = median_distance_mm(truth_tree, tree, accuracy.voxel_mm);
     accuracy.length_found = length_found(tree, truth_tree, accuracy.voxel_mm, options);
     judge_bifurcations(tree, truth_tree, options, accuracy);
     accuracy.components = component_count(tree);

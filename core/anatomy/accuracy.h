@@ -31,6 +31,10 @@ struct Accuracy {
     // From points spaced evenly on the tree's centrelines to the truth's: mean and 95th percentile.
     double centreline_mean_mm = 0.0;
     double centreline_p95_mm = 0.0;
+    // Half of the tree's points lie within the first distance of the truth's centrelines, half of
+    // the truth's within the second of the tree's. None for an empty tree.
+    std::optional<double> centreline_median_mm;
+    std::optional<double> truth_median_mm;
     // Share of the truth's centreline length (of radii from length_radius_mm) that has the tree's
     // centreline within length_tolerance_mm.
     double length_found = 0.0;

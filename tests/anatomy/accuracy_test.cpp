@@ -69,6 +69,8 @@ TEST(Accuracy, MovedTubeIsOffByItsMove) {
         const Accuracy a = compare(moved(truth, Vec3(d, 0, 0)), mask, truth, mask, {}, job);
         EXPECT_NEAR(a.centreline_mean_mm, d, 1e-9);
         EXPECT_NEAR(a.centreline_p95_mm, d, 1e-9);
+        EXPECT_NEAR(a.centreline_median_mm.value(), d, 1e-9);
+        EXPECT_NEAR(a.truth_median_mm.value(), d, 1e-9);
         EXPECT_DOUBLE_EQ(a.length_found, d <= 2.0 ? 1.0 : 0.0);
     }
 }
@@ -134,6 +136,8 @@ TEST(Accuracy, EmptyTreeScoresNothingAndEmptyTruthIsRefused) {
     EXPECT_EQ(a.dice, 0.0);
     EXPECT_EQ(a.length_found, 0.0);
     EXPECT_EQ(a.bifurcation_recall, 0.0);
+    EXPECT_FALSE(a.centreline_median_mm.has_value());
+    EXPECT_FALSE(a.truth_median_mm.has_value());
     Job job;
     EXPECT_THROW(compare(forked_tree(), mask_of(forked_tree()), VesselTree{},
                          mask_of(forked_tree()), {}, job),

@@ -4,49 +4,23 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
-#include "tests/app/run_program.h"
+#include "tests/app/tour.h"
 
 namespace hepatica {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using test::answer;
+using test::Json;
 using test::Outcome;
 using test::run_cli;
-
-// One JSON object and nothing else on standard output.
-Json answer(std::vector<std::string> arguments) {
-    arguments.push_back("--json");
-    const Outcome run = run_cli(arguments);
-    EXPECT_EQ(run.exit_code, 0) << arguments[0] << ": " << run.errors;
-    const Json json = Json::parse(run.output, nullptr, false);
-    EXPECT_TRUE(json.is_object()) << run.output;
-    return json.is_object() ? json : Json::object();
-}
-
-class Tour : public testing::Test {
-  protected:
-    static void SetUpTestSuite() {
-        fs::remove_all(folder());
-        phantom_ = answer({"phantom", path("p"), "--seed", "2", "--dims", "128,128,96", "--spacing",
-                           "1.6,1.6,1.7", "--generations", "4"});
-        case_ = answer({"reconstruct", path("p/ct"), "--vessel-mask", path("p/truth_mask.nii.gz"),
-                        "--out", path("p.hep"), "--tetrahedra", "3000"});
-    }
-    static void TearDownTestSuite() { fs::remove_all(folder()); }
-
-    static fs::path folder() { return fs::path(testing::TempDir()) / "hepatica tour"; }
-    static std::string path(const std::string& name) { return (folder() / name).string(); }
-
-    static inline Json phantom_, case_;
-};
+using test::Tour;
 
 TEST_F(Tour, PhantomSaysWhatItMade) {
     for (const char* key : {"truth_tree", "truth_mask"})
