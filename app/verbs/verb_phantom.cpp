@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "app/output_place.h"
@@ -16,15 +17,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A patient whose vessels cannot be seen has no truth that a reconstruction could be held against.
+constexpr double least_contrast_hu = 1.0;
+
 struct Options {
     fs::path out;
     PhantomOptions phantom;
+    std::int64_t seed = 1;  // signed, so that a minus is seen
     std::string dims;
     std::string spacing;
     std::vector<std::string> formats{"dicom", "nifti"};
 };
 
 void parse(Options& options) {
+    if (options.seed < 0)
+        throw InputError(std::to_string(options.seed) + " is no seed", "--seed",
+                         "Give a whole number from 0 on");
+    options.phantom.seed = static_cast<std::uint64_t>(options.seed);
+    if (!(options.phantom.contrast_hu >= least_contrast_hu))
+        throw InputError(Json(options.phantom.contrast_hu).dump() + " HU cannot be used",
+                         "--contrast-hu",
+                         "Choose a value from 1 to 1000: below, no vessel is seen");
     if (!options.dims.empty()) {
         const auto dims = parse_triple("--dims", options.dims);
         for (int axis = 0; axis < 3; ++axis)
@@ -82,16 +95,20 @@ void add_phantom(CommandLine& line) {
         [options](Job& job) { return make(*options, job); });
     PhantomOptions& phantom = options->phantom;
     verb.add_option("out", options->out, "Folder to make")->required();
-    verb.add_option("--seed", phantom.seed, "Another seed, another patient")->capture_default_str();
+    verb.add_option("--seed", options->seed, "Another seed, another patient; from 0 on")
+        ->capture_default_str();
     verb.add_option("--generations", phantom.generations, "2^N ends per vascular system, 1 to 10")
         ->capture_default_str();
     verb.add_option("--systems", phantom.systems, "1: portal vein; 2: and hepatic veins")
         ->capture_default_str();
-    verb.add_option("--dims", options->dims, "Voxels along x,y,z [256,256,160]");
-    verb.add_option("--spacing", options->spacing, "Size of a voxel along x,y,z [0.8,0.8,1 mm]");
-    verb.add_option("--noise-hu", phantom.noise_hu, "Standard deviation of the noise [HU]")
+    verb.add_option("--dims", options->dims, "Voxels along x,y,z, 16 to 2048 each [256,256,160]");
+    verb.add_option("--spacing", options->spacing,
+                    "Size of a voxel along x,y,z, 0.1 to 10 mm each [0.8,0.8,1]");
+    verb.add_option("--noise-hu", phantom.noise_hu,
+                    "Standard deviation of the noise, 0 to 500 [HU]")
         ->capture_default_str();
-    verb.add_option("--contrast-hu", phantom.contrast_hu, "Vessels above parenchyma [HU]")
+    verb.add_option("--contrast-hu", phantom.contrast_hu,
+                    "Vessels above parenchyma, 1 to 1000 [HU]")
         ->capture_default_str();
     verb.add_option("--format", options->formats, "dicom, nifti or both")
         ->delimiter(',')

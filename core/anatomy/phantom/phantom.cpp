@@ -23,23 +23,23 @@ void require_range(const std::string& name, double value, double low, double hig
         digits.erase(digits.find_last_not_of('0') + 1);
         return digits.ends_with('.') ? digits.substr(0, digits.size() - 1) : digits;
     };
-    throw InputError("is " + text(value), "phantom " + name,
+    throw InputError(text(value) + " cannot be used", name,
                      "Choose a value from " + text(low) + " to " + text(high));
 }
 
 void validate(const PhantomOptions& options) {
-    require_range("generations", options.generations, 1, 10);
-    require_range("systems", options.systems, 1, 2);
+    require_range("--generations", options.generations, 1, 10);
+    require_range("--systems", options.systems, 1, 2);
     for (int axis = 0; axis < 3; ++axis) {
-        require_range("dims", options.dims[axis], 16, 2048);
-        require_range("spacing in mm", options.spacing_mm[axis], 0.1, 10.0);
+        require_range("--dims", options.dims[axis], 16, 2048);
+        require_range("--spacing", options.spacing_mm[axis], 0.1, 10.0);
     }
-    require_range("root radius in mm", options.root_radius_mm, 1.0, 12.0);
-    require_range("Murray exponent", options.murray_exponent, 2.0, 4.0);
-    require_range("parenchyma in HU", options.parenchyma_hu, -100.0, 300.0);
-    require_range("contrast in HU", options.contrast_hu, -200.0, 1000.0);
-    require_range("noise in HU", options.noise_hu, 0.0, 500.0);
-    require_range("point spread in mm", options.point_spread_sigma_mm, 0.0, 5.0);
+    require_range("phantom root radius in mm", options.root_radius_mm, 1.0, 12.0);
+    require_range("phantom Murray exponent", options.murray_exponent, 2.0, 4.0);
+    require_range("phantom parenchyma in HU", options.parenchyma_hu, -100.0, 300.0);
+    require_range("--contrast-hu", options.contrast_hu, 0.0, 1000.0);
+    require_range("--noise-hu", options.noise_hu, 0.0, 500.0);
+    require_range("phantom point spread in mm", options.point_spread_sigma_mm, 0.0, 5.0);
 }
 
 // The part of the body that the field of view shows, in the adult's frame times `scale`.

@@ -25,8 +25,9 @@ struct PhantomOptions {
     double root_radius_mm = 6.0;     // of each system in an adult, before scaling down
     double murray_exponent = 3.0;    // r_parent^m = sum of r_child^m; 2 to 4
     double parenchyma_hu = 110.0;
-    double contrast_hu = 65.0;           // vessel minus parenchyma; 0 for a scan without contrast
-    double noise_hu = 10.0;              // standard deviation
+    double contrast_hu = 65.0;           // vessel minus parenchyma; 0 for a scan without
+                                         // contrast medium, to 1000
+    double noise_hu = 10.0;              // standard deviation, 0 to 500
     double point_spread_sigma_mm = 0.6;  // of the Gaussian that blurs the scan; 0 to 5
 };
 

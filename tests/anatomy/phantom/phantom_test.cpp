@@ -310,6 +310,7 @@ TEST(Phantom, RefusesOptionsOutsideTheirRange) {
     refused([](PhantomOptions& o) { o.spacing_mm[2] = std::nan(""); });
     refused([](PhantomOptions& o) { o.murray_exponent = 0.0; });
     refused([](PhantomOptions& o) { o.noise_hu = -1.0; });
+    refused([](PhantomOptions& o) { o.contrast_hu = -1.0; });
     Job cancelled;
     cancelled.cancel();
     EXPECT_THROW(make_phantom(small_options(1), cancelled), Cancelled);

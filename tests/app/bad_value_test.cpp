@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options whose value is a number, but none that can be meant: refused by name and value, with what
+// may be given instead, and nothing written.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/app/run_program.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::run_cli;
+
+struct BadValue {
+    std::string option, value, remedy;
+};
+
+TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
+    const std::string out = (fs::path(testing::TempDir()) / "bad value").string();
+    const std::string help = run_cli({"phantom", "--help"}).output;
+    for (const BadValue& bad : {BadValue{"--seed", "-1", "from 0 on"},
+                                {"--contrast-hu", "-5", "1 to 1000"},
+                                {"--contrast-hu", "0", "1 to 1000"},
+                                {"--noise-hu", "-3", "0 to 500"},
+                                {"--generations", "0", "1 to 10"}}) {
+        const Outcome run = run_cli({"phantom", out, bad.option + "=" + bad.value});
+        EXPECT_EQ(run.exit_code, 1) << bad.option;
+        EXPECT_FALSE(fs::exists(out)) << bad.option;
+        for (const std::string& named : {bad.option, bad.value, bad.remedy})
+            EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+        EXPECT_NE(help.find(bad.remedy), std::string::npos) << help;
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
