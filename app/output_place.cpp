@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_place.h"
 
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <string>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -12,12 +16,28 @@ namespace hepatica {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path without_trailing_slash(const fs::path& path) {
+    return path.has_filename() ? path : path.parent_path();
+}
+
+std::string extension_of(const fs::path& path) {
+    std::string extension = without_trailing_slash(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
 void require_writable(const fs::path& place) {
-    fs::path above = fs::absolute(place);
-    if (!above.has_filename()) above = above.parent_path();
+    const fs::path folder = without_trailing_slash(fs::absolute(place)).parent_path();
+    fs::path above = folder;
+    int missing = 0;
     std::error_code ignored;
-    do above = above.parent_path();
-    while (!fs::exists(above, ignored) && above.has_relative_path());
+    for (; !fs::exists(above, ignored) && above.has_relative_path(); ++missing)
+        above = above.parent_path();
     if (!fs::is_directory(above, ignored))
         throw InputError("cannot be created: " + above.string() + " is not a folder",
                          place.string(), "Choose another place");
@@ -25,6 +45,27 @@ void require_writable(const fs::path& place) {
         throw InputError("cannot be created: " + std::generic_category().message(errno) + " (" +
                              above.string() + ")",
                          place.string(), "Choose a folder that you may write to");
+    if (missing > 1)
+        throw InputError("cannot be created: there is no folder " + folder.parent_path().string(),
+                         place.string(), "Check the path, or make that folder first");
+    if (missing == 1) spdlog::info("the folder {} is made", folder.string());
+}
+
+void require_writable_folder(const fs::path& folder) {
+    require_writable(fs::exists(folder) ? folder / "file" : folder);
+}
+
+void require_case_name(const fs::path& place) {
+    const std::string extension = extension_of(place);
+    if (extension.empty() || extension == ".hep") return;
+    throw UsageError("a case is a folder and not a \"" + extension + "\" file", place.string(),
+                     "Name it " + without_trailing_slash(place).stem().string() + ".hep");
+}
+
+void require_png_name(const fs::path& file) {
+    if (extension_of(file) == ".png") return;
+    throw UsageError("a picture is written as PNG and not as \"" + extension_of(file) + "\"",
+                     file.string(), "Name a file that ends in .png");
 }
 
 void require_own_or_new(const fs::path& folder, const fs::path& mark) {

@@ -7,8 +7,20 @@
 namespace hepatica {
 
 // Throws InputError where `place`, which need not exist yet, could not be created: a file stands in
-// its way, or the nearest folder above it may not be written to.
+// its way, or the nearest folder above it may not be written to. One folder above it may be missing
+// and is made with it, which is logged (out/ in out/p1.hep); where more are missing the path is
+// more likely mistyped, and is refused.
 void require_writable(const std::filesystem::path& place);
+
+// The same for a folder that a verb puts its files into, which may be there already.
+void require_writable_folder(const std::filesystem::path& folder);
+
+// Throws UsageError where `place` is named like a file: a case is a folder, NAME.hep or without an
+// extension.
+void require_case_name(const std::filesystem::path& place);
+
+// Throws UsageError where `file` does not end in .png, in capitals or not.
+void require_png_name(const std::filesystem::path& file);
 
 // Throws InputError where `folder` exists and is neither empty nor one that holds `mark`, the file
 // by which this program knows its own output: nobody's files are overwritten by a slip of the hand.

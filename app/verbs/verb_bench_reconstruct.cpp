@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/reconstruct.h"
@@ -74,6 +75,7 @@ Json to_json(const WatchedStage& stage) {
 }
 
 Json run(Options options, Job& job) {
+    require_writable_folder(options.out);
     const bool synthetic = options.ct.empty();
     if (synthetic) {
         fs::create_directories(options.out);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <limits>
 
+#include "app/output_place.h"
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -49,6 +50,11 @@ PatientCase corrected(const Options& options, PatientCase patient, Job& job) {
 }
 
 Json run(const Options& options, Job& job) {
+    if (!options.out.empty()) {
+        require_case_name(options.out);
+        require_writable(options.out);
+        require_own_or_new(options.out, "case.json");
+    }
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
     const std::size_t before = patient.corrections.edits.size();
@@ -81,7 +87,8 @@ void add_edit(CommandLine& line) {
     verb.add_option("--accept-bridges", options->accept,
                     "Build the bridges that are offered with this confidence or more")
         ->check(CLI::Range(0.0, 1.0));
-    verb.add_option("--out", options->out, "Write another case instead of changing this one");
+    verb.add_option("--out", options->out,
+                    "Write another case, NAME.hep, instead of changing this one");
     verb.add_flag("--list", options->list, "Change nothing: print edits and open bridges");
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/chart_file.h"
+#include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -66,6 +67,8 @@ Chart chart_of(const Embolization& result) {
 
 Json run(Options options, Job& job) {
     if (!options.plot.empty()) require_chart_file(options.plot);
+    for (const auto* file : {&options.csv, &options.plot})
+        if (!file->empty()) require_writable(*file);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place);
     FlowNetwork network = network_of(tree);

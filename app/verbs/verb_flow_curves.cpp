@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/chart_file.h"
+#include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/units.h"
@@ -120,6 +121,7 @@ Json hepatic_arteries() {
 Json run(const Options& options) {
     validate(options.cone);
     require_chart_file(options.out / ("flow_forms." + options.format));
+    require_writable_folder(options.out);
     std::filesystem::create_directories(options.out);
     draw_forms(options);
     return {{"files",

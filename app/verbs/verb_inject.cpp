@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/chart_file.h"
+#include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -118,6 +119,8 @@ Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& 
 
 Json run(Options options, Job& job) {
     if (!options.plot.empty()) require_chart_file(options.plot);
+    for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
+        if (!file->empty()) require_writable(*file);
     InjectionOptions& injection = options.injection;
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place);

@@ -116,7 +116,7 @@ void write_report(const fs::path& file, const Opened& opened, const HeadlessPlay
 
 Json run(const Options& options, Job& job) {
     const fs::path report = options.out / "report.html";
-    require_writable(report);
+    require_writable_folder(options.out);
     if (!options.patient.empty() && !fs::exists(options.patient))
         throw InputError("does not exist", options.patient.string(), "Check the path");
     fs::create_directories(options.out);

@@ -74,6 +74,7 @@ Json to_json(const VoxelCounts& counts) {
 
 Json run(Options options, Job& job) {
     parse(options);
+    require_case_name(options.out);
     require_writable(options.out);
     require_own_or_new(options.out, "case.json");
     const Reconstruction made = reconstruct(options.reconstruct, job);
@@ -109,7 +110,7 @@ void add_reconstruct(CommandLine& line) {
     ReconstructOptions& reconstruct = options->reconstruct;
     verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file")
         ->required();
-    verb.add_option("--out", options->out, "Case to make, NAME.hep")->required();
+    verb.add_option("--out", options->out, "Case to make, NAME.hep (a folder)")->required();
     verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
     verb.add_option("--vessel-mask", options->vessel_mask,
                     "Image whose nonzero voxels are vessels: nothing is segmented");

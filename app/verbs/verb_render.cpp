@@ -115,6 +115,7 @@ std::vector<int> vertex_systems(const World& world, const VesselTree& tree) {
 
 Json run(const Options& options, Job& job) {
     PictureOptions picture = picture_options(options);
+    require_png_name(options.out);
     require_writable(options.out);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
@@ -145,7 +146,7 @@ void add_render(CommandLine& line) {
     CLI::App& verb = line.add_verb("render", "A picture of a case, without any display",
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
-    verb.add_option("--out", options->out, "PNG file to write")->required();
+    verb.add_option("--out", options->out, "Picture to write, NAME.png")->required();
     verb.add_option("--recording", options->recording, "Show this recorded play");
     verb.add_option("--time-s", options->time_s,
                     "Time: of the drug since its injection, or of the recorded play [s]");

@@ -79,7 +79,7 @@ void draw_stages(const Options& options, const Mask& thinned, const UnitWidthSta
 }
 
 Json run(const Options& options, Job& job) {
-    if (!options.out.empty()) require_writable(options.out);
+    if (!options.out.empty()) require_writable_folder(options.out);
     const Mask mask = read_mask(options.mask, job);
     const auto method =
         options.method == "parallel" ? ThinningMethod::parallel : ThinningMethod::queue;

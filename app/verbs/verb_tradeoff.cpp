@@ -88,7 +88,7 @@ Tradeoff measure(const Options& options, Job& job) {
 }
 
 Json run(const Options& options, Job& job) {
-    require_writable(options.out / "tradeoff.csv");
+    require_writable_folder(options.out);
     const Tradeoff tradeoff = measure(options, job);
     write_tradeoff(tradeoff, options.out);
     Json points = Json::array(), front = Json::array(), left_out = Json::array();

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the verbs write: a name that promises another format is refused, and a path of which more
+// than the last folder is missing is taken for mistyped, by every verb alike.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/app/tour.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::run_cli;
+
+class OutputPlace : public test::Tour {
+  protected:
+    // Every verb that writes, with `out` as what it is told to write.
+    static std::vector<std::vector<std::string>> calls(const std::string& folder) {
+        const std::string tree = path("p/truth_tree.vtp"),
+                          drag = HEPATICA_ASSETS "/scripts/drag.json";
+        return {{"phantom", folder, "--dims", "32,32,32", "--spacing", "5,5,5"},
+                {"reconstruct", path("p/ct"), "--out", folder + ".hep"},
+                {"edit", path("p.hep"), "--out", folder + ".hep"},
+                {"play", path("p.hep"), "--out", folder},
+                {"render", path("p.hep"), "--out", folder + ".png"},
+                {"skeleton", path("p/truth_mask.nii.gz"), "--out", folder},
+                {"tradeoff", "--out", folder},
+                {"flow-curves", folder, "--format", "csv"},
+                {"bench", "reconstruct", path("p/ct"), "--out", folder},
+                {"inject", tree, "--csv", folder + ".csv"},
+                {"inject", tree, "--lengths-csv", folder + ".csv"},
+                {"inject", tree, "--svzerod", folder + ".json"},
+                {"inject", tree, "--plot", folder + ".csv"},
+                {"embolize", tree, "--csv", folder + ".csv"},
+                {"embolize", tree, "--plot", folder + ".csv"},
+                {"simulate", path("p.hep"), "--script", drag, "--record", folder + ".hrec"}};
+    }
+};
+
+TEST_F(OutputPlace, OfWhichTwoFoldersAreMissingIsRefusedByEveryVerb) {
+    for (const std::vector<std::string>& call : calls(path("mis/typed/name"))) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("there is no folder " + path("mis")), std::string::npos)
+            << call[0] << ": " << run.errors;
+        EXPECT_FALSE(fs::exists(path("mis"))) << call[0];
+    }
+}
+
+TEST_F(OutputPlace, ItsLastFolderIsMadeAndNamed) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"inject", path("p/truth_tree.vtp"), "--csv", path("new/a.csv")},
+          {"flow-curves", path("new/curves"), "--format", "csv"},
+          {"edit", path("p.hep"), "--out", path("new/e.hep")}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        EXPECT_NE(run.errors.find(path("new") + " is made"), std::string::npos) << run.errors;
+        fs::remove_all(path("new"));
+    }
+}
+
+TEST_F(OutputPlace, APictureIsNamedPng) {
+    for (const char* name : {"a.jpg", "a.tiff", "a"}) {
+        const Outcome run = run_cli({"render", path("p.hep"), "--out", path(name)});
+        EXPECT_EQ(run.exit_code, 2) << name;
+        EXPECT_NE(run.errors.find(path(name)), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find(".png"), std::string::npos) << run.errors;
+        EXPECT_FALSE(fs::exists(path(name)));
+    }
+    EXPECT_EQ(
+        run_cli({"render", path("p.hep"), "--size", "64,48", "--out", path("A.PNG")}).exit_code, 0);
+}
+
+TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {
+    for (const char* name : {"x.txt", "x.nii.gz"})
+        for (std::vector<std::string> call :
+             {std::vector<std::string>{"reconstruct", path("p/ct")}, {"edit", path("p.hep")}}) {
+            call.insert(call.end(), {"--out", path(name)});
+            const Outcome run = run_cli(call);
+            EXPECT_EQ(run.exit_code, 2) << call[0] << name;
+            EXPECT_NE(run.errors.find(path(name)), std::string::npos) << run.errors;
+            EXPECT_NE(run.errors.find(".hep"), std::string::npos) << run.errors;
+            EXPECT_FALSE(fs::exists(path(name)));
+        }
+    for (const char* name : {"plain", "slash.hep/"}) {
+        const Outcome run = run_cli({"edit", path("p.hep"), "--out", path(name)});
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        EXPECT_TRUE(fs::exists(folder() / name / "case.json"));
+    }
+}
+
+// A folder of one's own work is not replaced by a case.
+TEST_F(OutputPlace, AFolderThatIsNoCaseIsNotReplacedByAnEditedOne) {
+    const Outcome run = run_cli({"edit", path("p.hep"), "--out", path("p")});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_TRUE(fs::exists(path("p/truth_tree.vtp")));
+}
+
+}  // namespace
+}  // namespace hepatica
