@@ -97,8 +97,9 @@ CommandLine::CommandLine()
     program_.set_version_flag("--version", HEPATICA_VERSION);
 }
 
-CLI::App& CommandLine::add_verb(const std::string& name, const std::string& description, Run run) {
-    return add_to(program_, name, description, std::move(run));
+CLI::App& CommandLine::add_verb(const std::string& name, const std::string& description, Run run,
+                                Summary summary) {
+    return add_to(program_, name, description, std::move(run), std::move(summary));
 }
 
 CLI::App& CommandLine::add_verb(const std::string& group, const std::string& group_description,
@@ -108,15 +109,18 @@ CLI::App& CommandLine::add_verb(const std::string& group, const std::string& gro
         parent = program_.add_subcommand(group, group_description);
         parent->require_subcommand(1);
     }
-    return add_to(*parent, name, description, std::move(run));
+    return add_to(*parent, name, description, std::move(run), nullptr);
 }
 
 CLI::App& CommandLine::add_to(CLI::App& parent, const std::string& name,
-                              const std::string& description, Run run) {
+                              const std::string& description, Run run, Summary summary) {
     CLI::App& verb = *parent.add_subcommand(name, description);
     verb.add_flag("--json", json_, "Print one JSON object on standard output and nothing else");
     verb.add_flag("--quiet", quiet_, "Show no progress");
-    verb.callback([this, run = std::move(run)] { chosen_ = run; });
+    verb.callback([this, run = std::move(run), summary = std::move(summary)] {
+        chosen_ = run;
+        summary_ = summary;
+    });
     return verb;
 }
 
@@ -153,7 +157,7 @@ int CommandLine::run_verb() {
         if (json_)
             std::cout << answer.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
         else
-            std::cout << readable(answer);
+            std::cout << readable(summary_ ? summary_(answer) : answer);
         std::cout.flush();
         if (!std::cout)
             throw InputError("the answer could not be written", "standard output",

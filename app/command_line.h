@@ -29,13 +29,16 @@ class CommandLine {
     // What a verb does: works under the job (which Ctrl-C cancels, and whose progress is shown on
     // standard error) and returns what it found. Throws Error for whatever the user can mend.
     using Run = std::function<Json(Job&)>;
+    // What the readable lines show instead of the whole answer, where that is too long to read.
+    using Summary = std::function<Json(const Json&)>;
 
     CommandLine();
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
     // Adds `hepatica-cli NAME`, with --json and --quiet; the caller adds the verb's own options.
-    CLI::App& add_verb(const std::string& name, const std::string& description, Run run);
+    CLI::App& add_verb(const std::string& name, const std::string& description, Run run,
+                       Summary summary = nullptr);
 
     // A group of verbs, as in `hepatica-cli bench iterations`: give its name as `group` below.
     CLI::App& add_verb(const std::string& group, const std::string& group_description,
@@ -47,12 +50,13 @@ class CommandLine {
 
   private:
     CLI::App& add_to(CLI::App& parent, const std::string& name, const std::string& description,
-                     Run run);
+                     Run run, Summary summary);
     int run_verb();
 
     CLI::App program_;
     std::map<std::string, CLI::App*> groups_;
     Run chosen_;
+    Summary summary_;
     bool json_ = false;
     bool quiet_ = false;
 };

@@ -8,6 +8,7 @@
 #include "app/chart_file.h"
 #include "app/output_place.h"
 #include "app/verbs/flow_options.h"
+#include "app/verbs/injection_summary.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/flow/flow_export.h"
@@ -153,14 +154,15 @@ Json run(Options options, Job& job) {
 void add_inject(CommandLine& line) {
     const auto options = std::make_shared<Options>();
     InjectionOptions& injection = options->injection;
-    CLI::App& verb = line.add_verb("inject", "Inject a drug and follow its front through the tree",
-                                   [options](Job& job) { return run(*options, job); });
+    CLI::App& verb = line.add_verb(
+        "inject", "Inject a drug and follow its front through the tree",
+        [options](Job& job) { return run(*options, job); }, summary_of_injection);
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
     verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
         ->capture_default_str();
     verb.add_option("--pressure-pa", injection.inlet_pressure_pa,
-                    "Total pressure at the tip, instead of a mass flow");
+                    "Total pressure at the tip, instead of a mass flow; above the outlets'");
     verb.add_option("--at-mm", options->at_mm,
                     "X,Y,Z of the catheter's tip; default: the root of the largest system");
     verb.add_flag("--free", options->free_tip,

@@ -25,11 +25,18 @@ void check(const char* what, double value, double low, double high) {
 }
 
 void validate_options(const InjectionOptions& options) {
-    check("mass flow in g/s", options.mass_flow_g_s, 0.0, 1e15);
+    check("mass flow in g/s", options.mass_flow_g_s, options.inlet_pressure_pa ? 0.0 : 1e-12, 1e15);
     check("flow of blood in g/s", options.blood_flow_g_s, 0.0, 1e15);
     if (options.step_s) check("time between samples in s", *options.step_s, 1e-9, 1e9);
     if (options.until_s) check("end in s", *options.until_s, 0.0, 1e9);
     check("duration of the injection in s", options.injection_s, 0.0, HUGE_VAL);
+    if (options.inlet_pressure_pa && !(*options.inlet_pressure_pa > options.outlet_pressure_pa)) {
+        std::ostringstream problem;
+        problem << "the pressure at the tip (--pressure-pa) is " << *options.inlet_pressure_pa
+                << " Pa and not above the " << options.outlet_pressure_pa
+                << " Pa beyond the outlets (--outlet-pressure-pa): nothing would be injected";
+        throw InputError(problem.str(), "injection", "Give a higher pressure, or a mass flow");
+    }
     check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
 }
 

@@ -22,8 +22,9 @@ struct InjectionOptions {
     bool wedged = true;
     double blood_flow_g_s = 0.0;
 
-    double mass_flow_g_s = 2.0;               // of the injected fluid
-    std::optional<double> inlet_pressure_pa;  // total pressure at the tip, instead of the mass flow
+    double mass_flow_g_s = 2.0;  // of the injected fluid; above 0
+    // Total pressure at the tip, instead of the mass flow; above outlet_pressure_pa.
+    std::optional<double> inlet_pressure_pa;
     PressureLaw law = PressureLaw::regime;
     // Fills the vessels before.
     Phase liquid = blood();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run_program.h"
+#include "tests/app/tour.h"
 
 namespace hepatica {
 namespace {
@@ -34,6 +34,26 @@ TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
         for (const std::string& named : {bad.option, bad.value, bad.remedy})
             EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
         EXPECT_NE(help.find(bad.remedy), std::string::npos) << help;
+    }
+}
+
+class BadValueOfInject : public test::Tour {};
+
+// Nothing would be injected, and a list of zeros says so to nobody.
+TEST_F(BadValueOfInject, IsRefusedWhereNothingWouldFlow) {
+    for (const std::vector<std::string>& values :
+         {std::vector<std::string>{"--pressure-pa=-5"},
+          {"--pressure-pa=100", "--outlet-pressure-pa=2000"},
+          {"--mass-flow-g-s=0"},
+          {"--mass-flow-g-s=-1"}}) {
+        std::vector<std::string> call{"inject", path("p/truth_tree.vtp")};
+        call.insert(call.end(), values.begin(), values.end());
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << values[0];
+        EXPECT_EQ(run.output, "");
+        const std::string value = values[0].substr(values[0].find('=') + 1);
+        EXPECT_NE(run.errors.find("is " + value), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find("Give a"), std::string::npos) << run.errors;
     }
 }
 

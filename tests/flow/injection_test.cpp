@@ -197,6 +197,12 @@ TEST(Injection, RefusesNonsenseAndStopsWhenAsked) {
     };
     refused([](InjectionOptions& o) { o.mass_flow_g_s = -1.0; });
     refused([](InjectionOptions& o) { o.mass_flow_g_s = std::nan(""); });
+    refused([](InjectionOptions& o) { o.mass_flow_g_s = 0.0; });
+    refused([](InjectionOptions& o) { o.inlet_pressure_pa = -5.0; });
+    refused([](InjectionOptions& o) {
+        o.outlet_pressure_pa = 1000.0;
+        o.inlet_pressure_pa = 1000.0;
+    });
     refused([](InjectionOptions& o) { o.void_fraction = 1.0; });
     refused([](InjectionOptions& o) { o.drug_viscosity_pa_s = 0.0; });
     refused([](InjectionOptions& o) { o.step_s = 0.0; });
