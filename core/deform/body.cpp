@@ -48,7 +48,21 @@ void check_hexahedra(const BodyDescription& d) {
     }
 }
 
-void check(const BodyDescription& d, ElementModel model, ElementOrder order) {
+void check_every_vertex_is_used(const BodyDescription& d) {
+    std::vector<char> used(d.mesh.vertices_mm.size(), 0);
+    for (const auto& nodes : d.mesh.tetrahedra)
+        for (const int v : nodes) used[v] = 1;
+    for (const auto& nodes : d.hexahedra)
+        for (const int v : nodes) used[v] = 1;
+    const auto lonely = std::ranges::find(used, 0);
+    if (lonely != used.end())
+        reject("belongs to no element", "vertex " + std::to_string(lonely - used.begin()),
+               "Remove it from the mesh");
+}
+
+}  // namespace
+
+void validate(const BodyDescription& d, ElementModel model, ElementOrder order) {
     validate(d.material);
     validate(d.mesh);
     check_hexahedra(d);
@@ -71,7 +85,10 @@ void check(const BodyDescription& d, ElementModel model, ElementOrder order) {
                "Give a finite value of 0 or more");
     check_factors(d.stiffness_factor, elements, "stiffness factor");
     check_factors(d.density_factor, elements, "density factor");
+    check_every_vertex_is_used(d);
 }
+
+namespace {
 
 // Middle nodes in the order of their edges' corners: the same for any order of the elements.
 void add_middle_nodes(const TetMesh& mesh, Body& body) {
@@ -190,7 +207,7 @@ double mean_edge(const Body& body) {
 }  // namespace
 
 Body build_body(const BodyDescription& description, ElementModel model, ElementOrder order) {
-    check(description, model, order);
+    validate(description, model, order);
     Body body;
     body.model = model;
     body.rest_positions_mm = description.mesh.vertices_mm;
@@ -200,10 +217,6 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     body.tether_un_per_mm.assign(body.node_count(), 0.0);
     add_tetrahedra(description, order, body);
     add_hexahedra(description, body);
-    for (int v = 0; v < body.vertex_count; ++v)
-        if (!(body.mass_g[v] > 0.0))
-            reject("belongs to no element", "vertex " + std::to_string(v),
-                   "Remove it from the mesh");
     body.fixed.assign(body.node_count(), 0);
     for (std::size_t v = 0; v < description.fixed.size(); ++v)
         body.fixed[v] = description.fixed[v] != 0;

@@ -74,9 +74,11 @@ struct Body {
     int node_count() const { return static_cast<int>(rest_positions_mm.size()); }
 };
 
-// Checks everything and builds. Throws InputError: a flat, inverted or folded element, a vertex of
-// no element, a size or value that does not fit, hexahedra or quadratic order with a model that
-// has none.
+// Throws InputError: a flat, inverted or folded element, a vertex of no element, a size or value
+// that does not fit, hexahedra or quadratic order with a model that has none.
+void validate(const BodyDescription& description, ElementModel model, ElementOrder order);
+
+// Validates and builds.
 Body build_body(const BodyDescription& description, ElementModel model, ElementOrder order);
 
 }  // namespace hepatica

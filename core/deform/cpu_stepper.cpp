@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/base/error.h"
 #include "core/deform/backward_euler.h"
 #include "core/deform/energy_ledger.h"
 #include "core/deform/external_forces.h"
+#include "core/deform/stepper_input.h"
 #include "core/deform/unfolding.h"
 #include "core/mesh/hex_mesh.h"
 
@@ -21,23 +20,8 @@ constexpr double sleep_after_s = 0.5;
 constexpr double settled_speed_edges_per_s = 2e-2;
 constexpr double settled_after_s = 0.25;
 
-StepperOptions checked(const StepperOptions& options) {
-    const auto check = [](bool good, const std::string& name, double value) {
-        if (!good)
-            throw InputError(name + " is " + std::to_string(value), "the step's options",
-                             "Choose another value");
-    };
-    check(options.newton_iterations >= 1, "the number of Newton iterates",
-          options.newton_iterations);
-    check(options.newton_tolerance > 0, "the tolerance of Newton's method",
-          options.newton_tolerance);
-    check(options.substeps >= 1, "the number of substeps", options.substeps);
-    check(options.linear.max_iterations >= 1, "the limit of linear iterations",
-          options.linear.max_iterations);
-    check(std::isfinite(options.velocity_error.alpha_per_s), "the velocity error's share of M",
-          options.velocity_error.alpha_per_s);
-    check(std::isfinite(options.velocity_error.beta_s), "the velocity error's share of K",
-          options.velocity_error.beta_s);
+StepperOptions validated(const StepperOptions& options) {
+    validate(options);
     return options;
 }
 
@@ -70,7 +54,7 @@ NewtonSettings newton_of(const StepperOptions& options) {
 class CpuStepper final : public Stepper {
   public:
     CpuStepper(const BodyDescription& description, const StepperOptions& options)
-        : options_(checked(options)),
+        : options_(validated(options)),
           body_(build_body(description, options.model, options.order)),
           forces_(body_),
           unfolding_(body_),
@@ -92,7 +76,7 @@ class CpuStepper final : public Stepper {
     }
 
     bool set_options(const StepperOptions& options) override {
-        const StepperOptions now = checked(options);
+        const StepperOptions now = validated(options);
         if (now.model != options_.model || now.order != options_.order ||
             now.solver != options_.solver ||
             (now.newton_iterations > 1) != (options_.newton_iterations > 1))
@@ -136,9 +120,7 @@ class CpuStepper final : public Stepper {
 };
 
 StepReport CpuStepper::step(double dt_s) {
-    if (!(dt_s > 0.0) || !std::isfinite(dt_s))
-        throw InputError("a step of " + std::to_string(dt_s) + " s", "the clock",
-                         "Give a finite time greater than 0");
+    validate_time_step(dt_s);
     StepReport report;
     if (options_.sleeping && still_s_ >= sleep_after_s) {
         report.dt_s = dt_s;
@@ -197,19 +179,7 @@ void CpuStepper::set_state(std::span<const Vec3> positions_mm,
                            std::span<const Vec3> velocities_mm_per_s) {
     const bool whole = positions_mm.size() == state_.positions_mm.size();
     const std::size_t expected = whole ? state_.positions_mm.size() : body_.vertex_count;
-    const auto check = [&](std::span<const Vec3> values, const char* name) {
-        if (values.size() != expected)
-            throw InputError(
-                std::to_string(values.size()) + " values instead of " + std::to_string(expected),
-                name, "Give one value per vertex, or one per node as state() does");
-        for (std::size_t i = 0; i < values.size(); ++i)
-            if (!values[i].allFinite())
-                throw InputError("is not finite",
-                                 std::string(name) + " of vertex " + std::to_string(i),
-                                 "Give finite values");
-    };
-    check(positions_mm, "position");
-    check(velocities_mm_per_s, "velocity");
+    validate_state(positions_mm, velocities_mm_per_s, expected);
     std::ranges::copy(positions_mm, state_.positions_mm.begin());
     std::ranges::copy(velocities_mm_per_s, state_.velocities_mm_per_s.begin());
     for (std::size_t m = 0; !whole && m < body_.edge_of_middle_node.size(); ++m) {

@@ -2,10 +2,9 @@
 #include "core/deform/external_forces.h"
 
 #include <cmath>
-#include <string>
 
-#include "core/base/error.h"
 #include "core/deform/node_loops.h"
+#include "core/deform/stepper_input.h"
 
 namespace hepatica {
 namespace {
@@ -31,38 +30,15 @@ Mat3 stiffness_of(const Grab& grab, const Pull& pull) {
     return (grab.force_limit_un / pull.length_mm) * (Mat3::Identity() - n * n.transpose());
 }
 
-void check(const Grab& grab, int vertex_count, std::size_t index) {
-    const auto reject = [&](const std::string& problem, const std::string& remedy) {
-        throw InputError(problem, "grab " + std::to_string(index), remedy);
-    };
-    double sum = 0.0;
-    for (int a = 0; a < 4; ++a) {
-        if (grab.vertices[a] >= vertex_count || (grab.vertices[a] < 0 && a == 0))
-            reject("holds vertex " + std::to_string(grab.vertices[a]) + ", which does not exist",
-                   "Pick a point of the body");
-        if (grab.vertices[a] >= 0) sum += grab.weights[a];
-    }
-    if (!(std::abs(sum - 1.0) < 1e-6))
-        reject("has weights that sum to " + std::to_string(sum), "Make them sum to 1");
-    if (!grab.target_mm.allFinite()) reject("has a target that is not finite", "Give a finite one");
-    if (!(grab.stiffness_un_per_mm > 0.0) || !std::isfinite(grab.stiffness_un_per_mm))
-        reject("has a stiffness of " + std::to_string(grab.stiffness_un_per_mm) + " uN/mm",
-               "Give a finite value greater than 0");
-    if (!(grab.force_limit_un > 0.0) || !std::isfinite(grab.force_limit_un))
-        reject("has a force limit of " + std::to_string(grab.force_limit_un) + " uN",
-               "Give a finite value greater than 0");
-}
-
 }  // namespace
 
 void ExternalForces::set_grabs(std::span<const Grab> grabs) {
-    for (std::size_t i = 0; i < grabs.size(); ++i) check(grabs[i], body_.node_count(), i);
+    validate_grabs(grabs, body_.rest_positions_mm.size());
     grabs_.assign(grabs.begin(), grabs.end());
 }
 
 void ExternalForces::set_gravity(const Vec3& gravity_mm_per_s2) {
-    if (!gravity_mm_per_s2.allFinite())
-        throw InputError("gravity is not finite", "gravity", "Give a finite acceleration in mm/s2");
+    validate_gravity(gravity_mm_per_s2);
     gravity_ = gravity_mm_per_s2;
 }
 

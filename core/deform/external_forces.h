@@ -18,10 +18,8 @@ class ExternalForces {
   public:
     explicit ExternalForces(const Body& body) : body_(body) {}
 
-    // Throws InputError for a grab with values that are not finite or out of range, weights that do
-    // not sum to 1, or vertices that do not exist.
+    // Both throw as stepper_input.h says, and then keep what they had.
     void set_grabs(std::span<const Grab> grabs);
-    // Throws InputError where it is not finite.
     void set_gravity(const Vec3& gravity_mm_per_s2);
     const std::vector<Grab>& grabs() const { return grabs_; }
     const Vec3& gravity_mm_per_s2() const { return gravity_; }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/deform/stepper_input.h"
 #include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
@@ -86,6 +86,12 @@ Part live_part(const BodyDescription& whole, const LiveRegion& region, bool own_
     return part;
 }
 
+const BodyDescription& validated(const BodyDescription& body, const StepperOptions& options) {
+    validate(options);
+    validate(body, options.model, options.order);
+    return body;
+}
+
 StepperOptions without_sleep(StepperOptions options) {
     options.sleeping = false;  // the region sleeps
     return options;
@@ -95,7 +101,7 @@ class PartStepper final : public LiveStepper {
   public:
     PartStepper(const BodyDescription& body, const StepperOptions& options,
                 const LiveRegionOptions& region)
-        : body_(with_skeleton(body)),
+        : body_(with_skeleton(validated(body, options))),
           whole_(options.order == ElementOrder::quadratic),
           options_(whole_ ? options : without_sleep(options)),
           region_(body_.skeleton, body_.mesh.vertices_mm, region),
@@ -107,18 +113,12 @@ class PartStepper final : public LiveStepper {
     }
 
     void set_grabs(std::span<const Grab> grabs) override {
+        validate_grabs(grabs, positions_mm_.size());
         grabs_.assign(grabs.begin(), grabs.end());
         std::vector<int> held;
-        for (const Grab& grab : grabs_) {
-            for (const int v : grab.vertices) {
-                if (v >= static_cast<int>(positions_mm_.size())) {
-                    throw InputError("a grab holds vertex " + std::to_string(v) + " of " +
-                                         std::to_string(positions_mm_.size()),
-                                     "grab", "Hold a vertex of the body");
-                }
+        for (const Grab& grab : grabs_)
+            for (const int v : grab.vertices)
                 if (v >= 0) held.push_back(v);
-            }
-        }
         if (!whole_ && region_.hold(held)) {
             rebuild();
         } else {
@@ -127,6 +127,7 @@ class PartStepper final : public LiveStepper {
     }
 
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
+        validate_gravity(gravity_mm_per_s2);
         if (gravity_mm_per_s2 == gravity_mm_per_s2_) return;
         gravity_mm_per_s2_ = gravity_mm_per_s2;
         if (whole_) {
@@ -138,6 +139,7 @@ class PartStepper final : public LiveStepper {
     }
 
     bool set_options(const StepperOptions& options) override {
+        validated(body_, options);
         if (options.order != options_.order) return false;
         const StepperOptions now = whole_ ? options : without_sleep(options);
         if (whole_ && !stepper_->set_options(now)) return false;
@@ -162,11 +164,7 @@ class PartStepper final : public LiveStepper {
             copy_from_part();
             return;
         }
-        if (positions_mm.size() != positions_mm_.size() ||
-            velocities_mm_per_s.size() != positions_mm_.size()) {
-            throw InputError("the state has another number of vertices", "state",
-                             "Give one value per vertex");
-        }
+        validate_state(positions_mm, velocities_mm_per_s, positions_mm_.size());
         positions_mm_.assign(positions_mm.begin(), positions_mm.end());
         velocities_mm_per_s_.assign(velocities_mm_per_s.begin(), velocities_mm_per_s.end());
         region_.wake_all();
@@ -237,6 +235,7 @@ void PartStepper::copy_from_part() {
 }
 
 StepReport PartStepper::step(double dt_s) {
+    validate_time_step(dt_s);
     StepReport report;
     report.dt_s = dt_s;
     if (!stepper_) {

@@ -55,6 +55,9 @@ class Stepper {
   public:
     virtual ~Stepper() = default;
 
+    // What is out of range (see stepper_input.h) throws InputError here and in the functions below,
+    // and changes nothing.
+
     // Replaces all grabs; applies from the next step on.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;

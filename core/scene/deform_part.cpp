@@ -98,6 +98,8 @@ void DeformPart::build_stepper() {
 }
 
 void DeformPart::grab(const Vec3& point_mm) {
+    if (!point_mm.allFinite())
+        throw InputError("the point to hold is not finite", "grab", "Give finite numbers");
     const std::span<const Vec3> positions = positions_mm();
     int nearest = surface_vertices_.front();
     for (const int v : surface_vertices_)

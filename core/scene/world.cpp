@@ -93,6 +93,8 @@ void World::reset() {
 }
 
 TreePoint World::place_near(const Vec3& point_mm) const {
+    if (!point_mm.allFinite())
+        throw InputError("the point is not finite", "place on the tree", "Give finite numbers");
     // The vertices carry their places on the tree along as they move.
     if (!flow_) return nearest_point(patient_->tree, point_mm);
     int nearest = 0;
