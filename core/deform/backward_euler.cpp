@@ -21,11 +21,6 @@ double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return sum_over_nodes(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
 }
 
-double kinetic(const Body& body, const std::vector<Vec3>& v) {
-    return sum_over_nodes(v.size(),
-                          [&](std::size_t i) { return 0.5 * body.mass_g[i] * v[i].squaredNorm(); });
-}
-
 double gravity_work(const Body& body, const Vec3& gravity, const std::vector<Vec3>& d) {
     return sum_over_nodes(d.size(),
                           [&](std::size_t i) { return body.mass_g[i] * gravity.dot(d[i]); });
@@ -50,6 +45,12 @@ RayleighDamping bounded_below(const RayleighDamping& error, const RayleighDampin
 }
 
 }  // namespace
+
+double kinetic_energy(const Body& body, const std::vector<Vec3>& velocities_mm_per_s) {
+    return sum_over_nodes(velocities_mm_per_s.size(), [&](std::size_t i) {
+        return 0.5 * body.mass_g[i] * velocities_mm_per_s[i].squaredNorm();
+    });
+}
 
 // The step in the making. Its unknown is the velocity w: positions are x_n + dt w.
 struct BackwardEuler::Step {
@@ -266,7 +267,8 @@ void BackwardEuler::limit_energy(Step& step, StepReport& report) const {
     if (!settings_.line_search) return;
     const double before = step.start_kinetic + step.start_elastic + step.start_external;
     const double work = step.dt_s * gravity_work(body_, step.forces.gravity_mm_per_s2(), step.w);
-    const double stored = elastic_ + step.forces.energy(step.x), moving = kinetic(body_, step.w);
+    const double stored = elastic_ + step.forces.energy(step.x),
+                 moving = kinetic_energy(body_, step.w);
     const double excess = stored + moving - before - work;
     // At rest the energies are rounding errors, of either sign.
     const double size = std::abs(before) + std::abs(work) + std::abs(stored) + moving;
@@ -313,7 +315,7 @@ void BackwardEuler::book(const Step& step, StepReport& report) {
         elastic_work = dot(dx, elastic_force_);
         external_work = dot(dx, force_) - elastic_work - gravity;
     }
-    const double moving = kinetic(body_, step.w);
+    const double moving = kinetic_energy(body_, step.w);
     ledger.kinetic = step.velocity_scale * step.velocity_scale * moving;
     ledger.elastic = elastic_;
     ledger.grab = step.forces.energy(step.x);
@@ -386,7 +388,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     Step step{.forces = forces,
               .start = state,
               .dt_s = dt_s,
-              .start_kinetic = kinetic(body_, state.velocities_mm_per_s),
+              .start_kinetic = kinetic_energy(body_, state.velocities_mm_per_s),
               .start_elastic = elastic_,
               .start_external = forces.energy(state.positions_mm),
               .w = std::vector<Vec3>(state.positions_mm.size(), Vec3::Zero()),

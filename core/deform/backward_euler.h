@@ -30,6 +30,9 @@ struct NewtonSettings {
     SolveLimits linear{};
 };
 
+// Of all nodes [nJ].
+double kinetic_energy(const Body& body, const std::vector<Vec3>& velocities_mm_per_s);
+
 // Advances one body. Keeps a reference to the body. Not thread-safe.
 class BackwardEuler {
   public:

@@ -95,6 +95,14 @@ class CpuStepper final : public Stepper {
         return std::span(state_.velocities_mm_per_s).first(body_.vertex_count);
     }
 
+    EnergyLedger energies() const override {
+        EnergyLedger now;
+        now.kinetic = kinetic_energy(body_, state_.velocities_mm_per_s);
+        now.elastic = integrator_.elastic_energy(state_.positions_mm);
+        now.grab = forces_.energy(state_.positions_mm);
+        now.tool_work = tool_work_;
+        return now;
+    }
     BodyState state() const override { return state_; }
     void set_state(std::span<const Vec3> positions_mm,
                    std::span<const Vec3> velocities_mm_per_s) override;

@@ -114,16 +114,14 @@ class PartStepper final : public LiveStepper {
 
     void set_grabs(std::span<const Grab> grabs) override {
         validate_grabs(grabs, positions_mm_.size());
-        grabs_.assign(grabs.begin(), grabs.end());
         std::vector<int> held;
-        for (const Grab& grab : grabs_)
+        for (const Grab& grab : grabs)
             for (const int v : grab.vertices)
                 if (v >= 0) held.push_back(v);
-        if (!whole_ && region_.hold(held)) {
-            rebuild();
-        } else {
-            hand_over_grabs();
-        }
+        // Under the old grabs, which still hold what is live: the new ones' work is booked after.
+        if (!whole_ && region_.hold(held)) change_region();
+        grabs_.assign(grabs.begin(), grabs.end());
+        hand_over_grabs();
     }
 
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
@@ -135,7 +133,7 @@ class PartStepper final : public LiveStepper {
             return;
         }
         region_.wake_all();
-        rebuild();
+        change_region();
     }
 
     bool set_options(const StepperOptions& options) override {
@@ -169,6 +167,8 @@ class PartStepper final : public LiveStepper {
         velocities_mm_per_s_.assign(velocities_mm_per_s.begin(), velocities_mm_per_s.end());
         region_.wake_all();
         rebuild();
+        frozen_ = {};
+        booked_ = {};
     }
 
     Extent extent() const override {
@@ -181,8 +181,17 @@ class PartStepper final : public LiveStepper {
         return extent;
     }
 
+    EnergyLedger energies() const override {
+        EnergyLedger now = stepper_ ? stepper_->energies() : EnergyLedger{};
+        now.elastic += frozen_.elastic;
+        now.grab += frozen_.grab;
+        now.tool_work += booked_.tool_work;
+        return now;
+    }
+
   private:
     void rebuild();
+    void change_region();
     void hand_over_grabs();
     void copy_from_part();
 
@@ -194,6 +203,8 @@ class PartStepper final : public LiveStepper {
     std::unique_ptr<Stepper> stepper_;  // of the part; none where nothing is live
     std::vector<Vec3> positions_mm_, velocities_mm_per_s_;
     std::vector<Grab> grabs_;
+    EnergyLedger frozen_;  // elastic and grab (the tether's) of what is frozen
+    EnergyLedger booked_;  // tool_work and integrator_loss that no report has named yet
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
 };
 
@@ -206,7 +217,21 @@ void PartStepper::hand_over_grabs() {
     stepper_->set_grabs(grabs);
 }
 
+// The energies of the whole body go on; what moved and froze has lost its motion.
+void PartStepper::change_region() {
+    const EnergyLedger before = energies();
+    rebuild();
+    const EnergyLedger part = stepper_ ? stepper_->energies() : EnergyLedger{};
+    frozen_ = {};
+    if (region_.live_count() < body_.skeleton.size()) {
+        frozen_.elastic = before.elastic - part.elastic;
+        frozen_.grab = before.grab - part.grab;
+    }
+    booked_.integrator_loss += before.kinetic - part.kinetic;
+}
+
 void PartStepper::rebuild() {
+    if (stepper_) booked_.tool_work += stepper_->energies().tool_work;
     part_ = live_part(body_, region_, whole_);
     stepper_.reset();
     // What froze has stopped.
@@ -216,13 +241,13 @@ void PartStepper::rebuild() {
     if (part_.vertex.empty()) return;
     stepper_ = make_cpu_stepper(part_.body, options_);
     stepper_->set_gravity(gravity_mm_per_s2_);
+    hand_over_grabs();
     std::vector<Vec3> positions, velocities;
     for (const int v : part_.vertex) {
         positions.push_back(positions_mm_[v]);
         velocities.push_back(velocities_mm_per_s_[v]);
     }
-    stepper_->set_state(positions, velocities);
-    hand_over_grabs();
+    stepper_->set_state(positions, velocities);  // forgets the grabs' work: it was booked before
 }
 
 void PartStepper::copy_from_part() {
@@ -238,13 +263,20 @@ StepReport PartStepper::step(double dt_s) {
     validate_time_step(dt_s);
     StepReport report;
     report.dt_s = dt_s;
-    if (!stepper_) {
-        report.asleep = true;
-        return report;
+    report.asleep = true;
+    if (stepper_) {
+        report = stepper_->step(dt_s);
+        copy_from_part();
     }
-    report = stepper_->step(dt_s);
-    copy_from_part();
-    if (!whole_ && region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) rebuild();
+    report.energy.elastic += frozen_.elastic;
+    report.energy.grab += frozen_.grab;
+    report.energy.tool_work += std::exchange(booked_.tool_work, 0.0);
+    const bool moved = stepper_ && !whole_;
+    if (moved && region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) {
+        change_region();
+        report.energy.kinetic -= booked_.integrator_loss;
+    }
+    report.energy.integrator_loss += std::exchange(booked_.integrator_loss, 0.0);
     return report;
 }
 

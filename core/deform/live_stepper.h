@@ -25,8 +25,10 @@ class LiveStepper : public Stepper {
 };
 
 // As make_cpu_stepper. A body without skeleton gets one from its mesh. Energies in the report are
-// those of the live part. With quadratic elements everything is live: their middles are not part of
-// the state that is handed over. Throws InputError as make_cpu_stepper does.
+// those of the whole body: what is frozen keeps the energy it froze with (also after a change of
+// the element model), and the little motion that freezing ends is booked as integrator_loss. With
+// quadratic elements everything is live: their middles are not part of the state that is handed
+// over. Throws InputError as make_cpu_stepper does.
 std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,
                                                const StepperOptions& options,
                                                const LiveRegionOptions& region = {});

@@ -73,6 +73,10 @@ class Stepper {
     virtual std::span<const Vec3> positions_mm() const = 0;
     virtual std::span<const Vec3> velocities_mm_per_s() const = 0;
 
+    // Of the present state: kinetic, elastic and grab, and the tool_work that the next step will
+    // report; the rest is 0.
+    virtual EnergyLedger energies() const = 0;
+
     // Every node, the vertices first: what a snapshot keeps. Quadratic bodies have the middles of
     // their edges behind the vertices.
     virtual BodyState state() const = 0;

@@ -12,27 +12,12 @@
 namespace hepatica {
 namespace {
 
+using test::tip_of;
+
 BodyDescription tree_body(int generations = 4) {
-    const auto sample = test::make_brick_tree(generations, 3.0, 1.5);
-    BodyDescription body;
-    body.mesh = sample.mesh;
-    body.fixed.assign(sample.fixed.begin(), sample.fixed.end());
-    body.skeleton = sample.skeleton;
+    BodyDescription body = test::description_of(test::make_brick_tree(generations, 3.0, 1.5));
     body.material.damping_ratio = 0.5;
     return body;
-}
-
-// The vertex furthest along the last twig.
-int tip_of(const BodyDescription& body) {
-    const Vec3 end = body.skeleton.positions_mm.back();
-    int nearest = 0;
-    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
-        if ((body.mesh.vertices_mm[v] - end).norm() <
-            (body.mesh.vertices_mm[nearest] - end).norm()) {
-            nearest = static_cast<int>(v);
-        }
-    }
-    return nearest;
 }
 
 Grab pull(int vertex, const Vec3& target_mm) {
@@ -180,11 +165,7 @@ TEST(LiveStepper, QuadraticElementsAreAlwaysComputedWhole) {
     StepperOptions options;
     options.order = ElementOrder::quadratic;
     options.sleeping = false;
-    BodyDescription body;
-    const auto bar = test::make_bar(24.0, 6.0, 8, 2);
-    body.mesh = bar.mesh;
-    body.fixed.assign(bar.fixed.begin(), bar.fixed.end());
-    body.skeleton = bar.skeleton;
+    const BodyDescription body = test::description_of(test::make_bar(24.0, 6.0, 8, 2));
     const auto live = make_live_stepper(body, options);
     const auto whole = make_cpu_stepper(body, options);
     live->set_gravity(Vec3(0.0, -9810.0, 0.0));

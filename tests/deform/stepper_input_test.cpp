@@ -18,12 +18,7 @@ constexpr double dt_s = 1.0 / 60.0;
 const double nan = std::nan("");
 
 BodyDescription bar_body() {
-    const auto bar = test::make_bar(24.0, 6.0, 8, 2);
-    BodyDescription body;
-    body.mesh = bar.mesh;
-    body.fixed.assign(bar.fixed.begin(), bar.fixed.end());
-    body.skeleton = bar.skeleton;
-    return body;
+    return test::description_of(test::make_bar(24.0, 6.0, 8, 2));
 }
 
 using Make = std::unique_ptr<Stepper> (*)(const BodyDescription&, const StepperOptions&);

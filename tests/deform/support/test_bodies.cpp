@@ -153,6 +153,22 @@ SampleBody make_brick_tree(int generations, double root_radius_mm, double cell_m
     return body;
 }
 
+BodyDescription description_of(const SampleBody& body) {
+    BodyDescription description;
+    description.mesh = body.mesh;
+    description.fixed.assign(body.fixed.begin(), body.fixed.end());
+    description.skeleton = body.skeleton;
+    return description;
+}
+
+int tip_of(const BodyDescription& body) {
+    const Vec3 end = body.skeleton.positions_mm.back();
+    const auto& vertices = body.mesh.vertices_mm;
+    return static_cast<int>(
+        std::ranges::min_element(vertices, {}, [&](const Vec3& v) { return (v - end).norm(); }) -
+        vertices.begin());
+}
+
 std::vector<Vec3> bend(const std::vector<Vec3>& positions_mm, double angle_rad, double length_mm) {
     std::vector<Vec3> bent;
     const double radius = length_mm / angle_rad;

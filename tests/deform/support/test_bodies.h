@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/deform/body.h"
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/frame_skeleton.h"
 #include "core/mesh/tet_mesh.h"
@@ -23,6 +24,12 @@ SampleBody make_bar(double length_mm, double width_mm, int cells_along, int cell
 
 // A tree of bricks: every branch forks into two of 0.8 times its radius; fixed at its root.
 SampleBody make_brick_tree(int generations, double root_radius_mm, double cell_mm);
+
+// The same for a stepper.
+BodyDescription description_of(const SampleBody& body);
+
+// The vertex nearest to the end of the last twig of the skeleton.
+int tip_of(const BodyDescription& body);
 
 // The body bent into a circle in the x-y plane: `angle_rad` over `length_mm` of x.
 std::vector<Vec3> bend(const std::vector<Vec3>& positions_mm, double angle_rad, double length_mm);
