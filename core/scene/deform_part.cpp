@@ -38,8 +38,9 @@ FrameSkeleton skeleton_of(const VesselTree& tree) {
 
 }  // namespace
 
-DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec)
-    : gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
+DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
+                       const LiveRegionOptions& live_region)
+    : region_(live_region), gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
                          "Reconstruct the patient again");
@@ -89,7 +90,7 @@ void DeformPart::build_stepper() {
     BodyState kept;
     if (stepper_) kept = state();
     if (body_.tether_pa_per_mm2 > 0.0)
-        stepper_ = make_live_stepper(body_, setting_, region);
+        stepper_ = make_live_stepper(body_, setting_, region_);
     else
         stepper_ = make_cpu_stepper(body_, setting_);
     stepper_->set_gravity(gravity_mm_per_s2_);

@@ -27,7 +27,9 @@ class DeformPart {
 
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
-    DeformPart(const PatientCase& patient, const DeformSpec& spec);
+    // Another region is for measurements: nothing freezes where still_radii_per_s is 0.
+    DeformPart(const PatientCase& patient, const DeformSpec& spec,
+               const LiveRegionOptions& live_region = region);
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within
@@ -77,6 +79,7 @@ class DeformPart {
     void apply_grabs();
     void build_stepper();
 
+    LiveRegionOptions region_;
     BodyDescription body_;
     std::vector<int> surface_vertices_;
     std::vector<VertexPlace> places_;  // per vertex

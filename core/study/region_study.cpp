@@ -16,11 +16,48 @@ constexpr double dt_s = 1.0 / 60.0;
 constexpr double twig_radius_mm = 1.7;
 constexpr int tetrahedra_per_branch = 850;
 
-double timed_step_ms(Stepper& stepper, const Grab& grab) {
-    return timed_ms([&] {
-        stepper.set_grabs(std::span(&grab, 1));
-        stepper.step(dt_s);
-    });
+using Motion = std::vector<std::vector<Vec3>>;  // displacement of every vertex, by frame
+
+struct Played {
+    std::vector<double> held_ms;
+    Motion motion;
+};
+
+// The twig's tip led around, then let go.
+template <class AfterFrame>
+Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOptions& options,
+            const AfterFrame& after_frame) {
+    const int tip = furthest_vertex(body);
+    const std::vector<Vec3>& rest = body.mesh.vertices_mm;
+    const int frames = options.frames + options.frames_after;
+    Played played;
+    for (int k = 0; k < frames; ++k) {
+        const bool held = k < options.frames;
+        const Grab grab = led_around(tip, rest[tip], k);
+        const double ms = timed_ms([&] {
+            stepper.set_grabs(std::span(&grab, held ? 1 : 0));
+            stepper.step(dt_s);
+        });
+        if (held) played.held_ms.push_back(ms);
+        std::vector<Vec3>& moved = played.motion.emplace_back(rest.size());
+        for (std::size_t v = 0; v < rest.size(); ++v)
+            moved[v] = stepper.positions_mm()[v] - rest[v];
+        after_frame(static_cast<double>(k + 1) / frames);
+    }
+    return played;
+}
+
+void compare(const Motion& motion, const Motion& reference, RegionRow& row) {
+    double missed = 0.0, moved = 0.0, furthest = 0.0;
+    for (std::size_t k = 0; k < reference.size(); ++k)
+        for (std::size_t v = 0; v < reference[k].size(); ++v) {
+            const double squared = (motion[k][v] - reference[k][v]).squaredNorm();
+            furthest = std::max(furthest, squared);
+            missed += squared;
+            moved += reference[k][v].squaredNorm();
+        }
+    row.difference_mm = std::sqrt(furthest);
+    row.rms_difference = moved > 0.0 ? std::sqrt(missed / moved) : 0.0;
 }
 
 RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) {
@@ -40,25 +77,17 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
 
     RegionRow row;
     row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
-    const int tip = furthest_vertex(body);
-    std::vector<double> live_ms, whole_ms;
-    for (int k = 0; k < options.frames; ++k) {
-        job.advance(0.5 * k / options.frames);
-        live_ms.push_back(timed_step_ms(*live, led_around(tip, body.mesh.vertices_mm[tip], k)));
-        row.live_tetrahedra = std::max(row.live_tetrahedra, live->extent().live_elements);
-    }
     // One after the other: the whole body's step would empty the caches of the live part's.
-    for (int k = 0; k < options.frames; ++k) {
-        job.advance(0.5 + 0.5 * k / options.frames);
-        whole_ms.push_back(timed_step_ms(*whole, led_around(tip, body.mesh.vertices_mm[tip], k)));
-    }
-    row.live_ms = quantile(live_ms, 0.5);
-    row.live_longest_ms = *std::max_element(live_ms.begin(), live_ms.end());
-    row.whole_ms = quantile(whole_ms, 0.5);
-    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
-        row.difference_mm = std::max(row.difference_mm,
-                                     (live->positions_mm()[v] - whole->positions_mm()[v]).norm());
-    }
+    const Played part = play(*live, body, options, [&](double share) {
+        row.live_tetrahedra = std::max(row.live_tetrahedra, live->extent().live_elements);
+        job.advance(0.5 * share);
+    });
+    const Played all =
+        play(*whole, body, options, [&](double share) { job.advance(0.5 + 0.5 * share); });
+    row.live_ms = quantile(part.held_ms, 0.5);
+    row.live_longest_ms = *std::ranges::max_element(part.held_ms);
+    row.whole_ms = quantile(all.held_ms, 0.5);
+    compare(part.motion, all.motion, row);
     return row;
 }
 
