@@ -79,6 +79,26 @@ TEST(TreeExtraction, RadiiOfAForkAreThoseItWasDrawnWith) {
     }
 }
 
+// The sections of a thin branch that lie in the trunk's lumen are the trunk's.
+TEST(TreeExtraction, AThinBranchDoesNotBeginAsWideAsItsParent) {
+    Grid grid;
+    grid.spacing_mm = Vec3::Constant(0.8);
+    grid.dims = {70, 80, 40};
+    const auto trunk = tube(Vec3(16, 6, 16), Vec3(16, 58, 16), 6.5);
+    const auto branch = tube(Vec3(16, 30, 16), Vec3(50, 38, 16), 2.0);
+    const VesselTree tree =
+        tree_of(mask_where(grid, [&](const Vec3& p) { return trunk(p) || branch(p); }));
+    ASSERT_EQ(tree.segments.size(), 3u);
+    int thin = 0;
+    for (const VesselSegment& segment : tree.segments) {
+        if (segment.points_mm.back().x() < 40.0) continue;
+        ++thin;
+        EXPECT_LT(segment.points_mm.front().x(), 22.0);
+        for (const double r : segment.radii_mm) EXPECT_NEAR(r, 2.0, 0.3);
+    }
+    EXPECT_EQ(thin, 1);
+}
+
 TEST(TreeExtraction, CentrelineIsSmoothAndAboutAVoxelFromPointToPoint) {
     const VesselTree tree = tree_of(y_mask());
     for (const VesselSegment& segment : tree.segments)
