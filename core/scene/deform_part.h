@@ -22,7 +22,7 @@ namespace hepatica {
 class DeformPart {
   public:
     // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Chosen by
-    // `bench region` (docs/solver.md): a tenth of a millimetre off for a pull by two.
+    // `bench region` (docs/solver.md): a quarter of a millimetre off at most for a pull by two.
     static constexpr LiveRegionOptions region{.wake_radii = 3e-3, .still_radii_per_s = 1.5e-2};
 
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws

@@ -51,8 +51,43 @@ TEST(EnergyLedger, ClosesWhereABodyIsStopped) {
         const EnergyLedger& ledger = report.energy;
         EXPECT_LT(relative_imbalance(ledger), 1e-10) << "step " << i << ": " << report.message;
         EXPECT_LT(left_open(before, ledger), 1e-10) << "step " << i << ": " << report.message;
+        EXPECT_EQ(report.dt_s, 1.0);
         cut += report.message.find("halves") != std::string::npos;
         before = stored(ledger);
+    }
+    EXPECT_GT(cut, 0);
+}
+
+// A step that is cut in halves is two steps of half the time, and what it does is what they do.
+TEST(EnergyLedger, AStepCutInHalvesIsTwoStepsOfHalfTheTime) {
+    const BodyDescription body = beam(Vec3(100, 20, 20), {10, 2, 2});
+    StepperOptions exactly;
+    exactly.solver = LinearSolverKind::cholesky;
+    exactly.linear.energy_tolerance = 1e-12;
+    const auto make = [&] {
+        auto stepper = make_cpu_stepper(body, exactly);
+        stepper->set_gravity(-1000.0 * units::standard_gravity * Vec3(1, 0, 1));
+        return stepper;
+    };
+    const auto stepper = make();
+    int cut = 0;
+    for (int i = 0; i < 40 && cut < 3; ++i) {
+        const BodyState before = stepper->state();
+        const StepReport whole = stepper->step(1.0);
+        if (whole.message.find("halves") == std::string::npos) continue;
+        ++cut;
+        const auto other = make();
+        other->set_state(before.positions_mm, before.velocities_mm_per_s);
+        const StepReport first = other->step(0.5), second = other->step(0.5);
+        const StepReport both = in_sequence(first, second);
+        const double size = energy_handled(both.energy);
+        EXPECT_NEAR(whole.energy.gravity_work, both.energy.gravity_work, 1e-6 * size);
+        EXPECT_NEAR(whole.energy.integrator_loss, both.energy.integrator_loss, 1e-6 * size);
+        double apart_mm = 0.0;
+        for (std::size_t v = 0; v < before.positions_mm.size(); ++v)
+            apart_mm =
+                std::max(apart_mm, (stepper->positions_mm()[v] - other->positions_mm()[v]).norm());
+        EXPECT_LT(apart_mm, 1e-3) << "step " << i;
     }
     EXPECT_GT(cut, 0);
 }
