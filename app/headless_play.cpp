@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/headless_play.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <utility>
 
+#include "app/step_times.h"
 #include "core/base/atomic_write.h"
 #include "core/flow/injection.h"
+#include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/script.h"
 #include "core/session/session.h"
@@ -25,7 +27,6 @@ constexpr double pull_mm = 25.0;
 constexpr int pull_steps = 60;
 constexpr int hold_steps = 60;
 constexpr int settle_steps = 240;
-constexpr double mass_flow_g_s = 2.0;
 
 // Steps a session and keeps account of what its steps cost.
 class Player {
@@ -34,31 +35,31 @@ class Player {
 
     void step(int count) {
         for (int i = 0; i < count; ++i) {
-            step_ms_.push_back(session_.step().step_ms);
+            times_.add(session_.step());
             job_.throw_if_cancelled();
         }
         session_.update_frame();
     }
     const Frame& frame() const { return session_.frame(); }
-    std::vector<double> sorted_step_ms() const {
-        std::vector<double> sorted = step_ms_;
-        std::ranges::sort(sorted);
-        return sorted;
-    }
+    const StepTimes& times() const { return times_; }
 
   private:
     Session& session_;
     Job& job_;
-    std::vector<double> step_ms_;
+    StepTimes times_;
 };
 
 class Album {
   public:
-    explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    // All pictures show `box`, whatever the tree does, so that they can be compared.
+    Album(std::filesystem::path folder, const std::array<Vec3, 2>& box)
+        : folder_(std::move(folder)) {
+        options_.fitted_box_mm = box;
+    }
 
     void add(const Frame& frame, const std::string& name, const std::string& caption) {
         const std::filesystem::path file = name + ".png";
-        write_png(folder_ / file, draw_frame(frame, PictureOptions{}).picture);
+        write_png(folder_ / file, draw_frame(frame, options_).picture);
         pictures_.push_back({file, caption});
     }
     void add(const Chart& chart, const std::string& name) {
@@ -71,16 +72,27 @@ class Album {
 
   private:
     std::filesystem::path folder_;
+    PictureOptions options_;
     std::vector<PlayedPicture> pictures_;
 };
 
-Json pull(Session& session, Player& player, Album& album) {
-    const Vec3 held = point_on_longest_path(session.world().patient().tree, 0.5);
+// Towards the viewer of the anterior picture's upper left, so that the pull is seen.
+Vec3 pull_way_mm() {
+    return Vec3(-1.0, 0.0, 1.0).normalized() * pull_mm;
+}
+
+// Around the tree at rest and the place that the hand goes to.
+std::array<Vec3, 2> box_of_play(const Frame& rest, const Vec3& held) {
+    Eigen::AlignedBox3d box(held + pull_way_mm());
+    for (std::size_t i = 0; i + 2 < rest.positions_mm.size(); i += 3)
+        box.extend(Vec3(rest.positions_mm[i], rest.positions_mm[i + 1], rest.positions_mm[i + 2]));
+    return {box.min(), box.max()};
+}
+
+Json pull(Session& session, const Vec3& held, Player& player, Album& album) {
     session.post(GrabPoint{held});
     for (int i = 1; i <= pull_steps; ++i) {
-        // Towards the viewer of the anterior picture's upper left, so that the pull is seen.
-        const Vec3 way = Vec3(-1.0, 0.0, 1.0).normalized() * pull_mm * i / pull_steps;
-        session.post(MoveGrab{held + way});
+        session.post(MoveGrab{held + pull_way_mm() * i / pull_steps});
         player.step(1);
     }
     player.step(hold_steps);
@@ -98,11 +110,9 @@ Json pull(Session& session, Player& player, Album& album) {
     return facts;
 }
 
-void watch_injection(Session& session, Player& player, Album& album) {
-    InjectDrug injection;
-    injection.point_mm = point_on_longest_path(session.world().patient().tree, 0.0);
-    injection.mass_flow_g_s = mass_flow_g_s;
-    session.post(injection);
+// Returns the drug's time in the last picture, in seconds.
+double watch_injection(Session& session, const Vec3& tip_mm, Player& player, Album& album) {
+    session.post(InjectDrug{tip_mm});
     player.step(1);
     const double end_s = player.frame().drug.end_s;
     for (const int percent : {2, 10, 30, 100}) {
@@ -115,6 +125,7 @@ void watch_injection(Session& session, Player& player, Album& album) {
                       time_s);
         album.add(player.frame(), "4_drug_" + std::to_string(percent), caption);
     }
+    return end_s;
 }
 
 Chart curve_over_time(const InjectionResult& injection, const std::string& title,
@@ -128,15 +139,16 @@ Chart curve_over_time(const InjectionResult& injection, const std::string& title
     return chart;
 }
 
-Json injection_facts(const VesselTree& tree, Album& album, Job& job) {
-    InjectionOptions options;
-    options.mass_flow_g_s = mass_flow_g_s;
-    options.void_fraction = 0.4;  // an emulsion: differs from blood, so that the splits change
+// The injection of the pictures once more, with its curves up to the last of them.
+Json injection_facts(const VesselTree& tree, const Injection& made, double end_s, Album& album,
+                     Job& job) {
+    InjectionOptions options = injection_options(made, tree);
+    options.until_s = end_s;
+    options.step_s = end_s / 200.0;
     const InjectionResult injection = inject(tree, options, job);
-    album.add(curve_over_time(injection, "Inlet pressure while lipiodol emulsion is injected",
-                              "Pressure (Pa)",
-                              [](const InjectionSample& s) { return s.inlet_pressure_pa; }),
-              "5_inlet_pressure");
+    album.add(curve_over_time(injection, "Share of the vessels filled with the drug", "Share",
+                              [](const InjectionSample& s) { return s.filled_fraction; }),
+              "5_filled");
     album.add(
         curve_over_time(injection, "Share of the injected drug delivered through the ends", "Share",
                         [](const InjectionSample& s) {
@@ -144,7 +156,10 @@ Json injection_facts(const VesselTree& tree, Album& album, Job& job) {
                         }),
         "6_delivered");
     const InjectionSample& last = injection.series.back();
-    return {{"mass_flow_g_s", mass_flow_g_s},
+    return {{"drug", made.second_phase},
+            {"void_fraction", made.void_fraction},
+            {"pressure_law", made.pressure_model},
+            {"mass_flow_g_s", made.mass_flow_g_s},
             {"duration_s", last.time_s},
             {"inlet_pressure_begin_pa", injection.series.front().inlet_pressure_pa},
             {"inlet_pressure_end_pa", last.inlet_pressure_pa},
@@ -161,25 +176,29 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
                            const std::filesystem::path& folder, Job& job) {
     Session session(patient, default_scene(), job);
     Player player(session, job);
-    Album album(folder);
     job.begin_stage("Playing");
     player.step(1);
+    const Vec3 held = point_on_longest_path(patient->tree, 0.5);
+    Album album(folder, box_of_play(player.frame(), held));
     album.add(player.frame(), "1_patient", "The vessel tree from the front.");
     job.advance(0.1);
 
     HeadlessPlay played;
-    played.simulation = pull(session, player, album);
+    played.simulation = pull(session, held, player, album);
     job.advance(0.5);
-    watch_injection(session, player, album);
-    const std::vector<double> step_ms = player.sorted_step_ms();
-    played.simulation["steps"] = step_ms.size();
-    played.simulation["step_ms_median"] = step_ms[step_ms.size() / 2];
-    played.simulation["step_ms_max"] = step_ms.back();
+    const Vec3 tip_mm = point_on_longest_path(patient->tree, 0.0);
+    const Injection made{.at = session.world().place_near(tip_mm)};
+    const double end_s = watch_injection(session, tip_mm, player, album);
+    const StepTimes& times = player.times();
+    played.simulation["steps"] = times.steps();
+    played.simulation["steps_asleep"] = times.asleep();
+    played.simulation["step_ms_median"] = times.quantile(0.5);
+    played.simulation["step_ms_max"] = times.quantile(1.0);
     const FrameStatistics& statistics = player.frame().statistics;
     played.simulation["setting"] = statistics.setting;
     played.simulation["expected_error"] = statistics.expected_error;
     played.simulation["error_reference"] = statistics.error_reference;
-    played.injection = injection_facts(patient->tree, album, job);
+    played.injection = injection_facts(patient->tree, made, end_s, album, job);
     played.pictures = album.pictures();
     return played;
 }

@@ -21,8 +21,9 @@ struct PlayedPicture {
 
 struct HeadlessPlay {
     std::vector<PlayedPicture> pictures;
-    nlohmann::ordered_json simulation;  // steps, times, forces
-    nlohmann::ordered_json injection;   // pressure, volumes, arrival
+    // Steps, how many of them the body slept through, times of the others, forces.
+    nlohmann::ordered_json simulation;
+    nlohmann::ordered_json injection;  // the drug, pressure, volumes
 };
 
 // Plays on the patient and writes the pictures and curves into `folder`, which must exist.

@@ -17,6 +17,10 @@ OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options) {
     view.set_caption(options.caption);
     view.set_annotations_visible(options.annotations);
     view.look_from(options.view);
+    if (options.fitted_box_mm)
+        look_from(view.camera(), options.view, options.fitted_box_mm->front(),
+                  options.fitted_box_mm->back(),
+                  static_cast<double>(options.width) / options.height);
     orbit(view.camera(), options.turn_right_deg, options.turn_up_deg);
     view.zoom_by(options.zoom);
     view.render();

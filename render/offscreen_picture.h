@@ -3,6 +3,7 @@
 // hepatica_use_osmesa() was called.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ struct PictureOptions {
     int width = 1280;
     int height = 960;
     ViewDirection view = ViewDirection::anterior;
-    double zoom = 1.0;            // 1: all of the tree fits
+    // Corners of the box that fits at zoom 1, so that pictures of a moving tree share one camera;
+    // none: the tree's own, as it is in the frame.
+    std::optional<std::array<Vec3, 2>> fitted_box_mm;
+    double zoom = 1.0;
     double turn_right_deg = 0.0;  // away from the view, as by the mouse
     double turn_up_deg = 0.0;
     std::string caption;

@@ -36,6 +36,15 @@ constexpr std::array<Preset, 3> presets{{
      "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus."},
 }};
 
+// The preset that is the default injection.
+int first_preset() {
+    const auto found = std::ranges::find_if(presets, [](const Preset& preset) {
+        return std::string_view(preset.second_phase) == default_injection::second_phase &&
+               preset.void_fraction == default_injection::void_fraction;
+    });
+    return found == presets.end() ? 0 : static_cast<int>(found - presets.begin());
+}
+
 constexpr std::array<std::pair<const char*, const char*>, 3> models{{
     {"regime", "Regime: wall friction once, laminar to turbulent"},
     {"consistent", "Consistent: equation (10) with the flux along the cone"},
@@ -56,7 +65,8 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
     hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     column->addWidget(hover_);
     column->addStretch(1);
-    choose_preset(0);
+    preset_->setCurrentIndex(first_preset());
+    choose_preset(first_preset());
     show_hover({});
     show_drug({});
 }
@@ -73,11 +83,11 @@ QWidget* InjectPanel::make_settings() {
     source_->setObjectName("quiet");
     source_->setWordWrap(true);
     form->addRow(source_);
-    mass_flow_ = new DecimalSpinBox(0.001, 100.0, 2.0, 3, "g/s", box);
+    mass_flow_ = new DecimalSpinBox(0.001, 100.0, default_injection::mass_flow_g_s, 3, "g/s", box);
     mass_flow_->setSingleStep(0.5);
     mass_flow_->setToolTip("Mass flow at the catheter's tip");
     form->addRow("Mass flow", mass_flow_);
-    void_fraction_ = new DecimalSpinBox(0.0, 0.999, 0.0, 3, "", box);
+    void_fraction_ = new DecimalSpinBox(0.0, 0.999, default_injection::void_fraction, 3, "", box);
     void_fraction_->setSingleStep(0.05);
     void_fraction_->setToolTip("Share of the volume that the second phase (gas, oil) takes");
     form->addRow("Void fraction", void_fraction_);
@@ -90,6 +100,7 @@ QWidget* InjectPanel::make_settings() {
         model_->addItem(name);
         model_->setItemData(model_->count() - 1, description, Qt::ToolTipRole);
     }
+    model_->setCurrentText(default_injection::pressure_model);
     model_->setToolTip("Form of the pressure law");
     form->addRow("Pressure law", model_);
     return box;

@@ -27,7 +27,8 @@ void FluidOptions::add_to(CLI::App& verb) {
 }
 
 double FluidOptions::share() const {
-    const double otherwise = law() == PressureLaw::published ? published_void_fraction : 0.0;
+    const double otherwise = law() == PressureLaw::published ? published_void_fraction
+                                                             : default_injection::void_fraction;
     return void_fraction.value_or(otherwise);
 }
 

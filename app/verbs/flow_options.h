@@ -10,12 +10,13 @@
 #include "app/command_line.h"
 #include "core/anatomy/vessel_tree.h"
 #include "core/flow/pressure_drop.h"
+#include "core/scene/default_injection.h"
 
 namespace hepatica {
 
 // --model, --void-fraction, --phase and the properties of both phases.
 struct FluidOptions {
-    std::string model = "regime";
+    std::string model = default_injection::pressure_model;
     std::optional<double> void_fraction;
     std::string phase;
     double liquid_density_kg_m3 = 1060.0;
@@ -25,7 +26,7 @@ struct FluidOptions {
 
     void add_to(CLI::App& verb);
     PressureLaw law() const { return pressure_law(model); }
-    // What was given, else 0.40 under `published` (the paper's figure) and 0 else.
+    // What was given, else 0.40 under `published` (the paper's figure) and the default injection's.
     double share() const;
     // What was given, else gas under `published` (the paper's) and lipiodol else.
     Phase second() const;

@@ -154,6 +154,7 @@ Json run(Options options, Job& job) {
 void add_inject(CommandLine& line) {
     const auto options = std::make_shared<Options>();
     InjectionOptions& injection = options->injection;
+    injection.mass_flow_g_s = default_injection::mass_flow_g_s;
     CLI::App& verb = line.add_verb(
         "inject", "Inject a drug and follow its front through the tree",
         [options](Job& job) { return run(*options, job); }, summary_of_injection);

@@ -6,6 +6,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/anatomy/accuracy.h"
+#include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/patient/built_in_patient.h"
 #include "core/patient/patient_case.h"
@@ -123,8 +124,11 @@ Json run(const Options& options, Job& job) {
     Opened opened = open(options, job);
     const Json tree = facts_of(opened.patient.tree, opened.patient.mesh);
     const auto patient = std::make_shared<const PatientCase>(opened.patient);
-    const HeadlessPlay played = play_headless(patient, options.out, job);
-    write_report(report, opened, played);
+    HeadlessPlay played;
+    write_files_atomically(options.out, [&](const fs::path& folder) {
+        played = play_headless(patient, folder, job);
+        write_report(folder / report.filename(), opened, played);
+    });
     Json files = Json::array();
     for (const PlayedPicture& picture : played.pictures)
         files.push_back((options.out / picture.file).string());
@@ -143,7 +147,8 @@ void add_play(CommandLine& line) {
     CLI::App& verb = line.add_verb("play", "Play a session without a window: pictures and a report",
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("patient", options->patient, "CT or case; none: the built-in patient");
-    verb.add_option("--out", options->out, "Folder for pictures and report.html")
+    verb.add_option("--out", options->out,
+                    "Folder for pictures and report.html, which appear together at the end")
         ->capture_default_str();
 }
 

@@ -26,7 +26,7 @@ struct Options {
     std::filesystem::path out;
     std::optional<double> time_s;
     std::string at_mm;
-    double mass_flow_g_s = 2.0;
+    double mass_flow_g_s = default_injection::mass_flow_g_s;
     std::string view = "anterior";
     std::string size = "1280,960";
     double turn_right_deg = 0.0;

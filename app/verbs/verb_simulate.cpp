@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 
 #include "app/output_place.h"
+#include "app/step_times.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -36,7 +36,7 @@ struct Options {
 };
 
 struct Play {
-    std::vector<double> step_ms;
+    StepTimes times;
     Json real_time_factor;  // null where nothing was played
     int linear_iterations_max = 0;
     int degraded_steps = 0;
@@ -45,13 +45,6 @@ struct Play {
     Json velocity_error_fit;  // null unless asked for
     bool finite = true;
 };
-
-// Null where there is no value.
-Json quantile(std::vector<double> values, double share) {
-    if (values.empty()) return nullptr;
-    std::ranges::sort(values);
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 bool is_finite(const World& world) {
     for (std::size_t v = 0; v < world.vertex_count(); ++v)
@@ -90,7 +83,7 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
         for (const Command& command : now) session.post(command);
         const SessionStep step = session.step();
         if (step.paused) break;
-        result.step_ms.push_back(step.step_ms);
+        result.times.add(step);
         result.linear_iterations_max =
             std::max(result.linear_iterations_max, step.deform.linear_iterations);
         result.degraded_steps += step.deform.degraded ? 1 : 0;
@@ -103,11 +96,10 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
         if (fit && deform != nullptr) motion.keep(*deform);
         job.advance(static_cast<double>(step.step) / static_cast<double>(commands.size()));
     }
-    if (result.step_ms.empty()) return result;
+    if (result.times.steps() == 0) return result;
     if (fit && deform != nullptr) result.velocity_error_fit = motion.fit(*deform);
-    const double wall_ms = std::accumulate(result.step_ms.begin(), result.step_ms.end(), 0.0);
-    result.real_time_factor =
-        1e3 * session.world().spec().dt_s * static_cast<double>(result.step_ms.size()) / wall_ms;
+    result.real_time_factor = 1e3 * session.world().spec().dt_s *
+                              static_cast<double>(result.times.steps()) / result.times.wall_ms();
     return result;
 }
 
@@ -150,13 +142,14 @@ Json run(const Options& options, Job& job) {
     const bool moves = session.world().deform() != nullptr;
     const bool known = moves && statistics.expected_error > 0.0;
     return {{"script", script.name},
-            {"steps", played.step_ms.size()},
+            {"steps", played.times.steps()},
+            {"steps_asleep", played.times.asleep()},
             {"dt_s", spec.dt_s},
             {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0},
             {"step_ms",
-             {{"median", quantile(played.step_ms, 0.5)},
-              {"p95", quantile(played.step_ms, 0.95)},
-              {"max", quantile(played.step_ms, 1.0)}}},
+             {{"median", played.times.quantile(0.5)},
+              {"p95", played.times.quantile(0.95)},
+              {"max", played.times.quantile(1.0)}}},
             {"real_time_factor", played.real_time_factor},
             {"linear_iterations_max", played.linear_iterations_max},
             {"degraded_steps", played.degraded_steps},

@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -117,6 +118,25 @@ void write_folder_atomically(const fs::path& target,
     else
         fs::rename(temporary.path(), folder, error);
     if (error) throw_unwritable(target, error);
+}
+
+void write_files_atomically(const fs::path& folder,
+                            const std::function<void(const fs::path&)>& write) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw_unwritable(folder, error);
+    const Temporary temporary(folder / "files");  // on the file system of `folder`
+    fs::create_directory(temporary.path(), error);
+    if (error) throw_unwritable(folder, error);
+    write(temporary.path());
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(temporary.path()))
+        files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+        fs::rename(file, folder / file.filename(), error);
+        if (error) throw_unwritable(folder / file.filename(), error);
+    }
 }
 
 }  // namespace hepatica

@@ -25,4 +25,10 @@ void write_text_atomically(const std::filesystem::path& file, std::string_view t
 void write_folder_atomically(const std::filesystem::path& folder,
                              const std::function<void(const std::filesystem::path&)>& write);
 
+// Calls write(temporary_folder), an empty folder, then moves the files in it into `folder`, in the
+// order of their names, beside what else is there; older files of these names are replaced. On an
+// exception none is. Throws InputError as above.
+void write_files_atomically(const std::filesystem::path& folder,
+                            const std::function<void(const std::filesystem::path&)>& write);
+
 }  // namespace hepatica

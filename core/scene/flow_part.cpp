@@ -8,24 +8,10 @@
 #include "core/base/error.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/flow_solution.h"
-#include "core/flow/injection.h"
 
 namespace hepatica {
 
 namespace {
-
-InjectionOptions options_of(const Injection& injection, const TreePoint& tip) {
-    InjectionOptions options;
-    options.tip = tip;
-    options.wedged = false;
-    options.mass_flow_g_s = injection.mass_flow_g_s;
-    options.law = pressure_law(injection.pressure_model);
-    options.second_phase = second_phase(injection.second_phase);
-    options.void_fraction = injection.void_fraction;
-    if (injection.drug_viscosity_pa_s != 0.0)
-        options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
-    return options;
-}
 
 struct Arrivals {
     ArrivalTimes times;
@@ -76,6 +62,19 @@ TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
 
 }  // namespace
 
+InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
+    InjectionOptions options;
+    options.tip = at_supply_where_near(injection.at, tree);
+    options.wedged = false;
+    options.mass_flow_g_s = injection.mass_flow_g_s;
+    options.law = pressure_law(injection.pressure_model);
+    options.second_phase = second_phase(injection.second_phase);
+    options.void_fraction = injection.void_fraction;
+    if (injection.drug_viscosity_pa_s != 0.0)
+        options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
+    return options;
+}
+
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec)
     : tree_(tree), speed_(spec.drug_speed) {
@@ -89,8 +88,7 @@ void FlowPart::inject(const Injection& injection) {
     if (!(injection.mass_flow_g_s > 0.0))
         throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
                          "Give more than 0 g/s");
-    const InjectionOptions options =
-        options_of(injection, at_supply_where_near(injection.at, tree_));
+    const InjectionOptions options = injection_options(injection, tree_);
     const bool alike = drug_of(options) == pure(options.liquid);
     const Arrivals arrivals =
         alike ? steady_arrivals(tree_, options) : stepped_arrivals(tree_, options);

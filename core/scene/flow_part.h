@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/anatomy/vessel_tree.h"
+#include "core/flow/injection.h"
+#include "core/scene/default_injection.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/vertex_places.h"
@@ -16,13 +18,18 @@
 namespace hepatica {
 
 struct Injection {
-    TreePoint at;                           // on the tree at rest
-    double mass_flow_g_s = 2.0;             // > 0
-    double void_fraction = 0.0;             // share of the second phase, in [0, 1)
-    std::string second_phase = "carrier";   // gas, lipiodol or carrier
-    std::string pressure_model = "regime";  // published, consistent or regime
-    double drug_viscosity_pa_s = 0.0;       // > 0; 0: what the mixture gives
+    TreePoint at;                                                    // on the tree at rest
+    double mass_flow_g_s = default_injection::mass_flow_g_s;         // > 0
+    double void_fraction = default_injection::void_fraction;         // of the second phase, [0, 1)
+    std::string second_phase = default_injection::second_phase;      // gas, lipiodol or carrier
+    std::string pressure_model = default_injection::pressure_model;  // published, consistent or
+                                                                     // regime
+    double drug_viscosity_pa_s = 0.0;  // > 0; 0: what the mixture gives
 };
+
+// The same as core/flow/injection.h takes it: through a free tip, at the place where a system is
+// supplied if the injection is within a radius of it.
+InjectionOptions injection_options(const Injection& injection, const VesselTree& tree);
 
 class FlowPart {
   public:

@@ -10,6 +10,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/stepper_options.h"
+#include "core/scene/default_injection.h"
 
 namespace hepatica {
 
@@ -32,10 +33,11 @@ struct ReleaseGrab {};
 // Replaces an injection that was made before; the drug's clock starts at zero and plays.
 struct InjectDrug {
     Vec3 point_mm = Vec3::Zero();
-    double mass_flow_g_s = 2.0;                   // > 0
-    double void_fraction = 0.0;                   // volume share of the second phase, 0 to below 1
-    std::string second_phase = "carrier";         // gas, lipiodol or carrier
-    std::string pressure_model = "regime";        // published, consistent or regime
+    double mass_flow_g_s = default_injection::mass_flow_g_s;     // > 0
+    double void_fraction = default_injection::void_fraction;     // volume share, 0 to below 1
+    std::string second_phase = default_injection::second_phase;  // gas, lipiodol or carrier
+    std::string pressure_model =
+        default_injection::pressure_model;        // published, consistent, regime
     std::optional<double> drug_viscosity_pa_s{};  // > 0; otherwise the fluid's own
 };
 struct RemoveDrug {};

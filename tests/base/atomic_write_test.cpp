@@ -71,6 +71,26 @@ TEST_F(AtomicWrite, ReplacesAFolderWhole) {
     EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(AtomicWrite, PutsFilesBesideOthersOnlyWhenAllAreWritten) {
+    write_text_atomically(folder_ / "mine.txt", "mine");
+    const auto write = [&](const std::string& text, bool fails) {
+        write_files_atomically(folder_, [&](const fs::path& temporary) {
+            std::ofstream(temporary / "a.png") << text;
+            if (fails) throw Cancelled();
+            std::ofstream(temporary / "report.html") << text;
+        });
+    };
+    EXPECT_THROW(write("half", true), Cancelled);
+    EXPECT_EQ(entries(), 1);
+    write("first", false);
+    EXPECT_THROW(write("half", true), Cancelled);
+    EXPECT_EQ(read(folder_ / "a.png"), "first");
+    write("second", false);
+    for (const char* name : {"a.png", "report.html"}) EXPECT_EQ(read(folder_ / name), "second");
+    EXPECT_EQ(read(folder_ / "mine.txt"), "mine");
+    EXPECT_EQ(entries(), 3);
+}
+
 TEST_F(AtomicWrite, WritesThroughALink) {
     write_text_atomically(folder_ / "real" / "a.txt", "old");
     fs::create_symlink(folder_ / "real" / "a.txt", folder_ / "link.txt");
