@@ -6,6 +6,9 @@
 #include <limits>
 #include <optional>
 #include <ranges>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/image/dicom_header.h"
@@ -27,12 +30,40 @@ void require_existing(const fs::path& path) {
         throw InputError("does not exist", path.string(), "Check the path");
 }
 
+// Gives the voxels marked in `missing` of whose neighbours at least half are there the mean of
+// those, and returns how many: scattered holes are damage, large ones padding around the scan.
+std::size_t fill_from_neighbours(Volume& volume, const std::vector<std::uint8_t>& missing,
+                                 const Job& job) {
+    std::size_t filled = 0;
+    for (std::size_t hole = 0; hole < missing.size(); ++hole) {
+        if (hole % 65536 == 0) job.throw_if_cancelled();
+        if (missing[hole] == 0) continue;
+        const auto [x, y, z] = volume.grid.index_of(hole);
+        int inside = 0, there = 0;
+        double sum = 0.0;
+        for (int i = 0; i < 27; ++i) {
+            const int nx = x + i % 3 - 1, ny = y + i / 3 % 3 - 1, nz = z + i / 9 - 1;
+            if (!volume.grid.contains(nx, ny, nz)) continue;
+            ++inside;
+            const std::size_t neighbour = volume.grid.offset(nx, ny, nz);
+            if (missing[neighbour] != 0) continue;
+            ++there;
+            sum += volume.voxels[neighbour];
+        }
+        if (2 * there < inside) continue;
+        volume.voxels[hole] = static_cast<std::int16_t>(std::lround(sum / there));
+        ++filled;
+    }
+    return filled;
+}
+
 Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::int16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
     Volume volume(placed.grid);
     std::size_t not_numbers = 0;
+    std::vector<std::uint8_t> missing;  // empty where there is none
     std::size_t clamped = 0;
     read_values(
         file, placed,
@@ -41,6 +72,8 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
             constexpr double high = std::numeric_limits<std::int16_t>::max();
             for (double value : values) {
                 if (!std::isfinite(value)) {
+                    if (missing.empty()) missing.resize(volume.voxels.size(), 0);
+                    missing[static_cast<std::size_t>(at)] = 1;
                     ++not_numbers;
                     value = air_hu;
                 }
@@ -51,8 +84,13 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
             }
         },
         job);
-    if (not_numbers > 0)
-        remarks.push_back(std::to_string(not_numbers) + " values are not numbers and became air");
+    if (not_numbers > 0) {
+        const std::size_t filled = fill_from_neighbours(volume, missing, job);
+        remarks.push_back(std::to_string(not_numbers) + " of " +
+                          std::to_string(volume.voxels.size()) +
+                          " values are not numbers (NaN or infinite): " + std::to_string(filled) +
+                          " became the mean of their neighbours, the others air");
+    }
     if (clamped > 0)
         remarks.push_back(std::to_string(clamped) + " values lie outside 16 bits and were clamped");
     return volume;
@@ -223,6 +261,17 @@ LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& plac
 }
 
 void require_plausible_ct(const Volume& volume, const std::string& place) {
+    constexpr double least_mm = 0.1, most_mm = 10.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double spacing_mm = volume.grid.spacing_mm[axis];
+        if (spacing_mm >= least_mm && spacing_mm <= most_mm) continue;
+        std::ostringstream problem;
+        problem << "has voxels of " << spacing_mm << " mm along "
+                << "xyz"[axis];
+        throw InputError(problem.str(), place,
+                         "Check the unit of its spacing and export it again in millimetres: the CT "
+                         "of a body has voxels of 0.1 to 10 mm");
+    }
     for (const int n : volume.grid.dims)
         if (n < 8)
             throw InputError("has only " + std::to_string(n) + " voxels along an axis", place,

@@ -50,8 +50,9 @@ void require_same_grid(const Grid& mask, const Grid& volume, const std::string& 
 Mask on_grid_of(const Grid& volume, Mask mask, const std::string& place);
 LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& place);
 
-// Throws InputError, naming `place`, where nothing can be reconstructed from the volume: fewer
-// than 8 voxels along an axis, all values equal, or no soft tissue (-200 to 400 HU) in sight.
+// Throws InputError, naming `place`, where nothing can be reconstructed from the volume: voxels
+// smaller than 0.1 or larger than 10 mm, fewer than 8 voxels along an axis, all values equal, or no
+// soft tissue (-200 to 400 HU) in sight.
 void require_plausible_ct(const Volume& volume, const std::string& place);
 
 }  // namespace hepatica

@@ -149,7 +149,7 @@ TEST(Nifti, AppliesSlopeAndClampsToSixteenBits) {
     EXPECT_NE(remarks[0].find("clamped"), std::string::npos);
 }
 
-TEST(Nifti, MakesAirOfWhatIsNoNumber) {
+TEST(Nifti, FillsScatteredVoxelsThatAreNoNumbersAndMakesAirOfPadding) {
     const TemporaryFolder folder;
     FloatVolume field(small_grid(), 50.0f);
     field.voxels[3] = std::numeric_limits<float>::quiet_NaN();
@@ -158,10 +158,16 @@ TEST(Nifti, MakesAirOfWhatIsNoNumber) {
     Job job;
     ReadRemarks remarks;
     const Volume read = read_volume(folder / "nan.nii.gz", job, &remarks);
-    EXPECT_EQ(read.voxels[3], -1024);
-    EXPECT_EQ(read.voxels[4], -1024);
-    EXPECT_EQ(read.voxels[5], 50);
-    EXPECT_EQ(remarks.size(), 1u);
+    for (const std::int16_t value : read.voxels) EXPECT_EQ(value, 50);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("2 of"), std::string::npos) << remarks[0];
+
+    field.voxels.assign(field.voxels.size(), std::numeric_limits<float>::quiet_NaN());
+    field.voxels.back() = 50.0f;
+    write_nifti(folder / "padding.nii.gz", field);
+    const Volume padded = read_volume(folder / "padding.nii.gz", job, &remarks);
+    EXPECT_EQ(padded.voxels.front(), -1024);
+    EXPECT_EQ(padded.voxels.back(), 50);
 }
 
 TEST(BadFile, IsRefusedByNameWithARemedy) {
