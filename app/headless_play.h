@@ -27,7 +27,8 @@ struct HeadlessPlay {
 };
 
 // Plays on the patient and writes the pictures and curves into `folder`, which must exist.
-// Throws InputError (a folder that cannot be written, a case without a body), Cancelled.
+// Begins three stages of the job. Throws InputError (a folder that cannot be written, a case
+// without a body), Cancelled.
 HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
                            const std::filesystem::path& folder, Job& job);
 

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace hepatica {
 
@@ -19,10 +21,10 @@ void on_interrupt(int) {
     interrupted = 1;
 }
 
-std::string counted(const JobProgress& progress) {
-    std::string text = "[" + std::to_string(progress.stage_number);
-    if (progress.stage_count > 0) text += "/" + std::to_string(progress.stage_count);
-    return text + "] " + progress.stage;
+std::string counted(std::size_t number, int count, const std::string& stage) {
+    std::string text = "[" + std::to_string(number);
+    if (count > 0) text += "/" + std::to_string(count);
+    return text + "] " + stage;
 }
 
 }  // namespace
@@ -51,22 +53,28 @@ void ProgressDisplay::watch() {
     while (!finished_) {
         finish_.wait_for(lock, std::chrono::milliseconds(100));
         if (interrupted != 0) job_.cancel();
-        if (!quiet_) show(job_.progress());
+        if (!quiet_) show();
     }
+    if (!quiet_ && !terminal_) show();  // work may end before this thread has begun
     if (line_open_) std::fputs("\n", stderr);
 }
 
-void ProgressDisplay::show(const JobProgress& progress) {
-    if (progress.stage_number == 0) return;
+void ProgressDisplay::show() {
+    const std::vector<StageTime> stages = job_.stage_times();
+    if (stages.empty()) return;
+    const JobProgress progress = job_.progress();
     if (terminal_) {
-        std::fprintf(stderr, "\r\033[K%s  %3.0f %%", counted(progress).c_str(),
+        const auto number = static_cast<std::size_t>(progress.stage_number);
+        std::fprintf(stderr, "\r\033[K%s  %3.0f %%",
+                     counted(number, progress.stage_count, progress.stage).c_str(),
                      100.0 * progress.fraction);
         std::fflush(stderr);
         line_open_ = true;
-    } else if (progress.stage_number != shown_stage_) {
-        spdlog::info("{}", counted(progress));
+        return;
     }
-    shown_stage_ = progress.stage_number;
+    for (; shown_stages_ < stages.size(); ++shown_stages_)
+        spdlog::info("{}",
+                     counted(shown_stages_ + 1, progress.stage_count, stages[shown_stages_].name));
 }
 
 }  // namespace hepatica

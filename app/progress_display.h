@@ -3,6 +3,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -12,7 +13,8 @@
 namespace hepatica {
 
 // Lives as long as the work does. On a terminal one line is rewritten ten times a second; in a log
-// file each stage gets a line. One at a time in a program: it owns the handler of SIGINT.
+// file each stage gets a line, also one that was over between two looks. One at a time in a
+// program: it owns the handler of SIGINT.
 class ProgressDisplay {
   public:
     ProgressDisplay(Job& job, bool quiet);
@@ -22,13 +24,13 @@ class ProgressDisplay {
 
   private:
     void watch();
-    void show(const JobProgress& progress);
+    void show();
 
     Job& job_;
     bool quiet_;
     bool terminal_;
     bool line_open_ = false;
-    int shown_stage_ = 0;
+    std::size_t shown_stages_ = 0;
     bool finished_ = false;
     std::mutex mutex_;
     std::condition_variable finish_;

@@ -61,6 +61,17 @@ bool is_tree_file(const fs::path& path) {
     return extension == ".vtp" || extension == ".swc" || extension == ".json";
 }
 
+// Of all that load_patient() does.
+int stages_of_loading(const OpenRequest& request) {
+    constexpr int preparing = 1, building_the_scene = 1;
+    const fs::path& path = request.reconstruct.ct;
+    const int reading_or_making = request.built_in     ? built_in_stage_count()
+                                  : is_case(path)      ? 1
+                                  : is_tree_file(path) ? 2
+                                                       : stage_count(request.reconstruct);
+    return reading_or_making + preparing + building_the_scene;
+}
+
 }  // namespace
 
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
@@ -76,6 +87,7 @@ LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
 }
 
 LoadedPatient load_patient(const OpenRequest& request, Job& job) {
+    job.expect_stages(stages_of_loading(request));
     const fs::path& path = request.reconstruct.ct;
     std::vector<std::string> warnings;
     bool on_disk = false;

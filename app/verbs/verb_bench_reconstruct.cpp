@@ -88,6 +88,7 @@ Json run(Options options, Job& job) {
     if (!options.liver_mask.empty()) reconstruction.liver_mask = options.liver_mask;
     if (!options.vessel_mask.empty()) reconstruction.vessel_mask = options.vessel_mask;
     const JobWatch watch(job);
+    job.expect_stages(stage_count(reconstruction) + 1);
     const Reconstruction made = reconstruct(reconstruction, job);
     job.begin_stage("Writing the case");
     fs::create_directories(options.out);

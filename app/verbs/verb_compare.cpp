@@ -72,6 +72,7 @@ std::vector<std::string> doubts(const Options& options, const Accuracy& found) {
 }
 
 Json run(const Options& options, Job& job) {
+    job.expect_stages(2);
     const PatientCase patient = read_case(options.patient);
     const VesselTree truth_tree = read_tree(options.truth_tree);
     const Mask truth_mask = read_mask(options.truth_mask, job);

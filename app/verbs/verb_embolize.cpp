@@ -69,6 +69,7 @@ Json run(Options options, Job& job) {
     if (!options.plot.empty()) require_chart_file(options.plot);
     for (const auto* file : {&options.csv, &options.plot})
         if (!file->empty()) require_writable(*file);
+    job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place);
     FlowNetwork network = network_of(tree);

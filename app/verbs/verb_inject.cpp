@@ -123,6 +123,7 @@ Json run(Options options, Job& job) {
     for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
         if (!file->empty()) require_writable(*file);
     InjectionOptions& injection = options.injection;
+    job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place);
     const TreePoint tip =

@@ -57,10 +57,12 @@ Json make(Options options, Job& job) {
     parse(options);
     require_writable(options.out);
     require_own_or_new(options.out, "truth_tree.vtp");
-    const Phantom phantom = make_phantom(options.phantom, job);
     const auto wanted = [&](const char* format) {
         return std::ranges::find(options.formats, format) != options.formats.end();
     };
+    constexpr int growing_to_scanning = 3, writing_the_truth = 1;
+    job.expect_stages(growing_to_scanning + (wanted("dicom") ? 1 : 0) + writing_the_truth);
+    const Phantom phantom = make_phantom(options.phantom, job);
     Json made = Json::array();
     write_folder_atomically(options.out, [&](const fs::path& folder) {
         if (wanted("dicom")) {

@@ -46,6 +46,14 @@ Json table_of(const std::vector<StageTime>& stages) {
     return table;
 }
 
+// Of `options`, up to the play and with it.
+int play_stages(const Options& options) {
+    constexpr int building_playing_injecting = 3;
+    if (options.patient.empty()) return built_in_stage_count() + building_playing_injecting;
+    if (is_case(options.patient)) return building_playing_injecting;
+    return stage_count(ReconstructOptions{}) + building_playing_injecting;
+}
+
 Opened reconstructed(const fs::path& ct, const fs::path& case_folder, Job& job) {
     ReconstructOptions options;
     options.ct = ct;
@@ -121,6 +129,7 @@ Json run(const Options& options, Job& job) {
     if (!options.patient.empty() && !fs::exists(options.patient))
         throw InputError("does not exist", options.patient.string(), "Check the path");
     fs::create_directories(options.out);
+    job.expect_stages(play_stages(options));
     Opened opened = open(options, job);
     const Json tree = facts_of(opened.patient.tree, opened.patient.mesh);
     const auto patient = std::make_shared<const PatientCase>(opened.patient);

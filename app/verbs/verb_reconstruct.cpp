@@ -77,6 +77,7 @@ Json run(Options options, Job& job) {
     require_case_name(options.out);
     require_writable(options.out);
     require_own_or_new(options.out, "case.json");
+    job.expect_stages(stage_count(options.reconstruct) + 1);
     const Reconstruction made = reconstruct(options.reconstruct, job);
     job.begin_stage("Writing the case");
     write_case(options.out, made.patient);

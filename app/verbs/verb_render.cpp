@@ -117,6 +117,7 @@ Json run(const Options& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
     require_writable(options.out);
+    job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
     const std::unique_ptr<Session> session =

@@ -18,6 +18,7 @@ struct Options {
 
 Json run(const Options& options, Job& job) {
     const Recording recording = read_recording(options.file);
+    job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(
         std::filesystem::absolute(options.file).parent_path() / recording.patient_path));

@@ -19,6 +19,7 @@ SceneFile scene_of(const std::filesystem::path& file) {
 // Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
 Json run(const std::filesystem::path& file, Job& job) {
     const SceneFile scene = scene_of(file);
+    job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(scene.patient));
     Session session(patient, scene.spec, job);

@@ -126,6 +126,7 @@ Json run(const Options& options, Job& job) {
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
+    job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
     const SceneSpec spec = scene_of(options, script);

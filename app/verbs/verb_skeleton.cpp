@@ -80,6 +80,7 @@ void draw_stages(const Options& options, const Mask& thinned, const UnitWidthSta
 
 Json run(const Options& options, Job& job) {
     if (!options.out.empty()) require_writable_folder(options.out);
+    job.expect_stages(3);
     const Mask mask = read_mask(options.mask, job);
     const auto method =
         options.method == "parallel" ? ThinningMethod::parallel : ThinningMethod::queue;

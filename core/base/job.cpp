@@ -20,6 +20,7 @@ void Job::throw_if_cancelled() const {
 
 void Job::expect_stages(int count) {
     const std::scoped_lock lock(mutex_);
+    if (progress_.stage_number < progress_.stage_count) return;  // the caller knows the whole
     progress_.stage_count = progress_.stage_number + count;
 }
 

@@ -33,7 +33,7 @@ enum class JobEvent {
 // Thread-safe: the worker calls the first three, anybody calls the rest.
 class Job {
   public:
-    // Announces how many stages are still to begin. Optional; the latest announcement counts.
+    // Announces how many stages are to begin; void while those of an earlier call are to come.
     void expect_stages(int count);
     // Ends the stage before, starts this one. Throws Cancelled if the user has asked to stop.
     void begin_stage(const std::string& name);

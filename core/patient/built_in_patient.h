@@ -16,6 +16,9 @@ struct BuiltInPatient {
     Phantom truth;
 };
 
+// How many stages of its job it begins.
+int built_in_stage_count();
+
 // Writes ct.nii.gz and liver.nii.gz into `folder`, which must exist, and reconstructs them.
 // Throws InputError where the folder cannot be written, Cancelled.
 BuiltInPatient reconstruct_built_in(const std::filesystem::path& folder, Job& job);

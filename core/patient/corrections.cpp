@@ -100,10 +100,11 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
 }
 
 PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job) {
-    if (edits == patient.corrections.edits) return patient;
+    const bool same = edits == patient.corrections.edits;
     job.begin_stage("Editing the tree");
-    PatientCase result = with_edited_tree(patient, edits);
+    PatientCase result = same ? patient : with_edited_tree(patient, edits);
     job.begin_stage("Meshing the vessels");
+    if (same) return result;
     result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
     result.surface = surface_of(result.mesh).mesh;
     return result;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/anatomy/segmentation/gaussian_refinement.h"
@@ -111,6 +114,51 @@ Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& 
     return refine(mask, options.refinement_recursions, job);
 }
 
+std::string text_of(const Vec3& position_mm) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", position_mm.x(), position_mm.y(),
+                  position_mm.z());
+    return text;
+}
+
+void require_seeds_in_image(const ReconstructOptions& options, const Grid& grid) {
+    for (const VesselSeed& seed : options.seeds) {
+        const Vec3 index = grid.to_index(seed.position_mm);
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside = inside && index[axis] >= -0.5 && index[axis] <= grid.dims[axis] - 0.5;
+        if (inside) continue;
+        const Vec3 corner = grid.to_mm(0, 0, 0);
+        const Vec3 opposite = grid.to_mm(grid.dims[0] - 1, grid.dims[1] - 1, grid.dims[2] - 1);
+        throw InputError(text_of(seed.position_mm) +
+                             " lies outside the image, which reaches from " + text_of(corner) +
+                             " to " + text_of(opposite),
+                         "--seed-mm",
+                         "Give a place inside a vessel in patient space (LPS, mm); other programs "
+                         "may show RAS: there change the sign of X and Y");
+    }
+}
+
+// The trunks leave the liver, but not far from it.
+void require_seeds_near_liver(const ReconstructOptions& options, const Mask& liver) {
+    constexpr double reach_mm = 10.0;
+    for (const VesselSeed& seed : options.seeds) {
+        double nearest_mm = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+            if (liver.voxels[i] == 0) continue;
+            const auto [x, y, z] = liver.grid.index_of(i);
+            nearest_mm =
+                std::min(nearest_mm, (liver.grid.to_mm(x, y, z) - seed.position_mm).norm());
+            if (nearest_mm <= reach_mm) break;
+        }
+        if (nearest_mm <= reach_mm) continue;
+        throw InputError(text_of(seed.position_mm) + " lies " +
+                             std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
+                             options.liver_mask->string(),
+                         "--seed-mm", "Give a place inside a vessel in or at the liver (LPS, mm)");
+    }
+}
+
 Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
                        std::vector<std::string>& warnings, Job& job) {
     SegmentationOptions segmentation;
@@ -123,6 +171,7 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
         segmentation.liver =
             on_grid_of(ct.grid, read_mask(*options.liver_mask, job, options.liver_labels),
                        options.liver_mask->string());
+        require_seeds_near_liver(options, *segmentation.liver);
     }
     Segmentation found = segment_vessels(ct, segmentation, job);
     warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
@@ -130,27 +179,33 @@ Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
     return std::move(found.mask);
 }
 
-int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 4, writing_by_the_caller = 1;
-    constexpr int given_mask = 2, segmentation = 6;
-    const int systems = options.seeds.empty() ? 0 : 1;
-    return reading + (options.vessel_mask ? given_mask : segmentation + systems) +
-           from_skeleton_to_mesh + writing_by_the_caller;
+// Portal and hepatic veins that touch make loops, which a tree of one system has none of.
+void warn_of_loops(const VesselTree& tree, std::vector<std::string>& warnings) {
+    const auto loops = std::ranges::count_if(
+        tree.segments, [](const VesselSegment& segment) { return segment.closes_loop; });
+    const bool one_system = std::ranges::all_of(tree.segments, [&](const VesselSegment& segment) {
+        return segment.system == tree.segments.front().system;
+    });
+    if (loops == 0 || !one_system) return;
+    warnings.push_back(
+        "The vessels are one system with " + std::to_string(loops) +
+        (loops == 1 ? " loop" : " loops") +
+        ": portal and hepatic veins may be joined where they touch. Give a seed inside each, "
+        "--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2, to tell them apart.");
 }
 
-}  // namespace
-
-Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
-    job.throw_if_cancelled();
-    job.expect_stages(stage_count(options));
+// `warnings` holds what was found so far, also where it throws.
+Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::string>& warnings,
+                           Job& job) {
     Reconstruction result;
     PatientCase& patient = result.patient;
-    const Volume ct = read_volume(options.ct, job, &result.warnings);
+    const Volume ct = read_volume(options.ct, job, &warnings);
     require_plausible_ct(ct, options.ct.string());
+    require_seeds_in_image(options, ct.grid);
     patient.source = {options.ct.string(), ct.grid, parameters_of(options).dump()};
 
     patient.mask = options.vessel_mask ? given_vessels(options, ct.grid, job)
-                                       : segmented_vessels(options, ct, result.warnings, job);
+                                       : segmented_vessels(options, ct, warnings, job);
     fill_cavities(patient.mask);
     job.advance(0.8);
     result.mask = counts_of(patient.mask);
@@ -175,13 +230,39 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+    warn_of_loops(patient.tree, warnings);
 
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options.mesh, job);
     job.throw_if_cancelled();
     patient.surface = surface_of(patient.mesh).mesh;
     result.stages = job.stage_times();
+    result.warnings = warnings;
     return result;
+}
+
+}  // namespace
+
+int stage_count(const ReconstructOptions& options) {
+    constexpr int reading = 1, from_skeleton_to_mesh = 4;
+    constexpr int given_mask = 2, segmentation = 6, telling_systems_apart = 1;
+    if (options.vessel_mask) return reading + given_mask + from_skeleton_to_mesh;
+    return reading + segmentation + (options.seeds.empty() ? 0 : telling_systems_apart) +
+           from_skeleton_to_mesh;
+}
+
+Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
+    job.throw_if_cancelled();
+    job.expect_stages(stage_count(options));
+    std::vector<std::string> warnings;
+    try {
+        return reconstruct(options, warnings, job);
+    } catch (const InputError& error) {
+        // What was odd about the image may be the reason.
+        std::string problem = error.problem();
+        for (const std::string& warning : warnings) problem += "; " + warning;
+        throw InputError(problem, error.place(), error.remedy());
+    }
 }
 
 }  // namespace hepatica

@@ -56,6 +56,9 @@ struct Reconstruction {
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
 };
 
+// How many stages of its job it begins. A caller that begins others announces them all together.
+int stage_count(const ReconstructOptions& options);
+
 // Throws InputError for whatever cannot be reconstructed (with file, value and remedy), Cancelled.
 // Writes nothing: see write_case. Thread safety: may run on any thread.
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job);

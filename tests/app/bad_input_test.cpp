@@ -5,9 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/hash.h"
 #include "core/base/job.h"
@@ -108,6 +110,53 @@ TEST_F(BadInput, AnAllZeroVolume) {
     std::fill(ct.voxels.begin(), ct.voxels.end(), std::int16_t{0});
     write_nifti(folder_ / "zero.nii.gz", ct);
     EXPECT_NE(refused({path("zero.nii.gz")}).errors.find("zero.nii.gz"), std::string::npos);
+}
+
+TEST_F(BadInput, VoxelsOfAnotherUnit) {
+    for (const auto& [spacing_mm, said] :
+         {std::pair<double, std::string>{0.01, "0.01 mm"}, {50.0, "50 mm"}}) {
+        Volume ct = small_ct();
+        ct.grid.spacing_mm.z() = spacing_mm;
+        write_nifti(folder_ / "ct.nii.gz", ct);
+        const Outcome run = refused({path("ct.nii.gz")});
+        EXPECT_NE(run.errors.find(said + " along z"), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find("export it again in millimetres"), std::string::npos);
+    }
+}
+
+// Where the scan cannot be used, what was odd about its values stands beside the reason.
+TEST_F(BadInput, ValuesThatAreNoNumbersAreCounted) {
+    const Volume ct = small_ct();
+    FloatVolume values(ct.grid);
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i)
+        values.voxels[i] = i % 50 == 0 ? std::numeric_limits<float>::quiet_NaN() : 100.0f;
+    write_nifti(folder_ / "ct.nii.gz", values);
+    const Outcome run = refused({path("ct.nii.gz")});
+    const std::size_t missing = (ct.voxels.size() + 49) / 50;
+    EXPECT_NE(run.errors.find(std::to_string(missing) + " of " + std::to_string(ct.voxels.size()) +
+                              " values are not numbers"),
+              std::string::npos)
+        << run.errors;
+}
+
+TEST_F(BadInput, SeedsOutsideTheImageOrFarFromTheLiverAreRefusedBeforeSegmenting) {
+    write_nifti(folder_ / "ct.nii.gz", small_ct());
+    Mask liver(small_ct().grid);
+    for (int z = 0; z < 32; ++z)
+        for (int y = 0; y < 36; ++y)
+            for (int x = 0; x < 12; ++x) liver.at(x, y, z) = 1;
+    write_nifti(folder_ / "liver.nii.gz", liver);
+    const Vec3 beside = liver.grid.to_mm(38, 18, 16);
+    const std::string far = std::to_string(beside.x()) + "," + std::to_string(beside.y()) + "," +
+                            std::to_string(beside.z());
+    for (const auto& [seed, said] :
+         {std::pair<std::string, std::string>{"9000,0,0", "image"}, {far, "liver.nii.gz"}}) {
+        const Outcome run =
+            refused({path("ct.nii.gz"), "--liver-mask", path("liver.nii.gz"), "--seed-mm=" + seed});
+        EXPECT_NE(run.errors.find("--seed-mm"), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find(said), std::string::npos) << run.errors;
+        EXPECT_EQ(run.errors.find("] Resampling"), std::string::npos) << run.errors;
+    }
 }
 
 TEST_F(BadInput, AMaskThatDoesNotLieOnTheVoxelsOfTheImage) {

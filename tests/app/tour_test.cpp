@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -116,6 +117,30 @@ TEST_F(Tour, LabelMapsServeAsMasksByTheirLabels) {
     EXPECT_EQ(made["mask"]["voxels"], case_["mask"]["voxels"]);
     EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("1"));
     EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("2"));
+}
+
+// Scattered voxels that are no numbers are mended; the answer says how many there were.
+TEST_F(Tour, AScanWithScatteredHolesIsReconstructedLikeTheWholeOne) {
+    Job job;
+    const Volume ct = read_volume(path("p/ct.nii.gz"), job);
+    FloatVolume holed(ct.grid);
+    std::size_t holes = 0;
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
+        const bool hole = (i * 2654435761u) % 50 == 0;  // 2 %
+        holes += hole ? 1 : 0;
+        holed.voxels[i] =
+            hole ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(ct.voxels[i]);
+    }
+    write_nifti(path("holed.nii.gz"), holed);
+    const auto reconstructed = [](const std::string& scan) {
+        return answer({"reconstruct", path(scan), "--liver-mask", path("p/liver.nii.gz"), "--out",
+                       path("holed.hep"), "--tetrahedra", "3000"});
+    };
+    const Json whole = reconstructed("p/ct.nii.gz"), mended = reconstructed("holed.nii.gz");
+    const double length_mm = whole["tree"]["length_mm"];
+    EXPECT_NEAR(mended["tree"]["length_mm"], length_mm, 0.05 * length_mm);
+    EXPECT_NE(mended["warnings"].dump().find(std::to_string(holes) + " of "), std::string::npos)
+        << mended["warnings"];
 }
 
 TEST_F(Tour, SimulatesRecordsAndReplaysAlikeForAnyNumberOfThreads) {

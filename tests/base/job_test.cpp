@@ -28,6 +28,19 @@ TEST(Job, ReportsStagesAndTheirTimes) {
     EXPECT_GE(times[0].seconds, 0.0);
 }
 
+// What is called announces only its own stages, what calls it all of them.
+TEST(Job, KeepsTheCountOfTheOutermostAnnouncement) {
+    Job job;
+    job.expect_stages(3);
+    job.begin_stage("read");
+    job.expect_stages(1);
+    job.begin_stage("thin");
+    job.begin_stage("write");
+    EXPECT_EQ(job.progress().stage_count, 3);
+    job.expect_stages(2);  // all that was announced has begun: another piece of work
+    EXPECT_EQ(job.progress().stage_count, 5);
+}
+
 TEST(Job, StopsTheWorkerAtItsNextReport) {
     Job job;
     bool stopped = false;

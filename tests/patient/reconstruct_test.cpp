@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <string>
 
 #include "core/anatomy/phantom/phantom.h"
 #include "core/base/error.h"
@@ -91,6 +94,44 @@ TEST_F(SmallPatient, EveryStageLooksAtItsJobManyTimes) {
         many += looks.count >= 100 ? 1 : 0;
     }
     EXPECT_GE(many, 5);  // those that take long on a real patient
+}
+
+bool warns_of_loops(const Reconstruction& made, const std::string& count) {
+    return std::ranges::any_of(made.warnings, [&](const std::string& warning) {
+        return warning.find(count) != std::string::npos &&
+               warning.find("--seed-mm X,Y,Z,1") != std::string::npos;
+    });
+}
+
+// A ring with two stems, as two veins make that were drawn as one mask where they touch.
+TEST(Reconstruct, WarnsOfLoopsInOneSystem) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica loops";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {64, 64, 24};
+    Volume ct(grid, 100);
+    ct.voxels[0] = 50;
+    Mask ring(grid), line(grid);
+    for (std::size_t i = 0; i < ring.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const double from_axis = std::hypot(x - 32.0, y - 32.0);
+        const bool stem = std::hypot(x - 32.0, z - 12.0) < 3.0 && y > 4 && y < 60;
+        ring.voxels[i] =
+            std::hypot(from_axis - 16.0, z - 12.0) < 3.0 || (stem && std::abs(y - 32.0) > 14.0);
+        line.voxels[i] = stem;
+    }
+    write_nifti(folder / "ct.nii.gz", ct);
+    write_nifti(folder / "ring.nii.gz", ring);
+    write_nifti(folder / "line.nii.gz", line);
+    ReconstructOptions options;
+    options.ct = folder / "ct.nii.gz";
+    options.mesh.target_tetrahedra = 1500;
+    Job job;
+    options.vessel_mask = folder / "ring.nii.gz";
+    EXPECT_TRUE(warns_of_loops(reconstruct(options, job), "1 loop"));
+    options.vessel_mask = folder / "line.nii.gz";
+    EXPECT_FALSE(warns_of_loops(reconstruct(options, job), "loop"));
+    fs::remove_all(folder);
 }
 
 }  // namespace
