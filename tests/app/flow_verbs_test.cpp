@@ -70,5 +70,127 @@ TEST_F(FlowVerbs, InjectPrintsTheTenLargestFlowsAndJsonAllOfThem) {
     EXPECT_EQ(begin[12].substr(0, 2) == "  ", false) << "ten rows and no more";
 }
 
+TEST_F(FlowVerbs, InjectWritesSeriesThatKeepTheMass) {
+    const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));
+    const Json found = answer({"inject", path("p/truth_tree.vtp"), "--void-fraction", "0.5",
+                               "--csv", path("series.csv"), "--lengths-csv", path("lengths.csv"),
+                               "--svzerod", path("model.json"), "--plot", path("plot.csv")});
+    EXPECT_NEAR(found["drug"]["void_fraction"], 0.5, 1e-12);
+    EXPECT_LT(found["volume_error_relative"], 1e-9);
+
+    const std::vector<std::string> series = lines_in(path("series.csv"));
+    ASSERT_GT(series.size(), 10u);
+    std::vector<std::string> names;
+    std::istringstream header(series[0]);
+    for (std::string name; std::getline(header, name, ',');) names.push_back(name);
+    const auto column = [&](const std::string& name) {
+        const auto at = std::ranges::find(names, name);
+        EXPECT_NE(at, names.end()) << name << " in " << series[0];
+        return static_cast<std::size_t>(at - names.begin());
+    };
+    const std::size_t time = column("time_s"), in = column("injected_g"),
+                      inside = column("inside_g"), out = column("delivered_g");
+    double before = -1.0;
+    for (std::size_t i = 1; i < series.size(); ++i) {
+        const std::vector<double> row = numbers(series[i]);
+        ASSERT_EQ(row.size(), names.size());
+        EXPECT_GT(row[time], before);
+        before = row[time];
+        EXPECT_NEAR(row[in], row[inside] + row[out], 1e-9 * (1.0 + row[in])) << series[i];
+    }
+    EXPECT_NEAR(numbers(series.back())[in], found["injected_g"], 1e-9);
+
+    // One column per segment beside the time, no more filled than its length.
+    const std::vector<std::string> lengths = lines_in(path("lengths.csv"));
+    ASSERT_EQ(lengths.size(), series.size());
+    const std::vector<double> end = numbers(lengths.back());
+    ASSERT_EQ(end.size(), tree.segments.size() + 1);
+    for (std::size_t i = 0; i < tree.segments.size(); ++i)
+        EXPECT_LE(end[i + 1], length_mm(tree.segments[i]) * (1.0 + 1e-6)) << i;
+
+    std::ifstream model(path("model.json"));
+    const Json network = Json::parse(model, nullptr, false);
+    for (const char* key : {"boundary_conditions", "junctions", "vessels"})
+        EXPECT_TRUE(network.contains(key)) << key;
+    EXPECT_FALSE(lines_in(path("plot.csv")).empty());
+}
+
+TEST_F(FlowVerbs, InjectFollowsTerritoriesTearsAndClosedVessels) {
+    const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));
+    const auto middle = [&](int segment) {
+        const std::vector<Vec3>& points = tree.segments[segment].points_mm;
+        const Vec3 at = points[points.size() / 2];
+        return std::to_string(at.x()) + "," + std::to_string(at.y()) + "," + std::to_string(at.z());
+    };
+    const Json whole = answer({"inject", path("p/truth_tree.vtp"), "--territory-mm", middle(0)});
+    ASSERT_EQ(whole["territories"].size(), 1u);
+    EXPECT_NEAR(whole["territories"][0]["share_of_outflow"], 1.0, 1e-9) << "all hangs on the root";
+
+    const Json torn = answer({"inject", path("p/truth_tree.vtp"), "--tear-mm", middle(1)});
+    EXPECT_GT(torn["bled_g"], 0.0);
+    EXPECT_EQ(whole["bled_g"], 0.0);
+
+    const Json closed = answer({"inject", path("p/truth_tree.vtp"), "--close", "1"});
+    EXPECT_EQ(closed["flow_g_s"]["1"], 0.0);
+    EXPECT_TRUE(closed["arrival_s"]["1"].is_null());
+    EXPECT_GT(closed["inlet_pressure_begin_pa"], whole["inlet_pressure_begin_pa"]);
+
+    const Json driven = answer({"inject", path("p/truth_tree.vtp"), "--pressure-pa",
+                                std::to_string(whole["inlet_pressure_begin_pa"].get<double>())});
+    EXPECT_NEAR(driven["flow_g_s"]["0"], 2.0, 1e-3) << "the pressure that 2 g/s took drives 2 g/s";
+}
+
+TEST_F(FlowVerbs, RefuseWhatIsNotThere) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"inject", path("p/truth_tree.vtp"), "--close", "99999"},
+          {"inject", path("p/truth_tree.vtp"), "--at-mm", "9000,0,0"},
+          {"inject", path("p/truth_tree.vtp"), "--model", "guessed"},
+          {"inject", path("p/truth_tree.vtp"), "--void-fraction", "1"},
+          {"embolize", path("p/truth_tree.vtp"), "--beads", "marbles"},
+          {"embolize", path("p/truth_tree.vtp"), "--inlet-pressure-mmhg", "1"},
+          {"pressure-drop", "--r1-mm=0", "--r2-mm=1", "--length-mm=10", "--mass-flow-g-s=1"},
+          {"flow-curves", path("curves"), "--r1-mm=-1"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << call[0] << " " << call.back() << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+    }
+}
+
+// Laminar flow through a cylinder: Hagen and Poiseuille's 8 mu L Q / (pi r^4).
+TEST_F(FlowVerbs, PressureDropOfASlowCylinderIsPoiseuilles) {
+    constexpr double viscosity_pa_s = 3.5e-3, length_mm = 40.0, radius_mm = 2.0, flow_g_s = 0.1;
+    constexpr double density_g_mm3 = 1.06e-3, pi = 3.14159265358979323846;
+    const double expected = 8.0 * viscosity_pa_s * length_mm * (flow_g_s / density_g_mm3) /
+                            (pi * std::pow(radius_mm, 4));
+    const Json found = answer({"pressure-drop", "--r1-mm", "2", "--r2-mm", "2", "--length-mm", "40",
+                               "--mass-flow-g-s", "0.1"});
+    EXPECT_NEAR(found["total_pa"], expected, 1e-3 * expected);
+    EXPECT_NEAR(found["bernoulli_pa"], 0.0, 1e-12);
+}
+
+TEST_F(FlowVerbs, EmbolizeKeepsItsBeadsAndTheFlowFalls) {
+    const Json found =
+        answer({"embolize", path("p/truth_tree.vtp"), "--count", "20000", "--blood-flow-ml-min",
+                "945", "--inlet-pressure-mmhg", "10", "--outlet-pressure-mmhg", "4", "--csv",
+                path("beads.csv"), "--plot", path("beads_plot.csv")});
+    EXPECT_EQ(found["injected"].get<int>(), found["lodged_in_vessels"].get<int>() +
+                                                found["lodged_beyond_outlets"].get<int>() +
+                                                found["passed"].get<int>());
+    EXPECT_LT(found["flow_end_ml_min"], found["flow_begin_ml_min"]);
+    EXPECT_LT(found["mass_error_relative"], 1e-9);
+    EXPECT_GT(lines_in(path("beads.csv")).size(), 2u);
+    EXPECT_GT(lines_in(path("beads_plot.csv")).size(), 2u);
+}
+
+TEST_F(FlowVerbs, FlowCurvesLeaveTheNumbersBesideThePlots) {
+    const Json found = answer({"flow-curves", path("curves"), "--format", "csv"});
+    for (const auto& file : found["files"]) {
+        const std::vector<std::string> rows = lines_in(file.get<std::string>());
+        ASSERT_GT(rows.size(), 10u);
+        EXPECT_EQ(rows[0], "curve,x,y");
+    }
+    EXPECT_GE(found["hepatic_arteries"].size(), 3u);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,6 +62,30 @@ TEST(Chart, writes_csv_that_reads_back_to_the_last_bit) {
     EXPECT_EQ(csv.substr(0, csv.find('\n')), "curve,\"x\",\"y\"");
     EXPECT_NE(csv.find("\"a \"\"b\"\"\","), std::string::npos);
     EXPECT_EQ(std::stod(csv.substr(csv.rfind(',') + 1)), 1.0 / 3.0);
+}
+
+// Bent and straight the tree fills another box; what stands still must not move in the picture.
+TEST(OffscreenPicture, keeps_its_camera_over_a_moving_tree) {
+    PictureOptions options;
+    options.width = 240;
+    options.height = 180;
+    options.annotations = false;
+    const auto foot_of = [](const Picture& picture) {
+        const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
+        const auto lowest = std::ranges::max(picture.rgb) / 2;
+        std::vector<std::size_t> bright;  // of the lowest row that shows the tree
+        for (std::size_t y = static_cast<std::size_t>(picture.height); y-- > 0 && bright.empty();)
+            for (std::size_t x = 0; x < row; ++x)
+                if (picture.rgb[y * row + x] > lowest) bright.push_back(y * row + x);
+        return bright;
+    };
+    const Frame straight = testing::fake_frame(0.0), bent = testing::fake_frame(1.0);
+    EXPECT_NE(foot_of(draw_frame(straight, options).picture),
+              foot_of(draw_frame(bent, options).picture));
+    options.fitted_box_mm = {Vec3(-100, -100, -20), Vec3(100, 100, 150)};
+    const Picture one = draw_frame(straight, options).picture;
+    EXPECT_FALSE(foot_of(one).empty());
+    EXPECT_EQ(foot_of(one), foot_of(draw_frame(bent, options).picture));
 }
 
 TEST(OffscreenPicture, is_drawn_as_asked) {
