@@ -11,8 +11,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
+#include "core/scene/default_injection.h"
 #include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
 
