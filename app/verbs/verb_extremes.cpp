@@ -33,6 +33,7 @@ void add_extremes(CommandLine& line) {
         [filter](Job& job) {
             Json rows = Json::array(), failed = Json::array();
             int survived = 0;
+            job.expect_stages(1);
             for (const ExtremeRow& row : run_extremes(*filter, job)) {
                 rows.push_back(json_of(row));
                 survived += row.survived;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/headless_play.h"
 #include "app/html_report.h"
@@ -28,6 +32,7 @@ struct Opened {
     PatientCase patient;
     std::string title;
     Json stages = Json::array();
+    std::vector<std::string> warnings;
     Json accuracy;  // null unless the truth is known
 };
 
@@ -61,6 +66,7 @@ Opened reconstructed(const fs::path& ct, const fs::path& case_folder, Job& job) 
     Opened opened;
     opened.patient = std::move(made.patient);
     opened.stages = table_of(made.stages);
+    opened.warnings = std::move(made.warnings);
     write_case(case_folder, opened.patient);
     return opened;
 }
@@ -104,6 +110,7 @@ void write_report(const fs::path& file, const Opened& opened, const HeadlessPlay
     HtmlReport report("Hepatica: a session on " + opened.title);
     report.add_paragraph(
         "A session played without a window. The pictures are what the window would have shown.");
+    for (const std::string& warning : opened.warnings) report.add_paragraph(warning);
     for (const PlayedPicture& picture : played.pictures)
         report.add_picture(picture.file, picture.caption);
     report.add_heading("The tree and its body");
@@ -131,6 +138,7 @@ Json run(const Options& options, Job& job) {
     fs::create_directories(options.out);
     job.expect_stages(play_stages(options));
     Opened opened = open(options, job);
+    for (const std::string& warning : opened.warnings) spdlog::warn("{}", warning);
     const Json tree = facts_of(opened.patient.tree, opened.patient.mesh);
     const auto patient = std::make_shared<const PatientCase>(opened.patient);
     HeadlessPlay played;
@@ -146,7 +154,8 @@ Json run(const Options& options, Job& job) {
             {"tree", tree},
             {"accuracy", opened.accuracy},
             {"simulation", played.simulation},
-            {"injection", played.injection}};
+            {"injection", played.injection},
+            {"warnings", opened.warnings}};
 }
 
 }  // namespace

@@ -70,6 +70,16 @@ TEST_F(Play, CountsTheStepsThatTheBodySleptThroughApart) {
     EXPECT_GT(played["step_ms_median"], 0.0);
 }
 
+// What reconstruct would have said, the report says too.
+TEST_F(Play, TellsWhatTheReconstructionWarnedOf) {
+    const Json played = answer({"play", path("p/ct"), "--out", path("from_ct")});
+    ASSERT_FALSE(played["warnings"].empty());
+    const std::string warning = played["warnings"][0];
+    EXPECT_NE(warning.find("1.7 mm apart"), std::string::npos) << warning;
+    EXPECT_NE(text_of(path("from_ct/report.html")).find(warning), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("from_ct/ct.hep/case.json")));
+}
+
 TEST_F(Play, LeavesAnOlderReportWholeWhereItIsInterrupted) {
     fs::create_directories(path("kept"));
     for (const char* name : {"kept/report.html", "kept/1_patient.png", "kept/mine.txt"})
