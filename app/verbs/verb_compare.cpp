@@ -107,11 +107,12 @@ Json run(const Options& options, Job& job) {
 
 void add_compare(CommandLine& line) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = line.add_verb("compare", "Judge a case by a known truth",
+    CLI::App& verb = line.add_verb("compare", "Judge a case by a known truth of the same patient",
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("case", options->patient, "Case to judge")->required();
     verb.add_option("--truth-tree", options->truth_tree,
-                    "Centrelines with radii (.vtp, .swc or .json)")
+                    "Centrelines with radii (.vtp, .swc or .json); refused where they lie "
+                    "elsewhere, with a warning where half of both trees is 5 mm apart")
         ->required();
     verb.add_option("--truth-mask", options->truth_mask, "Vessel voxels (NIfTI ...)")->required();
 }

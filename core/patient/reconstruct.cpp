@@ -190,8 +190,10 @@ void warn_of_loops(const VesselTree& tree, std::vector<std::string>& warnings) {
     warnings.push_back(
         "The vessels are one system with " + std::to_string(loops) +
         (loops == 1 ? " loop" : " loops") +
-        ": portal and hepatic veins may be joined where they touch. Give a seed inside each, "
-        "--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2, to tell them apart.");
+        ", made where branches touch or where portal and hepatic veins do. If both veins are in "
+        "it, "
+        "tell them apart by a seed inside each, --seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2; other "
+        "loops can be cut: hepatica-cli edit.");
 }
 
 // `warnings` holds what was found so far, also where it throws.
