@@ -236,9 +236,12 @@ void add_long_runs(std::vector<ExtremeCase>& cases) {
     cases.push_back({"overflow of both", [] { return overflow(1e150, 1e300); }});
 }
 
-void add_refusals(std::vector<ExtremeCase>& cases) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+void refuse_meshes(std::vector<ExtremeCase>& cases) {
     refuse_description(cases, "a lone vertex", [](BodyDescription& b) {
         b.mesh.vertices_mm = {Vec3(1, 2, 3)};
         b.mesh.tetrahedra.clear();
@@ -255,9 +258,12 @@ void add_refusals(std::vector<ExtremeCase>& cases) {
     refuse_description(cases, "an index out of range",
                        [](BodyDescription& b) { b.mesh.tetrahedra[1][3] = 99; });
     refuse_description(cases, "a NaN vertex",
-                       [nan](BodyDescription& b) { b.mesh.vertices_mm[3][1] = nan; });
+                       [](BodyDescription& b) { b.mesh.vertices_mm[3][1] = nan; });
     refuse_description(cases, "an infinite vertex",
-                       [inf](BodyDescription& b) { b.mesh.vertices_mm[3][1] = inf; });
+                       [](BodyDescription& b) { b.mesh.vertices_mm[3][1] = inf; });
+}
+
+void refuse_materials(std::vector<ExtremeCase>& cases) {
     for (const double nu : {0.5, 0.6, -0.1, nan})
         refuse_description(cases, "nu=" + std::to_string(nu),
                            [nu](BodyDescription& b) { b.material.poisson_ratio = nu; });
@@ -270,7 +276,10 @@ void add_refusals(std::vector<ExtremeCase>& cases) {
     refuse_description(cases, "a stiffness factor of 0",
                        [](BodyDescription& b) { b.stiffness_factor = {1, 1, 0, 1, 1, 1}; });
     refuse_description(cases, "a NaN tether",
-                       [nan](BodyDescription& b) { b.tether_pa_per_mm2 = nan; });
+                       [](BodyDescription& b) { b.tether_pa_per_mm2 = nan; });
+}
+
+void refuse_clocks_and_states(std::vector<ExtremeCase>& cases) {
     for (const double dt : {0.0, -0.01, inf, nan})
         refuse_call(cases, "dt=" + std::to_string(dt), [dt](Stepper& s) { s.step(dt); });
     for (const double g : {inf, nan})
@@ -288,6 +297,11 @@ void add_refusals(std::vector<ExtremeCase>& cases) {
             v[2][1] = x;
             s.set_state(p, v);
         });
+    }
+}
+
+void refuse_grabs(std::vector<ExtremeCase>& cases) {
+    for (const double x : {inf, nan}) {
         refuse_grab(cases, "target=" + std::to_string(x),
                     [x](Grab& g) { g.target_mm = Vec3(x, 0, 0); });
         refuse_grab(cases, "stiffness=" + std::to_string(x),
@@ -298,6 +312,15 @@ void add_refusals(std::vector<ExtremeCase>& cases) {
     }
     refuse_grab(cases, "of vertex 99", [](Grab& g) { g.vertices[0] = 99; });
     refuse_grab(cases, "stiffness=0", [](Grab& g) { g.stiffness_un_per_mm = 0; });
+}
+
+}  // namespace
+
+void add_refusals(std::vector<ExtremeCase>& cases) {
+    refuse_meshes(cases);
+    refuse_materials(cases);
+    refuse_clocks_and_states(cases);
+    refuse_grabs(cases);
 }
 
 }  // namespace hepatica

@@ -202,68 +202,94 @@ void link_supernodes(EliminationTree& tree) {
     }
 }
 
-// Small subtrees are one chain each; above them a chain runs up to where it is joined by another.
-void plan_stages(EliminationTree& tree) {
+// Of each supernode's subtree, itself included.
+struct Subtrees {
+    std::vector<double> work;
+    std::vector<int> size;
+    double small = 0.0;  // work of one that is not worth parting
+};
+
+Subtrees weigh_subtrees(const EliminationTree& tree) {
     const std::size_t count = tree.supernodes.size();
-    std::vector<double> work(count, 0.0);
-    std::vector<int> size(count, 1), stage(count, 0);
-    for (std::size_t s = 0; s < count; ++s) {
-        const Supernode& own = tree.supernodes[s];
-        work[s] += front_cost(own.count, own.rest());
-        tree.multiplications += multiplications(own);
-        if (own.parent >= 0) {
-            work[own.parent] += work[s];
-            size[own.parent] += size[s];
-        }
-    }
+    Subtrees subtrees{std::vector<double>(count, 0.0), std::vector<int>(count, 1)};
     double total = 0.0;
     for (std::size_t s = 0; s < count; ++s) {
-        if (tree.supernodes[s].parent < 0) total += work[s];
-    }
-    const double small = std::max(total / 24.0, 2e4);
-    std::vector<std::vector<int>> chains;
-    std::vector<int> chain_of(count, -1), chain_stage;
-    for (std::size_t s = 0; s < count; ++s) {
         const Supernode& own = tree.supernodes[s];
-        if (work[s] <= small) {
-            const bool top = own.parent < 0 || work[own.parent] > small;
-            if (!top) continue;
-            chain_of[s] = static_cast<int>(chains.size());
-            std::vector<int> all(static_cast<std::size_t>(size[s]));
-            std::iota(all.begin(), all.end(), static_cast<int>(s) - size[s] + 1);
-            chains.push_back(std::move(all));
-            chain_stage.push_back(0);
-            continue;
+        subtrees.work[s] += front_cost(own.count, own.rest());
+        if (own.parent >= 0) {
+            subtrees.work[own.parent] += subtrees.work[s];
+            subtrees.size[own.parent] += subtrees.size[s];
+        } else {
+            total += subtrees.work[s];
         }
-        // A chain goes on from the child with the most work if that is the only large one.
+    }
+    subtrees.small = std::max(total / 24.0, 2e4);
+    return subtrees;
+}
+
+// Small subtrees are one chain each; above them a chain runs up to where it is joined by another.
+class ChainPlan {
+  public:
+    explicit ChainPlan(const EliminationTree& tree)
+        : tree_(tree), subtrees_(weigh_subtrees(tree)), chain_of_(tree.supernodes.size(), -1) {
+        for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
+            if (!is_small(s))
+                climb(s);
+            else if (tree.supernodes[s].parent < 0 || !is_small(tree.supernodes[s].parent))
+                take_subtree(s);
+        }
+    }
+
+    void write_stages(EliminationTree& tree) const {
+        for (std::size_t c = 0; c < chains_.size(); ++c) {
+            const auto level = static_cast<std::size_t>(stage_[c]);
+            if (tree.stages.size() <= level) tree.stages.resize(level + 1);
+            EliminationTree::Chain chain;
+            chain.begin = static_cast<int>(tree.chain_supernodes.size());
+            tree.chain_supernodes.insert(tree.chain_supernodes.end(), chains_[c].begin(),
+                                         chains_[c].end());
+            chain.end = static_cast<int>(tree.chain_supernodes.size());
+            tree.stages[level].push_back(chain);
+        }
+    }
+
+  private:
+    bool is_small(int s) const { return subtrees_.work[s] <= subtrees_.small; }
+
+    void begin_chain(int s, std::vector<int> supernodes, int stage) {
+        chain_of_[s] = static_cast<int>(chains_.size());
+        chains_.push_back(std::move(supernodes));
+        stage_.push_back(stage);
+    }
+
+    void take_subtree(int top) {
+        std::vector<int> all(static_cast<std::size_t>(subtrees_.size[top]));
+        std::iota(all.begin(), all.end(), top - subtrees_.size[top] + 1);
+        begin_chain(top, std::move(all), 0);
+    }
+
+    // A chain goes on from the child with the most work if that is the only large one.
+    void climb(int s) {
+        const Supernode& own = tree_.supernodes[s];
         int large = 0, continued = -1, latest = 0;
         for (int c = own.children_begin; c < own.children_end; ++c) {
-            const int child = tree.children[c];
-            latest = std::max(latest, chain_stage[chain_of[child]] + 1);
-            if (work[child] <= small) continue;
+            const int child = tree_.children[c];
+            latest = std::max(latest, stage_[chain_of_[child]] + 1);
+            if (is_small(child)) continue;
             ++large;
-            continued = chain_of[child];
+            continued = chain_of_[child];
         }
-        if (large == 1) {
-            chains[continued].push_back(static_cast<int>(s));
-            chain_of[s] = continued;
-            continue;
-        }
-        chain_of[s] = static_cast<int>(chains.size());
-        chains.push_back({static_cast<int>(s)});
-        chain_stage.push_back(latest);
+        if (large != 1) return begin_chain(s, {s}, latest);
+        chains_[continued].push_back(s);
+        chain_of_[s] = continued;
     }
-    for (std::size_t c = 0; c < chains.size(); ++c) {
-        const std::size_t level = static_cast<std::size_t>(chain_stage[c]);
-        if (tree.stages.size() <= level) tree.stages.resize(level + 1);
-        EliminationTree::Chain chain;
-        chain.begin = static_cast<int>(tree.chain_supernodes.size());
-        tree.chain_supernodes.insert(tree.chain_supernodes.end(), chains[c].begin(),
-                                     chains[c].end());
-        chain.end = static_cast<int>(tree.chain_supernodes.size());
-        tree.stages[level].push_back(chain);
-    }
-}
+
+    const EliminationTree& tree_;
+    Subtrees subtrees_;
+    std::vector<int> chain_of_;  // of each supernode that another one may climb from
+    std::vector<std::vector<int>> chains_;
+    std::vector<int> stage_;  // of each chain
+};
 
 }  // namespace
 
@@ -292,7 +318,8 @@ EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) 
     EliminationTree tree;
     write_supernodes(structures, vertex_at, tree);
     link_supernodes(tree);
-    plan_stages(tree);
+    for (const Supernode& s : tree.supernodes) tree.multiplications += multiplications(s);
+    ChainPlan(tree).write_stages(tree);
     return tree;
 }
 
