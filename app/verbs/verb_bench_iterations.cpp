@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
 #include <memory>
 
+#include "app/verbs/case_tree.h"
 #include "app/verbs/verbs.h"
-#include "core/patient/patient_case.h"
 #include "core/study/iteration_study.h"
 
 namespace hepatica {
@@ -29,23 +28,20 @@ Json json_of(const IterationRow& row) {
 void add_bench_iterations(CommandLine& line) {
     const auto options = std::make_shared<IterationStudyOptions>();
     const auto skip = std::make_shared<bool>(false);
-    const auto patient = std::make_shared<std::filesystem::path>();
+    const auto patient = std::make_shared<CaseTree>();
     CLI::App& verb =
         line.add_verb("bench", "Benchmarks", "iterations",
                       "Iterations of each linear solver to a true error, over slenderness and size",
                       [options, skip, patient](Job& job) {
                           options->block_jacobi = !*skip;
-                          if (!patient->empty())
-                              options->tree = read_case_without_voxels(*patient).tree;
+                          options->tree = patient->read();
                           Json rows = Json::array();
                           for (const IterationRow& row : study_iterations(*options, job)) {
                               rows.push_back(json_of(row));
                           }
                           return Json{{"rows", rows}};
                       });
-    verb.add_option("--case", *patient, "A patient's case, instead of bars and symmetric trees");
-    verb.add_option("--tetrahedra", options->tetrahedra, "Of the case, about so many")
-        ->check(CLI::Range(1000, 1000000));
+    patient->add_options(verb, options->tetrahedra, "bars and symmetric trees");
     verb.add_flag("--quick", options->quick, "Two small bars only");
     verb.add_flag("--no-block-jacobi", *skip, "Leave out the slow yardstick");
 }

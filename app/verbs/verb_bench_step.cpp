@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
 #include <memory>
 
+#include "app/verbs/case_tree.h"
 #include "app/verbs/verbs.h"
 #include "core/base/hash.h"
-#include "core/patient/patient_case.h"
 #include "core/study/step_study.h"
 
 namespace hepatica {
@@ -28,20 +27,18 @@ Json json_of(const StepRow& row) {
 
 void add_bench_step(CommandLine& line) {
     const auto options = std::make_shared<StepStudyOptions>();
-    const auto patient = std::make_shared<std::filesystem::path>();
+    const auto patient = std::make_shared<CaseTree>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "step",
         "A step of a whole vessel tree: time on one core and on several, error, ledger",
         [options, patient](Job& job) {
-            if (!patient->empty()) options->tree = read_case_without_voxels(*patient).tree;
+            options->tree = patient->read();
             const std::vector<StepRow> measured = study_steps(*options, job);
             Json rows = Json::array();
             for (const StepRow& row : measured) rows.push_back(json_of(row));
             return Json{{"rows", rows}, {"thread_ratio", measured.front().ms / measured.back().ms}};
         });
-    verb.add_option("--case", *patient, "A patient's case; without it a symmetric tree");
-    verb.add_option("--tetrahedra", options->tetrahedra, "About so many")
-        ->check(CLI::Range(1000, 1000000));
+    patient->add_options(verb, options->tetrahedra, "a symmetric tree");
     verb.add_option("--frames", options->frames, "Steps of 1/60 s")->check(CLI::Range(1, 100000));
     verb.add_option("--gravity-mm-s2", options->gravity_mm_s2, "Along -z, from the first step on");
     verb.add_option("--tether-pa-per-mm2", options->tether_pa_per_mm2,

@@ -9,23 +9,16 @@
 
 #include "core/deform/elements/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
+#include "tests/deform/support/element_choice.h"
 
 namespace hepatica {
 namespace {
 
 using small::Tangent;
 
-struct Choice {
-    const char* name;
-    ElementModel model;
-    ElementOrder order;
-    bool hexahedra;
+struct Choice : test::ElementChoice {
     Tangent tangent;
 };
-
-void PrintTo(const Choice& choice, std::ostream* out) {
-    *out << choice.name;
-}
 
 BodyDescription brick(bool hexahedra) {
     BodyDescription body;

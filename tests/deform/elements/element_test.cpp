@@ -9,23 +9,16 @@
 #include "core/deform/body.h"
 #include "core/deform/elements/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
+#include "tests/deform/support/element_choice.h"
 
 namespace hepatica {
 namespace {
 
 using small::Tangent;
 
-struct Choice {
-    const char* name;
-    ElementModel model;
-    ElementOrder order;
-    bool hexahedra;
+struct Choice : test::ElementChoice {
     double poisson_ratio;
 };
-
-void PrintTo(const Choice& choice, std::ostream* out) {
-    *out << choice.name;
-}
 
 // One irregular element of each kind.
 Body one_element(const Choice& choice) {
