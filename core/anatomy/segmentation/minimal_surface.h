@@ -10,13 +10,15 @@ namespace hepatica {
 
 struct SurfaceOptions {
     // The wall runs where the intensity has fallen to this share of the vessel's own peak. Half is
-    // right for wide vessels; blur makes thin ones look wide at half of their lowered peak.
-    double level_share = 0.42;
+    // right for wide vessels, more for those as thin as the blur; experts draw walls at 0.35 of it
+    // (docs/accuracy.md).
+    double level_share = 0.38;
     // The surface's pull inwards places the wall this many deviations too high; taken off again.
     double pull_deviations = 0.7;
     double peak_reach_mm = 2.4;     // how far around a voxel its vessel's peak is looked for
     double least_deviations = 1.6;  // the level is never below this multiple of the deviation
-    double data_weight = 0.75;      // of one deviation against one voxel face of surface
+    double data_weight = 0.6;       // of one deviation against one voxel face of surface
+    double most_cost = 5.0;         // of a voxel, in faces: however bright, it is only inside
     int iterations = 40;
 };
 

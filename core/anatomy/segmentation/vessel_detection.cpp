@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/anatomy/segmentation/line_coherence.h"
+#include "core/anatomy/segmentation/line_noise.h"
 #include "core/anatomy/segmentation/minimal_surface.h"
 #include "core/anatomy/segmentation/multi_layer.h"
 #include "core/anatomy/segmentation/vessel_growth.h"
@@ -20,12 +22,14 @@ namespace hepatica {
 
 namespace {
 
-// All in multiples of the deviation that is left after smoothing by surface_sigma_mm.
+// Deviations are those left after smoothing by surface_sigma_mm.
 constexpr double surface_sigma_mm = 0.6;
 constexpr double candidate_deviations = 1.5;
-constexpr double weak_deviations = 3.0;
-constexpr double coherent_deviations = 3.5;
-// Thick slices dim the thin vessels that lie in them: both are lowered by up to one deviation.
+constexpr double weak_deviations = 3.0;  // of the vesselness; coherent lines have their own
+// Noise is measured this far from whatever may be a vessel.
+constexpr double suspect_deviations = 2.0;
+constexpr double smallest_suspect_mm3 = 20.0;
+constexpr double suspect_reach_mm = 2.0;
 constexpr double undimmed_slices_mm = 1.5;
 constexpr double dimming_slices_mm = 3.0;
 // Between thick slices the organs around shine this far into the liver.
@@ -34,7 +38,19 @@ constexpr double tubular_deviations = 1.5;
 // No single voxel says more than this, however bright: a line is many voxels.
 constexpr double clip_below_deviations = 3.0;
 constexpr double clip_above_deviations = 8.0;
-constexpr double line_sigma_mm = 0.9;
+constexpr double line_sigma_mm = 0.7;
+constexpr double surroundings_sigma_mm = 3.0;
+// Edge of the cube that has a voxel's volume: a CT of fine voxels, and one of coarse.
+constexpr double fine_voxel_mm = 0.8;
+constexpr double coarse_voxel_mm = 1.15;
+// In multiples of the strength of a line that noise can make.
+constexpr double strong_share = 1.384;
+constexpr double weak_share = 1.12;
+constexpr double coarse_strong_share = 1.1;
+constexpr double coarse_weak_share = 1.0;
+// Of coarse voxels the blur is as wide as a thin vessel: its wall lies high on its lowered peak.
+constexpr double coarse_level_share = 0.5;
+constexpr double coarse_data_weight = 0.75;
 constexpr double smallest_strong_mm3 = 8.0;
 constexpr double smallest_vessel_mm3 = 200.0;
 constexpr double wall_sigma_mm = 0.3;
@@ -45,28 +61,21 @@ const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
 struct Evidence {
     FloatVolume rise;  // smoothed excess
     double deviation = 0.0;
-    double weak_hu = 0.0;
-    double coherent_hu = 0.0;
 };
 
-double dimming(double slice_mm) {
-    return std::clamp((slice_mm - undimmed_slices_mm) / (dimming_slices_mm - undimmed_slices_mm),
-                      0.0, 1.0);
+// What the CT's own voxels do to thin vessels, each from 0 to 1.
+struct Sampling {
+    double thick;   // slices: the organs around shine into the next one
+    double coarse;  // voxels: what is thin is dim, and looks wide at half of its peak
+};
+
+double ramp(double value, double from, double to) {
+    return std::clamp((value - from) / (to - from), 0.0, 1.0);
 }
 
-Evidence smoothed(const TissueContrast& tissue, double slice_mm, Job& job) {
-    Evidence evidence;
-    evidence.rise = tissue.excess;
-    gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
-    job.throw_if_cancelled();
-    const RobustSpread spread = robust_spread(evidence.rise, tissue.interior);
-    job.throw_if_cancelled();
-    for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
-    evidence.deviation = spread.deviation;
-    evidence.weak_hu =
-        tissue.threshold_hu.value_or((weak_deviations - dimming(slice_mm)) * spread.deviation);
-    evidence.coherent_hu = (coherent_deviations - dimming(slice_mm)) * spread.deviation;
-    return evidence;
+Sampling sampling_of(const Vec3& spacing_mm) {
+    return {ramp(spacing_mm.maxCoeff(), undimmed_slices_mm, dimming_slices_mm),
+            ramp(std::cbrt(spacing_mm.prod()), fine_voxel_mm, coarse_voxel_mm)};
 }
 
 Mask above(const FloatVolume& values, double threshold, const Mask& where) {
@@ -79,6 +88,31 @@ Mask above(const FloatVolume& values, double threshold, const Mask& where) {
     return mask;
 }
 
+RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& interior, Job& job) {
+    const RobustSpread all = robust_spread(rise, interior);
+    Mask suspects = above(rise, all.median + suspect_deviations * all.deviation, interior);
+    suspects = hysteresis(suspects, suspects, smallest_suspect_mm3);
+    job.throw_if_cancelled();
+    suspects = dilate(suspects, suspect_reach_mm, job);
+    Mask quiet = interior;
+    for (std::size_t i = 0; i < quiet.voxels.size(); ++i)
+        if (suspects.voxels[i]) quiet.voxels[i] = 0;
+    const RobustSpread away = robust_spread(rise, quiet);
+    return away.deviation > 0.0 ? away : all;
+}
+
+Evidence smoothed(const TissueContrast& tissue, Job& job) {
+    Evidence evidence;
+    evidence.rise = tissue.excess;
+    gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
+    job.throw_if_cancelled();
+    const RobustSpread spread = spread_away_from_vessels(evidence.rise, tissue.interior, job);
+    job.throw_if_cancelled();
+    for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
+    evidence.deviation = spread.deviation;
+    return evidence;
+}
+
 // Excess clipped to what one voxel may say, smoothed by sigma_mm.
 FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma_mm, Job& job) {
     FloatVolume values = tissue.excess;
@@ -89,19 +123,59 @@ FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma
     return values;
 }
 
-Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence, Job& job) {
-    const Mask candidates =
-        above(evidence.rise, std::min(candidate_deviations * evidence.deviation, evidence.weak_hu),
-              liver);
-    job.advance(0.3);
-    return above(line_coherence(clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates,
-                                LineOptions{}, job),
-                 evidence.coherent_hu, liver);
+// Clipped excess against the surroundings.
+FloatVolume stands_out(const TissueContrast& tissue, double deviation, Job& job) {
+    FloatVolume values = clipped(tissue, deviation, line_sigma_mm, job);
+    const FloatVolume around = clipped(tissue, deviation, surroundings_sigma_mm, job);
+    for (std::size_t i = 0; i < values.voxels.size(); ++i) values.voxels[i] -= around.voxels[i];
+    return values;
 }
 
-Mask tubular(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence, Job& job) {
-    return above(vesselness(clipped(tissue, evidence.deviation, 0.0, job), tube_sigmas_mm, job),
-                 tubular_deviations * evidence.deviation, liver);
+Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
+    Mask strong = lines;
+    for (std::size_t i = 0; i < strong.voxels.size(); ++i)
+        if (!weak.voxels[i]) strong.voxels[i] = 0;
+    strong = hysteresis(strong, strong, smallest_strong_mm3);
+    job.advance(0.65);
+    const Mask grown = grow_within(strong, weak, growth_mm);
+    job.advance(0.7);
+    return hysteresis(grown, grown, smallest_vessel_mm3);
+}
+
+Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
+              const Sampling& sampling, Job& job) {
+    const double noise_hu = line_noise(stands_out(tissue, evidence.deviation, job),
+                                       evidence.deviation, liver, tissue.interior, job);
+    job.advance(0.4);
+    const double weak_hu = tissue.threshold_hu.value_or(
+        std::lerp(weak_share, coarse_weak_share, sampling.coarse) * noise_hu);
+    const Mask candidates =
+        above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
+    const FloatVolume lines = line_coherence(
+        clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates, LineOptions{}, job);
+    job.advance(0.6);
+    return grown_from(
+        above(lines, std::lerp(strong_share, coarse_strong_share, sampling.coarse) * noise_hu,
+              liver),
+        above(evidence.rise, weak_hu, liver), job);
+}
+
+Mask tubular(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
+             const Sampling& sampling, Job& job) {
+    const double weak_hu =
+        tissue.threshold_hu.value_or((weak_deviations - sampling.thick) * evidence.deviation);
+    const Mask tubes =
+        above(vesselness(clipped(tissue, evidence.deviation, 0.0, job), tube_sigmas_mm, job),
+              tubular_deviations * evidence.deviation, liver);
+    job.advance(0.6);
+    return grown_from(tubes, above(evidence.rise, weak_hu, liver), job);
+}
+
+SurfaceOptions surface_for(const Sampling& sampling) {
+    SurfaceOptions options;
+    options.level_share = std::lerp(options.level_share, coarse_level_share, sampling.coarse);
+    options.data_weight = std::lerp(options.data_weight, coarse_data_weight, sampling.coarse);
+    return options;
 }
 
 }  // namespace
@@ -122,28 +196,22 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
     }
 }
 
-Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double slice_mm,
+Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          SegmentationMethod method, Job& job) {
     if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
-    const Evidence evidence = smoothed(tissue, slice_mm, job);
+    const Sampling sampling = sampling_of(ct_spacing_mm);
+    const Evidence evidence = smoothed(tissue, job);
     job.advance(0.1);
-    const Mask inner = erode(liver, dimmed_rim_mm * dimming(slice_mm), job);
-    const Mask weak = above(evidence.rise, evidence.weak_hu, inner);
-    Mask strong = method == SegmentationMethod::coherent ? coherent(tissue, inner, evidence, job)
-                                                         : tubular(tissue, inner, evidence, job);
-    for (std::size_t i = 0; i < strong.voxels.size(); ++i)
-        if (!weak.voxels[i]) strong.voxels[i] = 0;
-    job.advance(0.6);
-    strong = hysteresis(strong, strong, smallest_strong_mm3);
-    job.advance(0.65);
-    const Mask grown = grow_within(strong, weak, growth_mm);
-    job.advance(0.7);
-    const Mask vessels = hysteresis(grown, grown, smallest_vessel_mm3);
+    const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+    const Mask vessels = method == SegmentationMethod::coherent
+                             ? coherent(tissue, inner, evidence, sampling, job)
+                             : tubular(tissue, inner, evidence, sampling, job);
     job.advance(0.75);
-    const FloatVolume wall = clipped(tissue, evidence.deviation, wall_sigma_mm, job);
+    FloatVolume wall = tissue.excess;
+    gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
     job.advance(0.8);
-    Mask fitted =
-        fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation, SurfaceOptions{}, job);
+    Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation,
+                              surface_for(sampling), job);
     job.advance(0.9);
     const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
     job.throw_if_cancelled();

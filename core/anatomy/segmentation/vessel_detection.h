@@ -16,9 +16,11 @@ struct Detection {
     Mask centreline;  // multi_layer only, else empty
 };
 
-// Thresholds are multiples of the noise that is left after smoothing, measured in this liver;
-// slice_mm is the coarsest spacing of the CT itself. Throws Cancelled.
-Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, double slice_mm,
+// Thresholds are multiples of the noise that is left after smoothing, measured in this liver; for
+// `coherent` they follow from the strength of lines darker than their surroundings, which no
+// vessel is. ct_spacing_mm is that of the CT itself: coarse voxels dim and blur what is thin.
+// Throws Cancelled.
+Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          SegmentationMethod method, Job& job);
 
 // Takes the user's word for what a vessel is: intensities between low and high. The excess is then

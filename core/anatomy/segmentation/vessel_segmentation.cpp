@@ -137,7 +137,8 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     if (options.window_hu) apply_window(frame, *options.window_hu, tissue);
 
     job.begin_stage("Segmenting the vessels");
-    Detection detection = detect_vessels(tissue, frame.liver, coarsest, options.method, job);
+    Detection detection =
+        detect_vessels(tissue, frame.liver, ct.grid.spacing_mm, options.method, job);
     job.throw_if_cancelled();
     drop_rooted_in_rim(detection, tissue.interior);
     job.throw_if_cancelled();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <queue>
+#include <set>
 
 #include "core/anatomy/tree/centreline.h"
 #include "core/anatomy/tree/fork_placement.h"
@@ -150,16 +152,23 @@ class Measurement {
         return section.inside && section.has_background && section.usable_share > 0.5;
     }
 
-    // The contrast of each system where its vessels are wide enough to show it in full.
+    bool is_wide(double radius_mm) const {
+        return radius_mm >= wide_voxels * voxel_mm_ && radius_mm <= very_wide_voxels * voxel_mm_;
+    }
+
+    // The contrast of each link and each system where the vessels are wide enough to show it in
+    // full.
     void find_contrasts() {
         std::map<int, std::vector<std::pair<double, double>>> seen;  // radius, contrast
+        wide_contrasts_.resize(graph_.links.size());
         for (std::size_t id = 0; id < graph_.links.size(); ++id)
             for (std::size_t i = 0; i < stations_[id].sections.size(); ++i) {
                 const CrossSection& section = stations_[id].sections[i];
                 if (!shows_lumen(section) || stations_[id].trust[i] < 0.1) continue;
-                seen[graph_.links[id].system].emplace_back(
-                    radius_of_area(section.mask_area_mm2),
-                    section.centre_hu - section.background_hu);
+                const double radius = radius_of_area(section.mask_area_mm2);
+                const double contrast = section.centre_hu - section.background_hu;
+                seen[graph_.links[id].system].emplace_back(radius, contrast);
+                if (is_wide(radius)) wide_contrasts_[id].push_back(contrast);
             }
         for (auto& [system, pairs] : seen) contrast_hu_[system] = contrast_of_wide(pairs);
     }
@@ -168,8 +177,7 @@ class Measurement {
         std::ranges::sort(radii_and_contrasts, std::greater<>());
         std::vector<double> wide;
         for (const auto& [radius, contrast] : radii_and_contrasts)
-            if (radius >= wide_voxels * voxel_mm_ && radius <= very_wide_voxels * voxel_mm_)
-                wide.push_back(contrast);
+            if (is_wide(radius)) wide.push_back(contrast);
         if (wide.size() >= enough_stations) return median(wide);
         wide.clear();
         for (std::size_t i = 0; i < std::min(enough_stations, radii_and_contrasts.size()); ++i)
@@ -177,19 +185,49 @@ class Measurement {
         return median(wide);
     }
 
-    // Very wide vessels show their own contrast, others that of their system.
-    double contrast_at(const CrossSection& section, double of_system) const {
+    // Portal and hepatic veins may touch and then are one graph, with blood of different contrast:
+    // a link has that of the wide lumens nearest along the graph, or its system's where there are
+    // too few.
+    double contrast_of_link(std::size_t id) const {
+        using Reached = std::pair<double, int>;  // distance along the graph, node
+        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+        std::set<int> nodes_done;
+        std::set<int> links_done{static_cast<int>(id)};
+        std::vector<double> contrasts = wide_contrasts_[id];
+        const int system = graph_.links[id].system;
+        next.emplace(0.0, graph_.links[id].from);
+        next.emplace(0.0, graph_.links[id].to);
+        while (!next.empty() && contrasts.size() < enough_stations) {
+            const auto [distance, node] = next.top();
+            next.pop();
+            if (!nodes_done.insert(node).second) continue;
+            for (const int other : at_node_[node]) {
+                const VesselLink& link = graph_.links[other];
+                if (link.system != system) continue;
+                if (links_done.insert(other).second)
+                    contrasts.insert(contrasts.end(), wide_contrasts_[other].begin(),
+                                     wide_contrasts_[other].end());
+                next.emplace(distance + length_mm(link), link.from == node ? link.to : link.from);
+            }
+        }
+        if (contrasts.size() >= enough_stations) return median(contrasts);
+        const auto of_system = contrast_hu_.find(system);
+        return of_system == contrast_hu_.end() ? 0.0 : of_system->second;
+    }
+
+    // Very wide vessels show their own contrast, others that of their link.
+    double contrast_at(const CrossSection& section, double of_link) const {
         const double own = section.centre_hu - section.background_hu;
         const double voxels = radius_of_area(section.mask_area_mm2) / voxel_mm_;
         const double share = std::clamp(voxels - very_wide_voxels + 1.0, 0.0, 1.0);
-        return own >= least_contrast_hu ? of_system + share * (own - of_system) : of_system;
+        return own >= least_contrast_hu ? of_link + share * (own - of_link) : of_link;
     }
 
     void set_radii(std::size_t id) {
         VesselLink& link = graph_.links[id];
         const Stations& stations = stations_[id];
-        const auto contrast = contrast_hu_.find(link.system);
-        const bool by_ct = contrast != contrast_hu_.end() && contrast->second >= least_contrast_hu;
+        const double contrast_hu = ct_ != nullptr ? contrast_of_link(id) : 0.0;
+        const bool by_ct = contrast_hu >= least_contrast_hu;
         std::vector<double> backgrounds, known;
         for (const CrossSection& section : stations.sections) {
             backgrounds.push_back(section.background_hu);
@@ -202,7 +240,7 @@ class Measurement {
             double area = section.mask_area_mm2;
             if (by_ct && shows_lumen(section)) {
                 const double excess = section.intensity - backgrounds[i] * section.covered_area_mm2;
-                const double full_hu = contrast_at(section, contrast->second);
+                const double full_hu = contrast_at(section, contrast_hu);
                 area = std::clamp(excess / full_hu, 0.3 * area, 3.0 * area);
             }
             radii.push_back(section.inside ? radius_of_area(area) : link.radii_mm[i]);
@@ -222,7 +260,8 @@ class Measurement {
     double voxel_mm_;
     std::vector<std::vector<int>> at_node_;
     std::vector<Stations> stations_;
-    std::map<int, double> contrast_hu_;
+    std::map<int, double> contrast_hu_;                // of each system
+    std::vector<std::vector<double>> wide_contrasts_;  // of each link
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Cross-sections of a vessel along its centreline, and from them radii below the size of a voxel.
 //
 // On a CT the radius comes from the section's excess of intensity over the parenchyma, divided by
-// the contrast of a wide vessel of the same system: the area a blood-filled disc must have to
+// the contrast of wide vessels nearby in the tree: the area a blood-filled disc must have to
 // account for it. Blurring moves intensity about but does not change its sum, so this has no
 // threshold and needs no model of the scanner. Without a CT it is the area of the mask's section.
 #pragma once

@@ -47,6 +47,17 @@ TEST(VesselSegmentation, FindsThePhantomsTree) {
     EXPECT_TRUE(found.warnings.empty());
 }
 
+TEST(VesselSegmentation, KeepsWideVesselsOnAScanOfHardlyAnyNoise) {
+    // Once the wall's data were cut off at eight deviations: less than the wall's own level here.
+    Job job;
+    PhantomOptions options;
+    options.noise_hu = 3.0;
+    Phantom phantom = make_phantom(options, job);
+    Patient patient = phantom_patient(options.seed, options.spacing_mm[2], job);
+    patient.ct = std::move(phantom.ct);
+    EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.88);
+}
+
 TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
     Job job;
     const Patient patient = phantom_patient(1, 1.0, job);
@@ -84,8 +95,8 @@ TEST(VesselSegmentation, ReachesItsFloorsOnARealPatient) {
     Job job;
     const Patient patient = ircadb_patient(job);
     const Score s = score(segment(patient).mask, patient, job);
-    EXPECT_GE(s.dice, 0.70);
-    EXPECT_GE(s.cldice, 0.69);
+    EXPECT_GE(s.dice, 0.705);
+    EXPECT_GE(s.cldice, 0.70);
 }
 
 TEST(VesselSegmentation, FindsTheLiverOfARealPatientAndItsVesselsByItself) {
@@ -94,7 +105,7 @@ TEST(VesselSegmentation, FindsTheLiverOfARealPatientAndItsVesselsByItself) {
     Job job;
     const Patient patient = ircadb_patient(job);
     const Segmentation found = segment(patient, false);
-    EXPECT_GE(score(found.mask, patient, job).dice, 0.69);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.70);
     Patient organ = patient;
     organ.truth = patient.judged;
     organ.judged = Mask(patient.ct.grid, 1);
@@ -107,8 +118,8 @@ TEST(VesselSegmentation, ReachesItsFloorsOnThePhantomOfAnotherHand) {
     Job job;
     const Patient patient = vascusynth_patient(job);
     const Segmentation found = segment(patient);
-    EXPECT_GE(score(found.mask, patient, job).dice, 0.80);
-    EXPECT_GE(length_found(found.mask, patient, 1.2, 2.0, job), 0.90);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.85);
+    EXPECT_GE(length_found(found.mask, patient, 1.2, 2.0, job), 0.97);
 }
 
 TEST(VesselSegmentation, RefusesAScanWithoutContrastInWords) {
