@@ -48,6 +48,7 @@ constexpr double strong_share = 1.384;
 constexpr double weak_share = 1.12;
 constexpr double coarse_strong_share = 1.1;
 constexpr double coarse_weak_share = 1.0;
+constexpr double thick_slices_share = 0.12;  // less of both between thick slices
 // Of coarse voxels the blur is as wide as a thin vessel: its wall lies high on its lowered peak.
 constexpr double coarse_level_share = 0.5;
 constexpr double coarse_data_weight = 0.75;
@@ -142,21 +143,24 @@ Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
     return hysteresis(grown, grown, smallest_vessel_mm3);
 }
 
+double share_of(double fine, double coarse, const Sampling& sampling) {
+    return std::lerp(fine, coarse, sampling.coarse) - thick_slices_share * sampling.thick;
+}
+
 Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
               const Sampling& sampling, Job& job) {
     const double noise_hu = line_noise(stands_out(tissue, evidence.deviation, job),
                                        evidence.deviation, liver, tissue.interior, job);
     job.advance(0.4);
-    const double weak_hu = tissue.threshold_hu.value_or(
-        std::lerp(weak_share, coarse_weak_share, sampling.coarse) * noise_hu);
+    const double weak_hu =
+        tissue.threshold_hu.value_or(share_of(weak_share, coarse_weak_share, sampling) * noise_hu);
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
     const FloatVolume lines = line_coherence(
         clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates, LineOptions{}, job);
     job.advance(0.6);
     return grown_from(
-        above(lines, std::lerp(strong_share, coarse_strong_share, sampling.coarse) * noise_hu,
-              liver),
+        above(lines, share_of(strong_share, coarse_strong_share, sampling) * noise_hu, liver),
         above(evidence.rise, weak_hu, liver), job);
 }
 
