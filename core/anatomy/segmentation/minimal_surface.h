@@ -10,8 +10,8 @@ namespace hepatica {
 
 struct SurfaceOptions {
     // The wall runs where the intensity has fallen to this share of the vessel's own peak. Half is
-    // right for wide vessels, more for those as thin as the blur; experts draw walls at 0.35 of it
-    // (docs/accuracy.md).
+    // right for wide vessels, more for those as thin as the blur; experts draw walls at 0.32 of the
+    // rise (docs/accuracy.md).
     double level_share = 0.39;
     // The surface's pull inwards places the wall this many deviations too high; taken off again.
     double pull_deviations = 0.7;

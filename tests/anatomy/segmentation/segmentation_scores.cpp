@@ -89,6 +89,33 @@ std::vector<Patient> patients(const std::string& name, int seeds, Job& job) {
     return list;
 }
 
+// Where the truth draws walls: the intensity half way over them, between parenchyma (0) and the
+// inside of vessels wide enough to have one (1). In the plane, where the resolution is best.
+double level_of_outlines(const Patient& patient, double parenchyma_hu, Job& job) {
+    const Mask core = erode(patient.truth, 1.2, job);
+    const Mask near_core = dilate(core, 3.0, job);
+    const Volume& ct = patient.ct;
+    double core_sum = 0.0, wall_sum = 0.0;
+    std::size_t core_count = 0, wall_count = 0;
+    const std::size_t steps[] = {1, static_cast<std::size_t>(ct.grid.dims[0])};
+    for (std::size_t i = 0; i + steps[1] < ct.voxels.size(); ++i) {
+        if (core.voxels[i] && patient.judged.voxels[i]) {
+            core_sum += ct.voxels[i];
+            ++core_count;
+        }
+        for (const std::size_t step : steps) {
+            const std::size_t n = i + step;
+            if ((patient.truth.voxels[i] != 0) == (patient.truth.voxels[n] != 0)) continue;
+            if (!near_core.voxels[i] || !near_core.voxels[n]) continue;
+            if (!patient.judged.voxels[i] || !patient.judged.voxels[n]) continue;
+            wall_sum += 0.5 * (ct.voxels[i] + ct.voxels[n]);
+            ++wall_count;
+        }
+    }
+    return (wall_sum / double(wall_count) - parenchyma_hu) /
+           (core_sum / double(core_count) - parenchyma_hu);
+}
+
 void print_bounds(const Patient& patient, const Mask& found, Job& job) {
     FloatVolume smooth = to_float(patient.ct);
     gaussian_smooth(smooth, Vec3::Constant(0.8), job);
@@ -147,7 +174,11 @@ void run(const Patient& patient, SegmentationMethod method, const Request& reque
         length_found(found.mask, patient, 1.2, 2.0, job), found.components,
         found.statistics.parenchyma_hu, found.statistics.contrast_hu(), found.statistics.noise_hu,
         seconds);
-    if (request.bounds) print_bounds(patient, found.mask, job);
+    if (request.bounds) {
+        print_bounds(patient, found.mask, job);
+        std::printf("    the truth's outlines run at %.2f of the vessels' rise\n",
+                    level_of_outlines(patient, found.statistics.parenchyma_hu, job));
+    }
     for (const StageTime& stage : job.stage_times())
         std::printf("    %-28s %.2f s\n", stage.name.c_str(), stage.seconds);
     std::fflush(stdout);
