@@ -20,7 +20,9 @@ std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double de
     Mask candidates(values.grid);
     for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
         candidates.voxels[i] = liver.voxels[i] && values.voxels[i] > static_cast<float>(deviation);
+    job.throw_if_cancelled();
     const FloatVolume lines = line_coherence(values, candidates, LineOptions{}, job);
+    job.throw_if_cancelled();
     std::vector<std::size_t> histogram(most_bins);
     const double bins_per_unit = bins_per_deviation / deviation;
     for (std::size_t i = 0; i < lines.voxels.size(); ++i)
@@ -33,12 +35,13 @@ std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double de
 }  // namespace
 
 double line_noise(const FloatVolume& values, double deviation, const Mask& liver, const Mask& where,
-                  Job& job) {
+                  const std::function<void()>& progress, Job& job) {
     const std::vector<std::size_t> bright =
         histogram_of_lines(values, deviation, liver, where, job);
-    job.throw_if_cancelled();
+    progress();
     FloatVolume negative = values;
     for (float& v : negative.voxels) v = -v;
+    job.throw_if_cancelled();
     const std::vector<std::size_t> dark =
         histogram_of_lines(negative, deviation, liver, where, job);
     std::size_t bin = most_bins;

@@ -5,6 +5,8 @@
 // and decoy idea of Elias and Gygi (2007).
 #pragma once
 
+#include <functional>
+
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
@@ -16,8 +18,9 @@ namespace hepatica {
 //   values: intensity against the surroundings, so that broad dark regions (tumours) are no lines
 //   deviation: > 0, of the noise; lines are looked for where `values` rises or falls by more
 //   liver: lines are looked for here; the same grid, of cubes
+//   progress: called once half of the work is done
 // Throws Cancelled.
 double line_noise(const FloatVolume& values, double deviation, const Mask& liver, const Mask& where,
-                  Job& job);
+                  const std::function<void()>& progress, Job& job);
 
 }  // namespace hepatica

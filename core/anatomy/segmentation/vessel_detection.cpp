@@ -92,9 +92,11 @@ Mask above(const FloatVolume& values, double threshold, const Mask& where) {
 RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& interior, Job& job) {
     const RobustSpread all = robust_spread(rise, interior);
     Mask suspects = above(rise, all.median + suspect_deviations * all.deviation, interior);
+    job.throw_if_cancelled();
     suspects = hysteresis(suspects, suspects, smallest_suspect_mm3);
     job.throw_if_cancelled();
     suspects = dilate(suspects, suspect_reach_mm, job);
+    job.throw_if_cancelled();
     Mask quiet = interior;
     for (std::size_t i = 0; i < quiet.voxels.size(); ++i)
         if (suspects.voxels[i]) quiet.voxels[i] = 0;
@@ -120,6 +122,7 @@ FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma
     const auto low = static_cast<float>(-clip_below_deviations * deviation);
     const auto high = static_cast<float>(clip_above_deviations * deviation);
     for (float& v : values.voxels) v = std::clamp(v, low, high);
+    job.throw_if_cancelled();
     gaussian_smooth(values, Vec3::Constant(sigma_mm), job);
     return values;
 }
@@ -129,6 +132,7 @@ FloatVolume stands_out(const TissueContrast& tissue, double deviation, Job& job)
     FloatVolume values = clipped(tissue, deviation, line_sigma_mm, job);
     const FloatVolume around = clipped(tissue, deviation, surroundings_sigma_mm, job);
     for (std::size_t i = 0; i < values.voxels.size(); ++i) values.voxels[i] -= around.voxels[i];
+    job.throw_if_cancelled();
     return values;
 }
 
@@ -136,10 +140,13 @@ Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
     Mask strong = lines;
     for (std::size_t i = 0; i < strong.voxels.size(); ++i)
         if (!weak.voxels[i]) strong.voxels[i] = 0;
+    job.throw_if_cancelled();
     strong = hysteresis(strong, strong, smallest_strong_mm3);
     job.advance(0.65);
+    job.throw_if_cancelled();
     const Mask grown = grow_within(strong, weak, growth_mm);
     job.advance(0.7);
+    job.throw_if_cancelled();
     return hysteresis(grown, grown, smallest_vessel_mm3);
 }
 
@@ -149,8 +156,10 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
 
 Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
               const Sampling& sampling, Job& job) {
-    const double noise_hu = line_noise(stands_out(tissue, evidence.deviation, job),
-                                       evidence.deviation, liver, tissue.interior, job);
+    const FloatVolume standing_out = stands_out(tissue, evidence.deviation, job);
+    job.advance(0.2);
+    const double noise_hu = line_noise(
+        standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
     job.advance(0.4);
     const double weak_hu =
         tissue.threshold_hu.value_or(share_of(weak_share, coarse_weak_share, sampling) * noise_hu);
@@ -211,9 +220,11 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
                              ? coherent(tissue, inner, evidence, sampling, job)
                              : tubular(tissue, inner, evidence, sampling, job);
     job.advance(0.75);
+    job.throw_if_cancelled();
     FloatVolume wall = tissue.excess;
     gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
     job.advance(0.8);
+    job.throw_if_cancelled();
     Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation,
                               surface_for(sampling), job);
     job.advance(0.9);
