@@ -139,7 +139,7 @@ void add_reconstruct(CommandLine& line) {
         ->check(CLI::Range(0, 10))
         ->capture_default_str();
     verb.add_option("--spacing-mm", reconstruct.spacing_mm,
-                    "Working grid, isotropic; 0 lets the CT decide")
+                    "Working grid, isotropic; 0 stands for 0.65")
         ->check(CLI::Range(0.0, 1.5))
         ->capture_default_str();
     verb.add_option("--tetrahedra", reconstruct.mesh.target_tetrahedra,

@@ -133,7 +133,6 @@ Mask fit_surface(const FloatVolume& intensity, const FloatVolume& rise, const Ma
     const auto weight = static_cast<float>(options.data_weight / deviation);
     const auto least = static_cast<float>(options.least_deviations * deviation);
     const auto pull = static_cast<float>(options.pull_deviations * deviation);
-    const auto most = static_cast<float>(options.most_cost);
     std::vector<float> cost(band.voxels.size());
     parallel_blocks(cost.size(), block, [&](std::size_t begin, std::size_t end) {
         job.throw_if_cancelled();
@@ -141,9 +140,8 @@ Mask fit_surface(const FloatVolume& intensity, const FloatVolume& rise, const Ma
             const float peak = peak_near(rise, vessels, band.voxels[i], ball);
             const float level =
                 std::max(least, static_cast<float>(options.level_share) * peak - pull);
-            cost[i] = band.free[i] ? std::clamp(weight * (level - intensity.voxels[band.voxels[i]]),
-                                                -most, most)
-                                   : outside_cost;
+            cost[i] =
+                band.free[i] ? weight * (level - intensity.voxels[band.voxels[i]]) : outside_cost;
         }
     });
     const std::vector<float> inside = minimise(band, cost, options.iterations, job);

@@ -18,7 +18,6 @@ struct SurfaceOptions {
     double peak_reach_mm = 2.4;     // how far around a voxel its vessel's peak is looked for
     double least_deviations = 1.6;  // the level is never below this multiple of the deviation
     double data_weight = 0.6;       // of one deviation against one voxel face of surface
-    double most_cost = 5.0;         // of a voxel, in faces: however bright, it is only inside
     int iterations = 40;
 };
 

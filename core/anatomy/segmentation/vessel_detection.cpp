@@ -30,6 +30,8 @@ constexpr double weak_deviations = 3.0;  // of the vesselness; coherent lines ha
 constexpr double suspect_deviations = 2.0;
 constexpr double smallest_suspect_mm3 = 20.0;
 constexpr double suspect_reach_mm = 2.0;
+constexpr double least_deviation_hu = 0.3;  // a CT is stored in whole Hounsfield units
+// Slices up to the first are not thick at all, from the second on they are.
 constexpr double undimmed_slices_mm = 1.5;
 constexpr double dimming_slices_mm = 3.0;
 // Between thick slices the organs around shine this far into the liver.
@@ -101,7 +103,8 @@ RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& inter
     for (std::size_t i = 0; i < quiet.voxels.size(); ++i)
         if (suspects.voxels[i]) quiet.voxels[i] = 0;
     const RobustSpread away = robust_spread(rise, quiet);
-    return away.deviation > 0.0 ? away : all;
+    return {away.deviation > 0.0 ? away.median : all.median,
+            std::max(away.deviation, least_deviation_hu)};
 }
 
 Evidence smoothed(const TissueContrast& tissue, Job& job) {
@@ -156,13 +159,16 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
 
 Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
               const Sampling& sampling, Job& job) {
+    if (tissue.threshold_hu) {  // the user's word, whatever the noise
+        const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
+        return grown_from(bright, bright, job);
+    }
     const FloatVolume standing_out = stands_out(tissue, evidence.deviation, job);
     job.advance(0.2);
     const double noise_hu = line_noise(
         standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
     job.advance(0.4);
-    const double weak_hu =
-        tissue.threshold_hu.value_or(share_of(weak_share, coarse_weak_share, sampling) * noise_hu);
+    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * noise_hu;
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
     const FloatVolume lines = line_coherence(

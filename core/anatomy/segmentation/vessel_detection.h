@@ -18,8 +18,8 @@ struct Detection {
 
 // Thresholds are multiples of the noise that is left after smoothing, measured in this liver; for
 // `coherent` they follow from the strength of lines darker than their surroundings, which no
-// vessel is. ct_spacing_mm is that of the CT itself: coarse voxels dim and blur what is thin.
-// Throws Cancelled.
+// vessel is. ct_spacing_mm is that of the CT itself, all > 0: coarse voxels dim and blur what is
+// thin. Throws Cancelled.
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          SegmentationMethod method, Job& job);
 

@@ -37,6 +37,7 @@ constexpr double kept_branch_mm = 4.0;
 // Below this contrast, in deviations of the noise, a radius is not measured any better than an
 // outline.
 constexpr double measurable_contrast = 4.5;
+constexpr double dim_contrast = 3.5;  // below this, thin branches drown
 
 std::string rounded(double value, int decimals = 0) {
     std::string text = std::to_string(value);
@@ -85,13 +86,22 @@ void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
     }
 }
 
-void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver) {
+void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver,
+                      const std::optional<std::pair<double, double>>& window_hu) {
     const std::size_t size = object_count(liver);
     if (size == 0)
         throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
                          "liver mask", "Give a mask of the whole liver.");
     const double share = static_cast<double>(object_count(vessels)) / static_cast<double>(size);
     if (share >= least_vessel_share && found.contrast_hu() >= least_contrast_hu) return;
+    if (window_hu)
+        throw InputError("only " + rounded(100.0 * share, 2) + " % of the liver lie between " +
+                             rounded(window_hu->first) + " and " + rounded(window_hu->second) +
+                             " HU and hang together as vessels do; the tissue itself has " +
+                             rounded(found.parenchyma_hu) + " HU",
+                         "window",
+                         "Choose a window that reaches from between tissue and vessels to above "
+                         "the brightest vessel, or give none.");
     throw InputError(
         "the vessels do not stand out from the liver: the brightest structures cover " +
             rounded(100.0 * share, 2) + " % of it and rise " +
@@ -145,7 +155,12 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
-    require_contrast(result.statistics, inner, tissue.interior);
+    require_contrast(result.statistics, inner, tissue.interior, options.window_hu);
+    if (result.statistics.contrast_hu() < dim_contrast * tissue.noise_hu)
+        result.warnings.push_back(
+            "The vessels rise " + rounded(result.statistics.contrast_hu()) +
+            " HU above the liver, where the noise is " + rounded(tissue.noise_hu) +
+            " HU: most thin branches are missing, and some that are found may be noise.");
 
     job.begin_stage("Drawing thin vessels");
     if (options.method == SegmentationMethod::coherent &&

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
 
+#include "core/anatomy/segmentation/line_coherence.h"
 #include "core/image/filters.h"
 
 namespace hepatica {
@@ -61,6 +63,27 @@ TEST(LineNoise, FallsWhereTrueLinesOutnumberTheFalseAndStaysAboveTheNoise) {
     const double limit = noise_of_lines(few, 1.0);
     EXPECT_LT(limit, noise_of_lines(noise(1), 1.0));
     EXPECT_GT(limit, 1.0);
+}
+
+TEST(LineNoise, LeavesFiftyBrightVoxelsToEachDarkOneAndOneStepLowerFewer) {
+    FloatVolume values = noise(5);
+    add_rods(values, 4.0f);
+    FloatVolume negative = values;
+    for (float& v : negative.voxels) v = -v;
+    const auto above = [](const FloatVolume& image, double strength) {
+        Mask candidates(image.grid);
+        for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
+            candidates.voxels[i] = image.voxels[i] > 1.0f;
+        Job job;
+        const FloatVolume lines = line_coherence(image, candidates, LineOptions{}, job);
+        return static_cast<double>(std::count_if(lines.voxels.begin(), lines.voxels.end(),
+                                                 [&](float v) { return v >= strength; }));
+    };
+    const double limit = noise_of_lines(values, 1.0);
+    ASSERT_GT(limit, 1.0);
+    ASSERT_LT(limit, 4.0);
+    EXPECT_GE(above(values, limit), 50.0 * above(negative, limit));
+    EXPECT_LT(above(values, limit - 0.05), 50.0 * above(negative, limit - 0.05));
 }
 
 TEST(LineNoise, GrowsInProportionWithTheImage) {

@@ -47,15 +47,45 @@ TEST(VesselSegmentation, FindsThePhantomsTree) {
     EXPECT_TRUE(found.warnings.empty());
 }
 
-TEST(VesselSegmentation, KeepsWideVesselsOnAScanOfHardlyAnyNoise) {
-    // Once the wall's data were cut off at eight deviations: less than the wall's own level here.
+TEST(VesselSegmentation, FindsTheTreeOnAScanOfHardlyAnyNoiseOrNone) {
     Job job;
-    PhantomOptions options;
-    options.noise_hu = 3.0;
-    Phantom phantom = make_phantom(options, job);
-    Patient patient = phantom_patient(options.seed, options.spacing_mm[2], job);
-    patient.ct = std::move(phantom.ct);
-    EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.88);
+    for (const double noise : {0.0, 3.0}) {
+        SCOPED_TRACE(noise);
+        PhantomOptions options;
+        options.noise_hu = noise;
+        Phantom phantom = make_phantom(options, job);
+        Patient patient = phantom_patient(options.seed, options.spacing_mm[2], job);
+        patient.ct = std::move(phantom.ct);
+        EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.88);
+    }
+}
+
+TEST(VesselSegmentation, WarnsWhereThinBranchesDrownInNoise) {
+    Job job;
+    PhantomOptions options = small_phantom();
+    options.noise_hu = 40.0;
+    const Phantom phantom = make_phantom(options, job);
+    SegmentationOptions choice;
+    choice.liver = phantom.liver;
+    const Segmentation found = segment_vessels(phantom.ct, choice, job);
+    EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
+        return warning.find("thin branches are missing") != std::string::npos;
+    }));
+}
+
+TEST(VesselSegmentation, NamesTheWindowWhereItHoldsNoVessels) {
+    Job job;
+    const Phantom phantom = make_phantom(small_phantom(), job);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.window_hu = {200.0, 210.0};
+    try {
+        segment_vessels(phantom.ct, options, job);
+        FAIL() << "a window above all vessels was taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("between 200 and 210 HU"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
