@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include "core/anatomy/accuracy.h"
 #include "core/anatomy/phantom/phantom.h"
 #include "core/anatomy/skeleton/thinning.h"
 #include "core/anatomy/skeleton/unit_width_skeleton.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/filters.h"
 #include "tests/anatomy/test_masks.h"
 
 namespace hepatica {
@@ -97,6 +101,54 @@ TEST(TreeExtraction, AThinBranchDoesNotBeginAsWideAsItsParent) {
         for (const double r : segment.radii_mm) EXPECT_NEAR(r, 2.0, 0.3);
     }
     EXPECT_EQ(thin, 1);
+}
+
+// Portal and hepatic veins that touch are one graph: each thin branch must be measured by the
+// contrast of its own trunk, not by that of both.
+TEST(TreeExtraction, RadiiComeFromTheContrastOfTheTrunkNearby) {
+    Grid grid;
+    grid.spacing_mm = Vec3::Constant(0.65);
+    grid.dims = {120, 62, 62};
+    constexpr double thin_mm = 1.3;
+    const auto bright_trunk = tube(Vec3(4, 12, 10), Vec3(74, 12, 10), 3.0);
+    const auto bright_branch = tube(Vec3(20, 12, 10), Vec3(20, 12, 36), thin_mm);
+    const auto dim_trunk = tube(Vec3(4, 28, 10), Vec3(74, 28, 10), 3.0);
+    const auto dim_branch = tube(Vec3(60, 28, 10), Vec3(60, 28, 36), thin_mm);
+    const auto touch = tube(Vec3(40, 12, 10), Vec3(40, 28, 10), 1.5);
+    const auto is_bright = [&](const Vec3& p) { return bright_trunk(p) || bright_branch(p); };
+    const auto is_dim = [&](const Vec3& p) { return dim_trunk(p) || dim_branch(p) || touch(p); };
+    const Mask mask = mask_where(grid, [&](const Vec3& p) { return is_bright(p) || is_dim(p); });
+    Job job;
+    FloatVolume scan(grid, 100.0f);
+    for (std::size_t i = 0; i < scan.voxels.size(); ++i) {
+        const Index3 at = grid.index_of(i);
+        int bright = 0, dim = 0;  // of 27 places in the voxel
+        for (int k = 0; k < 27; ++k) {
+            const Vec3 place =
+                grid.to_mm(Vec3(at[0] + (k % 3 - 1) / 3.0, at[1] + (k / 3 % 3 - 1) / 3.0,
+                                at[2] + (k / 9 - 1) / 3.0));
+            if (is_bright(place))
+                ++bright;
+            else if (is_dim(place))
+                ++dim;
+        }
+        scan.voxels[i] += static_cast<float>(80.0 * bright / 27.0 + 40.0 * dim / 27.0);
+    }
+    gaussian_smooth(scan, Vec3::Constant(0.6), job);
+    Volume ct(grid);
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i)
+        ct.voxels[i] = static_cast<std::int16_t>(std::lround(scan.voxels[i]));
+
+    const VesselTree tree = tree_of(mask, &ct);
+    int branches = 0;
+    for (const VesselSegment& segment : tree.segments) {
+        const std::size_t middle = segment.points_mm.size() / 2;
+        if (segment.points_mm[middle].z() < 18.0) continue;
+        ++branches;
+        EXPECT_NEAR(segment.radii_mm[middle], thin_mm, 0.08)
+            << "at x = " << segment.points_mm[middle].x();
+    }
+    EXPECT_EQ(branches, 2);
 }
 
 TEST(TreeExtraction, CentrelineIsSmoothAndAboutAVoxelFromPointToPoint) {
