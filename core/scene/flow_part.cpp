@@ -13,6 +13,10 @@ namespace hepatica {
 
 namespace {
 
+// Where half of the vertices lie in links that the blood all but stands in, as between the loops of
+// veins that touch, the clock ends as injection.h ends its runs.
+constexpr double longest_run_in_fillings = 10.0;
+
 struct Arrivals {
     ArrivalTimes times;
     double mass_error_relative = 0.0;
@@ -49,6 +53,12 @@ double useful_end_s(const std::vector<float>& arrival_s) {
     const auto middle = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() / 2);
     std::nth_element(reached.begin(), middle, reached.end());
     return 5.0 * static_cast<double>(*middle);
+}
+
+// How long the catheter takes to inject the volume of all vessels.
+double filling_s(const VesselTree& tree, const InjectionOptions& options) {
+    return volume_mm3(network_of(tree, options.shape)) * options.liquid.density_g_mm3 /
+           options.mass_flow_g_s;
 }
 
 // A tip within a radius of the place where a system is supplied means that place: nothing would be
@@ -100,7 +110,8 @@ void FlowPart::inject(const Injection& injection) {
     drug_.arrival_s = std::move(arrival_s);
     ++drug_.version;
     drug_.time_s = 0.0;
-    drug_.end_s = std::min(arrivals.times.end_s(), useful_end_s(*drug_.arrival_s));
+    drug_.end_s = std::min({arrivals.times.end_s(), useful_end_s(*drug_.arrival_s),
+                            longest_run_in_fillings * filling_s(tree_, options)});
     drug_.playing = true;
 }
 

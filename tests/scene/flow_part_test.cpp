@@ -99,6 +99,35 @@ TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
     }
 }
 
+// A wide branch that takes all the blood and three hair-thin ones, in which most places lie.
+TEST(FlowPart, TheClockEndsThoughBloodStandsInMostOfTheVessels) {
+    VesselTree tree;
+    const Vec3 root(0, 0, 0), fork(0, 0, 10);
+    const std::vector<Vec3> ends{{0, 0, 20}, {100, 0, 10}, {-100, 0, 10}, {0, 100, 10}};
+    tree.nodes = {{root, 2.0},     {fork, 2.0},     {ends[0], 2.0},
+                  {ends[1], 0.02}, {ends[2], 0.02}, {ends[3], 0.02}};
+    const auto segment = [](int from, int to, int parent, const Vec3& a, const Vec3& b, double r) {
+        VesselSegment made;
+        made.proximal_node = from;
+        made.distal_node = to;
+        made.parent = parent;
+        made.points_mm = {a, b};
+        made.radii_mm = {r, r};
+        return made;
+    };
+    tree.segments = {segment(0, 1, -1, root, fork, 2.0), segment(1, 2, 0, fork, ends[0], 2.0),
+                     segment(1, 3, 0, fork, ends[1], 0.02), segment(1, 4, 0, fork, ends[2], 0.02),
+                     segment(1, 5, 0, fork, ends[3], 0.02)};
+    FlowPart part(tree, places_along(tree), {});
+    Injection injection;
+    injection.at = {0, 0.0, 0.0};
+    part.inject(injection);
+    const double volume_mm3 = std::numbers::pi * (2.0 * 2.0 * 20.0 + 0.02 * 0.02 * 300.0);
+    const double filling_s = volume_mm3 * blood().density_g_mm3 / injection.mass_flow_g_s;
+    EXPECT_GT(part.drug().end_s, filling_s);
+    EXPECT_LE(part.drug().end_s, 10.0 * filling_s * (1.0 + 1e-9));
+}
+
 TEST(FlowPart, ADrugLikeBloodHasTheTimesOfTheClosedForm) {
     const VesselTree& tree = test::small_patient()->tree;
     const Injection injection{.at = {0, 0.0, 0.0}};
