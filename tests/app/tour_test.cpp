@@ -139,6 +139,10 @@ TEST_F(Tour, AScanWithScatteredHolesIsReconstructedLikeTheWholeOne) {
     const Json whole = reconstructed("p/ct.nii.gz"), mended = reconstructed("holed.nii.gz");
     const double length_mm = whole["tree"]["length_mm"];
     EXPECT_NEAR(mended["tree"]["length_mm"], length_mm, 0.05 * length_mm);
+    const VesselTree truth = read_tree(path("p/truth_tree.vtp"));
+    const Vec3 true_root = truth.segments[roots(truth).front()].points_mm.front();
+    const Json& root = whole["tree"]["root_mm"];
+    EXPECT_LT((Vec3(root[0], root[1], root[2]) - true_root).norm(), 4.0) << root;
     EXPECT_NE(mended["warnings"].dump().find(std::to_string(holes) + " of "), std::string::npos)
         << mended["warnings"];
 }
