@@ -12,7 +12,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double longest_run_in_fillings = 10.0;
 constexpr double most_samples = 1e5;
 
 void check(const char* what, double value, double low, double high) {

@@ -14,6 +14,10 @@
 
 namespace hepatica {
 
+// A run that nobody ends lasts at most this many times as long as it takes to inject the volume of
+// the tree: in loops and between ends of equal pressure the blood all but stands.
+inline constexpr double longest_run_in_fillings = 10.0;
+
 struct InjectionOptions {
     // The catheter's tip; none: the root of the system that holds the most blood.
     std::optional<TreePoint> tip;
@@ -43,8 +47,7 @@ struct InjectionOptions {
     std::vector<TreePoint> tears;      // through which both stumps bleed
 
     double injection_s = std::numeric_limits<double>::infinity();  // then the catheter is closed
-    // Until then; none: until nothing changes any more, at most ten times as long as it takes to
-    // inject the volume of the tree.
+    // Until then; none: until nothing changes any more, at most longest_run_in_fillings.
     std::optional<double> until_s;
     // Between the samples of the series, which has no influence on the solution; none: a hundredth
     // of the time it takes to inject the volume of the tree.

@@ -13,10 +13,6 @@ namespace hepatica {
 
 namespace {
 
-// Where half of the vertices lie in links that the blood all but stands in, as between the loops of
-// veins that touch, the clock ends as injection.h ends its runs.
-constexpr double longest_run_in_fillings = 10.0;
-
 struct Arrivals {
     ArrivalTimes times;
     double mass_error_relative = 0.0;

@@ -130,15 +130,6 @@ FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma
     return values;
 }
 
-// Clipped excess against the surroundings.
-FloatVolume stands_out(const TissueContrast& tissue, double deviation, Job& job) {
-    FloatVolume values = clipped(tissue, deviation, line_sigma_mm, job);
-    const FloatVolume around = clipped(tissue, deviation, surroundings_sigma_mm, job);
-    for (std::size_t i = 0; i < values.voxels.size(); ++i) values.voxels[i] -= around.voxels[i];
-    job.throw_if_cancelled();
-    return values;
-}
-
 Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
     Mask strong = lines;
     for (std::size_t i = 0; i < strong.voxels.size(); ++i)
@@ -163,7 +154,11 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
         const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
         return grown_from(bright, bright, job);
     }
-    const FloatVolume standing_out = stands_out(tissue, evidence.deviation, job);
+    const FloatVolume bright = clipped(tissue, evidence.deviation, line_sigma_mm, job);
+    FloatVolume standing_out = clipped(tissue, evidence.deviation, surroundings_sigma_mm, job);
+    for (std::size_t i = 0; i < bright.voxels.size(); ++i)
+        standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
+    job.throw_if_cancelled();
     job.advance(0.2);
     const double noise_hu = line_noise(
         standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
@@ -171,8 +166,7 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
     const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * noise_hu;
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
-    const FloatVolume lines = line_coherence(
-        clipped(tissue, evidence.deviation, line_sigma_mm, job), candidates, LineOptions{}, job);
+    const FloatVolume lines = line_coherence(bright, candidates, LineOptions{}, job);
     job.advance(0.6);
     return grown_from(
         above(lines, share_of(strong_share, coarse_strong_share, sampling) * noise_hu, liver),
