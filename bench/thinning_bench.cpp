@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "core/anatomy/skeleton/thinning.h"
-#include "core/anatomy/skeleton/topology.h"
-#include "core/anatomy/skeleton/unit_width_skeleton.h"
+#include "core/skeleton/thinning.h"
+#include "core/skeleton/topology.h"
+#include "core/skeleton/unit_width_skeleton.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/tree/gap_bridging.h"
 #include "core/base/vector.h"
+#include "core/tree/extraction/gap_bridging.h"
 
 class vtkActor;
 class vtkBillboardTextActor3D;

@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "core/anatomy/tree/tree_edit.h"
+#include "core/tree/editing/tree_edit.h"
 
 class QComboBox;
 class QLabel;

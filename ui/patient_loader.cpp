@@ -7,12 +7,12 @@
 #include <system_error>
 #include <utility>
 
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/error.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
-#include "core/patient/built_in_patient.h"
+#include "core/reconstruction/built_in_patient.h"
 #include "core/session/session.h"
+#include "core/tree/files/tree_io.h"
 #include "ui/simulation_thread.h"
 #include "ui/vessel_flow.h"
 

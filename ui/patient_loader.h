@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/patient/patient_case.h"
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/reconstruct.h"
 #include "ui/simulation.h"
 #include "ui/surface_anatomy.h"
 

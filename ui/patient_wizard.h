@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <optional>
 
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/reconstruct.h"
 
 class QFormLayout;
 class QLabel;

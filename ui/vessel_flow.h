@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/session/command.h"
+#include "core/tree/vessel_tree.h"
 #include "render/chart.h"
 
 namespace hepatica {

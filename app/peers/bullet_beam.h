@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/deform/material.h"
+#include "core/deform/body/material.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/command_line.h"
-#include "core/anatomy/vessel_tree.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

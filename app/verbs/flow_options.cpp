@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/verbs/flow_options.h"
 
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/patient/patient_case.h"
+#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 

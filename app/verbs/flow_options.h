@@ -8,9 +8,9 @@
 #include <string>
 
 #include "app/command_line.h"
-#include "core/anatomy/vessel_tree.h"
 #include "core/flow/pressure_drop.h"
 #include "core/scene/default_injection.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

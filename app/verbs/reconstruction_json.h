@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "core/anatomy/tree/gap_bridging.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/tree/extraction/gap_bridging.h"
 
 namespace hepatica {
 

@@ -9,7 +9,7 @@
 #include "app/peers/bullet_beam.h"
 #include "app/verbs/verbs.h"
 #include "core/base/parallel.h"
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/study/timing.h"
 

@@ -10,7 +10,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/reconstruct.h"
 #include "core/study/job_watch.h"
 
 extern char** environ;

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "app/verbs/verbs.h"
-#include "core/anatomy/phantom/phantom.h"
-#include "core/anatomy/segmentation/gaussian_refinement.h"
-#include "core/anatomy/skeleton/topology.h"
 #include "core/image/morphology.h"
+#include "core/phantom/phantom.h"
+#include "core/segmentation/gaussian_refinement.h"
+#include "core/skeleton/topology.h"
 
 namespace hepatica {
 

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "app/verbs/verbs.h"
-#include "core/anatomy/accuracy.h"
-#include "core/anatomy/tree_files/tree_io.h"
+#include "core/accuracy/accuracy.h"
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
+#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 

@@ -5,11 +5,11 @@
 
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
-#include "core/anatomy/phantom/phantom.h"
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
+#include "core/phantom/phantom.h"
+#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 

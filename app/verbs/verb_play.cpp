@@ -9,12 +9,12 @@
 #include "app/html_report.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
-#include "core/anatomy/accuracy.h"
+#include "core/accuracy/accuracy.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
-#include "core/patient/built_in_patient.h"
 #include "core/patient/patient_case.h"
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/built_in_patient.h"
+#include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
 

@@ -10,7 +10,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
 

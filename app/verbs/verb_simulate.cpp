@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
-#include "core/deform/damping_regression.h"
+#include "core/deform/step/damping_regression.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"

@@ -6,10 +6,10 @@
 #include "app/command_line.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
-#include "core/anatomy/skeleton/thinning.h"
-#include "core/anatomy/skeleton/unit_width_skeleton.h"
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
+#include "core/skeleton/thinning.h"
+#include "core/skeleton/unit_width_skeleton.h"
 #include "render/voxel_picture.h"
 
 namespace hepatica {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/flow/pressure_drop.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

@@ -3,9 +3,9 @@
 // by CGAL's Delaunay refinement (Mesh_3) with sizes that follow the local radius.
 #pragma once
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/vector.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

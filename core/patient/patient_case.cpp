@@ -5,13 +5,13 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/mesh/mesh_io.h"
+#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 

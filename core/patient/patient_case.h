@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/tree/gap_bridging.h"
-#include "core/anatomy/tree/tree_edit.h"
-#include "core/anatomy/vessel_tree.h"
 #include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/tree/editing/tree_edit.h"
+#include "core/tree/extraction/gap_bridging.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/deform/live_stepper.h"
+#include "core/deform/stepper/live_stepper.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 

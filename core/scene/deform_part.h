@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/vector.h"
-#include "core/deform/body.h"
-#include "core/deform/live_region.h"
-#include "core/deform/stepper.h"
+#include "core/deform/body/body.h"
+#include "core/deform/stepper/live_region.h"
+#include "core/deform/stepper/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"

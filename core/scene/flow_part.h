@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/flow/injection.h"
 #include "core/scene/default_injection.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/vertex_places.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

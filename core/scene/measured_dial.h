@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/deform/quality_dial.h"
+#include "core/deform/stepper/quality_dial.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {

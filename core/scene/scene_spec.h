@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/vector.h"
-#include "core/deform/stepper_options.h"
+#include "core/deform/stepper/stepper_options.h"
 
 namespace hepatica {
 
@@ -19,14 +19,14 @@ namespace hepatica {
 enum class FixedEnds { none, roots, all };
 
 struct DeformSpec {
-    std::string material = "portal vein";  // name of a preset, see core/deform/material.h
+    std::string material = "portal vein";  // name of a preset, see core/deform/body/material.h
     FixedEnds fixed = FixedEnds::roots;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     // Pull of the tissue around to the place at rest, per volume; 0: none. An order of magnitude:
     // the vessel still follows most of the hand's way, and steps do not fail.
     double tether_pa_per_mm2 = 20.0;
     // Thickness of the vessels' wall, see validate_wall; 0: solid. See make_hollow in
-    // core/deform/body.h.
+    // core/deform/body/body.h.
     double wall_mm = 0.0;
     double quality = 0.5;  // the dial, 0 to 1
     // One setting exactly, instead of the dial's: what a recording begins with.

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/deform/element_name.h"
+#include "core/deform/body/element_name.h"
 
 namespace hepatica {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "core/deform/stepper_options.h"
+#include "core/deform/stepper/stepper_options.h"
 
 namespace hepatica {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/anatomy/tree/centreline_locator.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/tree/extraction/centreline_locator.h"
 
 namespace hepatica {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

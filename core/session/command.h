@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "core/base/vector.h"
-#include "core/deform/stepper_options.h"
+#include "core/deform/stepper/stepper_options.h"
 #include "core/scene/default_injection.h"
 
 namespace hepatica {

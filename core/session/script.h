@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

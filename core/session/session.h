@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "core/base/job.h"
-#include "core/deform/quality_dial.h"
-#include "core/deform/stepper.h"
+#include "core/deform/stepper/quality_dial.h"
+#include "core/deform/stepper/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/deform/cpu_stepper.h"
-#include "core/deform/element_name.h"
-#include "core/deform/live_stepper.h"
+#include "core/deform/body/element_name.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/stepper/live_stepper.h"
 #include "core/study/frame_meter.h"
 #include "core/study/pull_trial.h"
 #include "core/study/tradeoff.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/reference_beam.h"
 #include "core/study/trial.h"

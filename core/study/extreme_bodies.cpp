@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/trial.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/job.h"
-#include "core/deform/stepper.h"
+#include "core/deform/stepper/stepper.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <memory>
 
-#include "core/deform/assembly.h"
 #include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/solvers/skeleton_preconditioner.h"
+#include "core/deform/step/assembly.h"
 #include "core/study/vessel_body.h"
 
 namespace hepatica {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 #include "core/deform/solvers/linear_solver.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/deform/body.h"
-#include "core/deform/stepper.h"
+#include "core/deform/body/body.h"
+#include "core/deform/stepper/stepper.h"
 
 namespace hepatica {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/deform/element_name.h"
+#include "core/deform/body/element_name.h"
 #include "core/mesh/brick_mesh.h"
 
 namespace hepatica {

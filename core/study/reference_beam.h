@@ -3,7 +3,7 @@
 // theory (Timoshenko 1921, with Cowper's 1966 shear coefficient), for every study of error.
 #pragma once
 
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/job.h"
-#include "core/deform/live_region.h"
+#include "core/deform/stepper/live_region.h"
 
 namespace hepatica {
 

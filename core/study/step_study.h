@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

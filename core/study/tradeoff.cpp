@@ -8,8 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "core/deform/cpu_stepper.h"
-#include "core/deform/quality_dial.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/stepper/quality_dial.h"
 #include "core/study/frame_meter.h"
 #include "core/study/reference_beam.h"
 

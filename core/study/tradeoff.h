@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/job.h"
-#include "core/deform/body.h"
-#include "core/deform/live_region.h"
-#include "core/deform/stepper_options.h"
+#include "core/deform/body/body.h"
+#include "core/deform/stepper/live_region.h"
+#include "core/deform/stepper/stepper_options.h"
 
 namespace hepatica {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/deform/energy_ledger.h"
+#include "core/deform/step/energy_ledger.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {

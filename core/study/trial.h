@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/deform/stepper.h"
+#include "core/deform/stepper/stepper.h"
 #include "core/study/extremes.h"
 
 namespace hepatica {

@@ -2,10 +2,10 @@
 // Bodies for the studies of the linear solvers: bent bars of any slenderness, and vessel trees.
 #pragma once
 
-#include "core/anatomy/vessel_tree.h"
 #include "core/base/job.h"
-#include "core/deform/body.h"
-#include "core/deform/stepper.h"
+#include "core/deform/body/body.h"
+#include "core/deform/stepper/stepper.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 

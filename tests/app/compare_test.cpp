@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {

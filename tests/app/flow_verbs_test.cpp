@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/anatomy/tree_files/tree_io.h"
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {

@@ -8,9 +8,9 @@
 #include <set>
 #include <string>
 
-#include "core/anatomy/tree_files/tree_io.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {

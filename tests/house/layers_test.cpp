@@ -21,17 +21,24 @@ const fs::path source_root = HEPATICA_SOURCE_DIR;
 const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/base", {}},
     {"core/image", {"core/base"}},
-    {"core/anatomy", {"core/base", "core/image"}},
-    {"core/mesh", {"core/base", "core/anatomy"}},
-    {"core/flow", {"core/base", "core/anatomy"}},
+    {"core/skeleton", {"core/base", "core/image"}},
+    {"core/segmentation", {"core/base", "core/image", "core/skeleton"}},
+    {"core/tree", {"core/base", "core/image", "core/skeleton"}},
+    {"core/phantom", {"core/base", "core/image", "core/tree"}},
+    {"core/accuracy", {"core/base", "core/image", "core/skeleton", "core/tree"}},
+    {"core/mesh", {"core/base", "core/tree"}},
+    {"core/flow", {"core/base", "core/tree"}},
     {"core/deform", {"core/base", "core/mesh"}},
-    {"core/study", {"core/base", "core/anatomy", "core/mesh", "core/deform"}},
-    {"core/patient", {"core/base", "core/image", "core/anatomy", "core/mesh"}},
+    {"core/study", {"core/base", "core/tree", "core/mesh", "core/deform"}},
+    {"core/patient", {"core/base", "core/image", "core/tree", "core/mesh"}},
+    {"core/reconstruction",
+     {"core/base", "core/image", "core/skeleton", "core/segmentation", "core/tree", "core/phantom",
+      "core/mesh", "core/patient"}},
     {"core/scene",
-     {"core/base", "core/image", "core/anatomy", "core/mesh", "core/flow", "core/deform",
+     {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient"}},
     {"core/session",
-     {"core/base", "core/image", "core/anatomy", "core/mesh", "core/flow", "core/deform",
+     {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient", "core/scene"}},
 };
 
@@ -122,7 +129,8 @@ TEST(Layers, NoIncludeRunsBackwards) {
 TEST(Layers, TheCheckItselfObjects) {
     EXPECT_NE(objection("core/flow/a.cpp", "render/scene_view.h"), "");
     EXPECT_NE(objection("core/image/a.cpp", "core/flow/fluid.h"), "");
-    EXPECT_NE(objection("core/deform/a.h", "core/anatomy/vessel_tree.h"), "");
+    EXPECT_NE(objection("core/segmentation/a.cpp", "core/tree/vessel_tree.h"), "");
+    EXPECT_NE(objection("core/deform/a.h", "core/tree/vessel_tree.h"), "");
     EXPECT_NE(objection("render/a.cpp", "ui/main_window.h"), "");
     EXPECT_NE(objection("render/a.cpp", "QWidget"), "");
     EXPECT_NE(objection("core/image/volume_reader.h", "itkImage.h"), "");

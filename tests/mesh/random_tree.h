@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/anatomy/vessel_tree.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica::test {
 

@@ -5,7 +5,7 @@
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/corrections.h"
-#include "tests/anatomy/test_trees.h"
+#include "tests/support/test_trees.h"
 
 namespace hepatica::test {
 

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
-#include "core/patient/reconstruct.h"
+#include "core/reconstruction/reconstruct.h"
 #include "tests/mesh/random_tree.h"
 
 namespace hepatica {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/deform/cpu_stepper.h"
+#include "core/deform/stepper/cpu_stepper.h"
 
 namespace hepatica {
 namespace {

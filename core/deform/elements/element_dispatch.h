@@ -2,7 +2,7 @@
 // Calls the element function that fits an element group, model and stiffness. Host only.
 #pragma once
 
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 #include "core/deform/elements/small_matrix_eigen.h"
 
 namespace hepatica {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "core/deform/automatic_solver.h"
+#include "core/deform/solvers/automatic_solver.h"
 #include "core/deform/solvers/block_jacobi.h"
 #include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/solvers/skeleton_preconditioner.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 #include "core/deform/elements/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"

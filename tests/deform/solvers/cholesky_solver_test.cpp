@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/deform/automatic_solver.h"
+#include "core/deform/solvers/automatic_solver.h"
 #include "tests/deform/support/test_bodies.h"
 
 namespace hepatica {

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 
 namespace hepatica::test {
 

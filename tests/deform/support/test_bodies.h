@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/deform/body.h"
+#include "core/deform/body/body.h"
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/frame_skeleton.h"
 #include "core/mesh/tet_mesh.h"

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A deforming body as the scene describes it, and as the solver sees it: nodes with lumped masses,
+// elements with their rest shapes. Linear or quadratic tetrahedra, springs, hexahedra.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.h"
+#include "core/deform/body/material.h"
+#include "core/deform/elements/hexahedron_element.h"
+#include "core/deform/elements/spring_element.h"
+#include "core/deform/elements/tetrahedron_element.h"
+#include "core/deform/solvers/frame_skeleton.h"
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+// Everything a scene says about a body. Sizes that do not fit and values out of range are refused
+// with InputError when a stepper is made of it.
+struct BodyDescription {
+    TetMesh mesh;  // the shape at rest; its vertices carry the hexahedra, too
+    std::vector<std::array<int, 8>>
+        hexahedra;  // corners as in HexMesh; with ElementModel::corotated
+    Material material;
+    std::vector<std::uint8_t> fixed;  // per vertex, nonzero: never moves. Empty: none
+    // Multiples of the material's modulus and density, per element (tetrahedra, then hexahedra),
+    // each > 0. Empty: 1.
+    std::vector<double> stiffness_factor;
+    std::vector<double> density_factor;
+    // Pull of the surrounding tissue back to the place at rest, per volume: Pa/mm2. 0: none.
+    double tether_pa_per_mm2 = 0.0;
+    FrameSkeleton skeleton;  // may be empty
+};
+
+// Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.
+enum class ElementOrder { linear, quadratic };
+
+// Scales each tetrahedron's stiffness so that the solid tube bends like a hollow one with a wall of
+// the given thickness: by 1 - ((r - t)/r)^4 with the radius r of the nearest skeleton node (1 where
+// t >= r). The lumen's content keeps its mass. Wanted where elements cannot resolve the wall.
+// Throws InputError for a thickness that is not finite and greater than 0, or an empty skeleton.
+void make_hollow(BodyDescription& body, double wall_thickness_mm);
+
+// Elements of one kind; connectivity holds nodes_per_element indices each.
+struct ElementGroup {
+    enum class Kind { linear_tetrahedron, quadratic_tetrahedron, spring, hexahedron };
+    Kind kind = Kind::linear_tetrahedron;
+    int nodes_per_element = 4;
+    std::vector<int> connectivity;
+    std::vector<small::TetrahedronRest<double>> tetrahedra;  // one of these three is filled
+    std::vector<small::SpringRest<double>> springs;
+    std::vector<small::HexahedronRest<double>> hexahedra;
+
+    int size() const { return static_cast<int>(connectivity.size()) / nodes_per_element; }
+    int pairs() const { return nodes_per_element * (nodes_per_element - 1) / 2; }
+};
+
+// The body as the solver sees it. The vertices of the mesh are the first nodes; the middles of the
+// edges follow for quadratic tetrahedra.
+struct Body {
+    ElementModel model = ElementModel::corotated;
+    std::vector<Vec3> rest_positions_mm;
+    std::vector<std::array<int, 2>> edge_of_middle_node;  // of node vertex_count + i
+    int vertex_count = 0;
+    std::vector<double> mass_g;  // > 0
+    std::vector<std::uint8_t> fixed;
+    std::vector<double> tether_un_per_mm;
+    std::vector<ElementGroup> groups;
+    RayleighDamping damping;
+    double mean_edge_mm = 0.0;  // of the elements at rest: the yardstick of tolerances
+
+    int node_count() const { return static_cast<int>(rest_positions_mm.size()); }
+};
+
+// Throws InputError: a flat, inverted or folded element, a vertex of no element, a size or value
+// that does not fit, hexahedra or quadratic order with a model that has none.
+void validate(const BodyDescription& description, ElementModel model, ElementOrder order);
+
+// Validates and builds.
+Body build_body(const BodyDescription& description, ElementModel model, ElementOrder order);
+
+}  // namespace hepatica

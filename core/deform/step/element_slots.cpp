@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/step/element_slots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/deform/elements/element_dispatch.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int lanes = ElementSlots::Wide::count;
+constexpr std::size_t packs_per_block = 32;
+
+using Kind = ElementGroup::Kind;
+using Wide = ElementSlots::Wide;
+using small::Tangent;
+
+small::TetrahedronRest<Wide> gather_rest(const std::vector<small::TetrahedronRest<double>>& rest,
+                                         std::size_t first) {
+    small::TetrahedronRest<Wide> wide;
+    for (int lane = 0; lane < lanes; ++lane) {
+        const auto& own = rest[std::min(first + static_cast<std::size_t>(lane), rest.size() - 1)];
+        for (int a = 0; a < 3; ++a)
+            for (int i = 0; i < 3; ++i) wide.gradient[a][i].set(lane, own.gradient[a][i]);
+        wide.volume.set(lane, own.volume);
+        wide.lambda.set(lane, own.lambda);
+        wide.mu.set(lane, own.mu);
+    }
+    return wide;
+}
+
+std::size_t packs_of(const ElementGroup& group) {
+    return static_cast<std::size_t>((group.size() + lanes - 1) / lanes);
+}
+
+// Of one element per lane, in order.
+double sum_of(const Wide& values, int count) {
+    double sum = 0.0;
+    for (int lane = 0; lane < count; ++lane) sum += values[lane];
+    return sum;
+}
+
+}  // namespace
+
+ElementSlots::ElementSlots(const Body& body, Tangent tangent) : body_(body), tangent_(tangent) {
+    std::size_t forces = 0, blocks = 0;
+    bool factors = false;
+    for (const ElementGroup& group : body.groups) {
+        Group own;
+        own.in_lanes =
+            body.model == ElementModel::corotated && tangent == Tangent::rotated &&
+            (group.kind == Kind::linear_tetrahedron || group.kind == Kind::quadratic_tetrahedron);
+        own.in_factors = own.in_lanes && group.kind == Kind::linear_tetrahedron && one_ratio(group);
+        own.first_force = forces;
+        own.first_block = blocks;
+        for (std::size_t p = 0; own.in_lanes && p < packs_of(group); ++p)
+            own.tetrahedra.push_back(gather_rest(group.tetrahedra, p * lanes));
+        forces += group.connectivity.size();
+        if (!own.in_factors)
+            blocks +=
+                static_cast<std::size_t>(group.size()) * static_cast<std::size_t>(group.pairs());
+        factors = factors || own.in_factors;
+        groups_.push_back(std::move(own));
+    }
+    if (std::max(forces, blocks) > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw InputError("the body has too many elements", "elements", "Use a coarser mesh");
+    force_.assign(forces, Wide(0.0));
+    if (factors) turned_gradient_.assign(forces, Wide(0.0));
+    block_.resize(blocks);
+}
+
+// Elements of one Poisson's ratio, whatever their modulus.
+bool ElementSlots::one_ratio(const ElementGroup& group) {
+    for (const auto& rest : group.tetrahedra) {
+        if (lambda_over_mu_ == 0.0) lambda_over_mu_ = rest.lambda / rest.mu;
+        if (std::abs(rest.lambda / rest.mu - lambda_over_mu_) > 1e-12 * lambda_over_mu_)
+            return false;
+    }
+    return true;
+}
+
+int ElementSlots::force_slot(std::size_t g, int e) const {
+    return static_cast<int>(groups_[g].first_force) + e * body_.groups[g].nodes_per_element;
+}
+
+int ElementSlots::block_slot(std::size_t g, int e, int pair) const {
+    return static_cast<int>(groups_[g].first_block) + e * body_.groups[g].pairs() + pair;
+}
+
+template <class Visit>
+double ElementSlots::sum_over_packs(const Visit& visit) const {
+    double total = 0.0;
+    for (std::size_t g = 0; g < body_.groups.size(); ++g) {
+        const int size = body_.groups[g].size();
+        total += parallel_sum(packs_of(body_.groups[g]), packs_per_block,
+                              [&](std::size_t begin, std::size_t end) {
+                                  double sum = 0.0;
+                                  for (std::size_t p = begin; p < end; ++p) {
+                                      const int first = static_cast<int>(p) * lanes;
+                                      sum += visit(Pack{g, first, std::min(lanes, size - first)});
+                                  }
+                                  return sum;
+                              });
+    }
+    return total;
+}
+
+const int* ElementSlots::nodes(const Pack& pack, int lane) const {
+    const ElementGroup& group = body_.groups[pack.group];
+    const int e = pack.first + std::min(lane, pack.count - 1);
+    return group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * group.nodes_per_element;
+}
+
+// Values at the nodes of each lane's element, relative to its first: no digits are lost far from
+// the origin.
+void ElementSlots::load(const Pack& pack, std::span<const Vec3> values,
+                        small::Vector3<Wide>* x) const {
+    const int *n0 = nodes(pack, 0), *n1 = nodes(pack, 1), *n2 = nodes(pack, 2),
+              *n3 = nodes(pack, 3);
+    const auto at = [&](int a) {
+        const Vec3 &p = values[n0[a]], &q = values[n1[a]], &r = values[n2[a]], &s = values[n3[a]];
+        return small::Vector3<Wide>{{Wide::Vector{p[0], q[0], r[0], s[0]},
+                                     Wide::Vector{p[1], q[1], r[1], s[1]},
+                                     Wide::Vector{p[2], q[2], r[2], s[2]}}};
+    };
+    const small::Vector3<Wide> origin = at(0);
+    for (int a = 0; a < body_.groups[pack.group].nodes_per_element; ++a) x[a] = at(a) - origin;
+}
+
+void ElementSlots::store(const Pack& pack, const small::Vector3<Wide>* values,
+                         std::vector<Wide>& slots) {
+    const int n = body_.groups[pack.group].nodes_per_element;
+    Wide* target = slots.data() + force_slot(pack.group, pack.first);
+    for (int lane = 0; lane < pack.count; ++lane)
+        for (int a = 0; a < n; ++a)
+            target[lane * n + a] =
+                Wide::Vector{values[a][0][lane], values[a][1][lane], values[a][2][lane], 0.0};
+}
+
+double ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm) {
+    small::Vector3<Wide> x[4], force[4], turned[4];
+    load(pack, positions_mm, x);
+    const auto& rest = groups_[pack.group].tetrahedra[static_cast<std::size_t>(pack.first / lanes)];
+    const Wide energy = small::evaluate_turned_gradients(rest, x, force, turned);
+    store(pack, force, force_);
+    store(pack, turned, turned_gradient_);
+    return sum_of(energy, pack.count);
+}
+
+double ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm) {
+    small::Vector3<Wide> x[10], force[10];
+    small::Matrix3<Wide> blocks[45];
+    load(pack, positions_mm, x);
+    const auto& rest = groups_[pack.group].tetrahedra[static_cast<std::size_t>(pack.first / lanes)];
+    const bool linear = body_.groups[pack.group].kind == Kind::linear_tetrahedron;
+    const Wide energy =
+        linear ? small::evaluate_tetrahedron<4, Tangent::rotated, small::CorotatedLaw>(
+                     rest, x, force, blocks)
+               : small::evaluate_tetrahedron<10, Tangent::rotated, small::CorotatedLaw>(
+                     rest, x, force, blocks);
+    store(pack, force, force_);
+    for (int lane = 0; lane < pack.count; ++lane) {
+        small::Matrix3<double>* target =
+            block_.data() + block_slot(pack.group, pack.first + lane, 0);
+        for (int k = 0; k < body_.groups[pack.group].pairs(); ++k)
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) target[k](i, j) = blocks[k](i, j)[lane];
+    }
+    return sum_of(energy, pack.count);
+}
+
+template <Tangent tangent>
+double ElementSlots::evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm) {
+    double sum = 0.0;
+    for (int e = pack.first; e < pack.first + pack.count; ++e) {
+        small::Vector3<double> force[10];
+        sum += evaluate_element<tangent>(body_.groups[pack.group], body_.model, e, positions_mm,
+                                         force, block_.data() + block_slot(pack.group, e, 0));
+        Wide* target = force_.data() + force_slot(pack.group, e);
+        for (int a = 0; a < body_.groups[pack.group].nodes_per_element; ++a)
+            target[a] = Wide::Vector{force[a][0], force[a][1], force[a][2], 0.0};
+    }
+    return sum;
+}
+
+double ElementSlots::evaluate(std::span<const Vec3> positions_mm) {
+    return sum_over_packs([&](const Pack& pack) {
+        if (groups_[pack.group].in_factors) return evaluate_factors(pack, positions_mm);
+        if (groups_[pack.group].in_lanes) return evaluate_lanes(pack, positions_mm);
+        if (tangent_ == Tangent::rotated)
+            return evaluate_singly<Tangent::rotated>(pack, positions_mm);
+        return evaluate_singly<Tangent::projected>(pack, positions_mm);
+    });
+}
+
+double ElementSlots::energy(std::span<const Vec3> positions_mm) const {
+    return sum_over_packs([&](const Pack& pack) {
+        double sum = 0.0;
+        for (int e = pack.first; e < pack.first + pack.count; ++e)
+            sum += evaluate_element<Tangent::none>(
+                body_.groups[pack.group], body_.model, e, positions_mm,
+                static_cast<small::Vector3<double>*>(nullptr), nullptr);
+        return sum;
+    });
+}
+
+double ElementSlots::factored_form(const Pack& pack, std::span<const Vec3> d) const {
+    small::Vector3<Wide> u[4], turned[4];
+    load(pack, d, u);
+    const Wide* slots = turned_gradient_.data() + force_slot(pack.group, pack.first);
+    for (int a = 0; a < 4; ++a)
+        for (int i = 0; i < 3; ++i)
+            for (int lane = 0; lane < lanes; ++lane)
+                turned[a][i].set(lane, slots[4 * std::min(lane, pack.count - 1) + a][i]);
+    return sum_of(small::quadratic_form(turned, Wide(lambda_over_mu_), u), pack.count);
+}
+
+double ElementSlots::block_form(const ElementGroup& group, int slot, int e,
+                                std::span<const Vec3> d) const {
+    const int n = group.nodes_per_element;
+    small::Vector3<double> u[10];  // relative to the first node
+    load_positions(group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * n, n, d, u);
+    const small::Matrix3<double>* block = block_.data() + slot;
+    // Of the first node's blocks only the share of the others' diagonal blocks remains.
+    double sum = 0.0;
+    for (int b = 1; b < n; ++b, ++block) sum -= small::dot(u[b], *block * u[b]);
+    for (int a = 1; a < n; ++a)
+        for (int b = a + 1; b < n; ++b, ++block)
+            sum += small::dot(2.0 * u[a] - u[b], *block * u[b]) - small::dot(u[a], *block * u[a]);
+    return sum;
+}
+
+double ElementSlots::quadratic_form(std::span<const Vec3> d) const {
+    return sum_over_packs([&](const Pack& pack) {
+        if (groups_[pack.group].in_factors) return factored_form(pack, d);
+        double sum = 0.0;
+        for (int e = pack.first; e < pack.first + pack.count; ++e)
+            sum += block_form(body_.groups[pack.group], block_slot(pack.group, e, 0), e, d);
+        return sum;
+    });
+}
+
+}  // namespace hepatica

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/stepper/live_region.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+LiveRegion::LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
+                       const LiveRegionOptions& options)
+    : skeleton_(skeleton), options_(options) {
+    if (skeleton_.size() == 0) {
+        throw InputError("the skeleton has no node", "live region",
+                         "Make one with skeleton_of_mesh.");
+    }
+    validate(skeleton_);
+    const FrameBinding binding = bind_vertices(skeleton_, rest_positions_mm);
+    const std::size_t nodes = skeleton_.parent.size();
+    vertices_of_.resize(nodes);
+    neighbours_.resize(nodes);
+    for (std::size_t v = 0; v < binding.nodes.size(); ++v) {
+        const std::size_t nearer = binding.weights[v][1] > binding.weights[v][0] ? 1 : 0;
+        node_of_.push_back(binding.nodes[v][nearer]);
+        vertices_of_[node_of_[v]].push_back(static_cast<int>(v));
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const int parent = skeleton_.parent[n];
+        if (parent < 0) continue;
+        neighbours_[n].push_back(parent);
+        neighbours_[parent].push_back(static_cast<int>(n));
+    }
+    wake_all();
+}
+
+void LiveRegion::connect(std::span<const int> vertices) {
+    for (const int a : vertices) {
+        for (const int b : vertices) {
+            const int node = node_of_[a], other = node_of_[b];
+            if (node == other) continue;
+            auto& known = neighbours_[node];
+            if (std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
+        }
+    }
+}
+
+void LiveRegion::wake_all() {
+    live_.assign(neighbours_.size(), 1);
+    still_s_.assign(neighbours_.size(), 0.0);
+    reference_mm_.clear();
+}
+
+int LiveRegion::live_count() const {
+    return static_cast<int>(std::count(live_.begin(), live_.end(), 1));
+}
+
+bool LiveRegion::wake_around(std::span<const int> nodes) {
+    std::vector<int> front(nodes.begin(), nodes.end()), next;
+    std::vector<char> seen(live_.size(), 0);
+    for (const int node : front) seen[node] = 1;
+    bool woke = false;
+    for (int distance = 0; distance <= options_.reach_nodes; ++distance) {
+        next.clear();
+        for (const int node : front) {
+            woke |= live_[node] == 0;
+            live_[node] = 1;
+            still_s_[node] = 0.0;
+            for (const int other : neighbours_[node]) {
+                if (seen[other]) continue;
+                seen[other] = 1;
+                next.push_back(other);
+            }
+        }
+        front.swap(next);
+    }
+    return woke;
+}
+
+bool LiveRegion::hold(std::span<const int> vertices) {
+    held_.clear();
+    for (const int v : vertices) held_.push_back(node_of_[v]);
+    const bool woke = wake_around(held_);
+    if (woke) reference_mm_.clear();
+    return woke;
+}
+
+bool LiveRegion::watch(std::span<const Vec3> positions_mm,
+                       std::span<const Vec3> velocities_mm_per_s, double dt_s) {
+    if (reference_mm_.empty()) reference_mm_.assign(positions_mm.begin(), positions_mm.end());
+    std::vector<int> waking;
+    std::vector<char> restless(live_.size(), 0);
+    for (std::size_t n = 0; n < live_.size(); ++n) {
+        if (!live_[n]) continue;
+        const double radius = skeleton_.radii_mm[n];
+        double fastest = 0.0, furthest = 0.0;
+        for (const int v : vertices_of_[n]) {
+            fastest = std::max(fastest, velocities_mm_per_s[v].squaredNorm());
+            furthest = std::max(furthest, (positions_mm[v] - reference_mm_[v]).squaredNorm());
+        }
+        const double still = options_.still_radii_per_s * radius;
+        still_s_[n] = fastest < still * still ? still_s_[n] + dt_s : 0.0;
+        restless[n] = still_s_[n] < options_.still_s;
+        const double moved = options_.wake_radii * radius;
+        if (furthest < moved * moved) continue;
+        for (const int other : neighbours_[n]) {
+            if (!live_[other]) waking.push_back(other);
+        }
+    }
+    if (wake_around(waking)) {
+        // Growing costs a rebuild: past half of the body the rest comes along at once.
+        if (2 * live_count() > static_cast<int>(live_.size())) wake_all();
+        reference_mm_.assign(positions_mm.begin(), positions_mm.end());
+        return true;
+    }
+    // What is held or still moves stays live with its surroundings.
+    const std::vector<char> before = live_;
+    const int count_before = live_count();
+    std::vector<int> keep = held_;
+    for (std::size_t n = 0; n < restless.size(); ++n) {
+        if (restless[n]) keep.push_back(static_cast<int>(n));
+    }
+    const std::vector<double> timers = still_s_;
+    std::fill(live_.begin(), live_.end(), 0);
+    wake_around(keep);
+    for (std::size_t n = 0; n < live_.size(); ++n) live_[n] = live_[n] && before[n];
+    still_s_ = timers;
+    if (live_count() == count_before || 4 * live_count() > 3 * count_before) {
+        live_ = before;
+        return false;
+    }
+    reference_mm_.assign(positions_mm.begin(), positions_mm.end());
+    return true;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/stepper/stepper_input.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+void validate_grab(const Grab& grab, std::size_t nodes, std::size_t index) {
+    const auto reject = [&](const std::string& problem, const std::string& remedy) {
+        throw InputError(problem, "grab " + std::to_string(index), remedy);
+    };
+    double sum = 0.0;
+    for (int a = 0; a < 4; ++a) {
+        const int node = grab.vertices[a];
+        if (node < 0 ? a == 0 : static_cast<std::size_t>(node) >= nodes)
+            reject("holds vertex " + std::to_string(node) + ", which does not exist",
+                   "Pick a point of the body");
+        if (node >= 0) sum += grab.weights[a];
+    }
+    if (!(std::abs(sum - 1.0) < 1e-6))
+        reject("has weights that sum to " + std::to_string(sum), "Make them sum to 1");
+    if (!grab.target_mm.allFinite()) reject("has a target that is not finite", "Give a finite one");
+    if (!(grab.stiffness_un_per_mm > 0.0) || !std::isfinite(grab.stiffness_un_per_mm))
+        reject("has a stiffness of " + std::to_string(grab.stiffness_un_per_mm) + " uN/mm",
+               "Give a finite value greater than 0");
+    if (!(grab.force_limit_un > 0.0) || !std::isfinite(grab.force_limit_un))
+        reject("has a force limit of " + std::to_string(grab.force_limit_un) + " uN",
+               "Give a finite value greater than 0");
+}
+
+}  // namespace
+
+void validate(const StepperOptions& options) {
+    const auto check = [](bool good, const std::string& name, double value) {
+        if (!good)
+            throw InputError(name + " is " + std::to_string(value), "the step's options",
+                             "Choose another value");
+    };
+    const auto check_tolerance = [&](const std::string& name, double value) {
+        check(value >= 0.0 && std::isfinite(value), name, value);
+    };
+    check(options.newton_iterations >= 1, "the number of Newton iterates",
+          options.newton_iterations);
+    check(options.newton_tolerance > 0 && std::isfinite(options.newton_tolerance),
+          "the tolerance of Newton's method", options.newton_tolerance);
+    check(options.substeps >= 1, "the number of substeps", options.substeps);
+    check(options.linear.max_iterations >= 1, "the limit of linear iterations",
+          options.linear.max_iterations);
+    check_tolerance("the tolerance of the linear solver's energy error",
+                    options.linear.energy_tolerance);
+    check_tolerance("the tolerance of the linear solver's residual",
+                    options.linear.residual_tolerance);
+    check(std::isfinite(options.velocity_error.alpha_per_s), "the velocity error's share of M",
+          options.velocity_error.alpha_per_s);
+    check(std::isfinite(options.velocity_error.beta_s), "the velocity error's share of K",
+          options.velocity_error.beta_s);
+}
+
+void validate_time_step(double dt_s) {
+    if (!(dt_s > 0.0) || !std::isfinite(dt_s))
+        throw InputError("a step of " + std::to_string(dt_s) + " s", "the clock",
+                         "Give a finite time greater than 0");
+}
+
+void validate_gravity(const Vec3& gravity_mm_per_s2) {
+    if (!gravity_mm_per_s2.allFinite())
+        throw InputError("gravity is not finite", "gravity", "Give a finite acceleration in mm/s2");
+}
+
+void validate_grabs(std::span<const Grab> grabs, std::size_t nodes) {
+    for (std::size_t i = 0; i < grabs.size(); ++i) validate_grab(grabs[i], nodes, i);
+}
+
+void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
+                    std::size_t expected) {
+    const auto check = [&](std::span<const Vec3> values, const std::string& name) {
+        if (values.size() != expected)
+            throw InputError(
+                std::to_string(values.size()) + " values instead of " + std::to_string(expected),
+                name, "Give one value per vertex, or one per node as state() does");
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (!values[i].allFinite())
+                throw InputError("is not finite", name + " of vertex " + std::to_string(i),
+                                 "Give finite values");
+    };
+    check(positions_mm, "position");
+    check(velocities_mm_per_s, "velocity");
+}
+
+}  // namespace hepatica

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every stepper refuses, in one place: back ends call these before they change anything of
+// their own, so that bad input leaves them as they were. All throw InputError.
+#pragma once
+
+#include <span>
+
+#include "core/base/vector.h"
+#include "core/deform/stepper/stepper.h"
+
+namespace hepatica {
+
+// Iterations and substeps of 1 or more, tolerances finite and not negative, a finite velocity
+// error.
+void validate(const StepperOptions& options);
+
+// Finite and greater than 0.
+void validate_time_step(double dt_s);
+
+// Finite.
+void validate_gravity(const Vec3& gravity_mm_per_s2);
+
+// Nodes that exist (the first vertex of each grab at least), finite weights of sum 1, a finite
+// target, stiffness and force limit finite and greater than 0.
+void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
+
+// As many positions and velocities as asked for, all finite.
+void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
+                    std::size_t expected);
+
+}  // namespace hepatica

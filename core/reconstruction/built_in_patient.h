@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The synthetic patient that comes with the program, on the same way as any other: its CT and liver
+// mask are written as files and reconstructed from there. Its truth is known.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/job.h"
+#include "core/phantom/phantom.h"
+#include "core/reconstruction/reconstruct.h"
+
+namespace hepatica {
+
+struct BuiltInPatient {
+    Reconstruction reconstruction;
+    Phantom truth;
+};
+
+// How many stages of its job it begins.
+int built_in_stage_count();
+
+// Writes ct.nii.gz and liver.nii.gz into `folder`, which must exist, and reconstructs them.
+// Throws InputError where the folder cannot be written, Cancelled.
+BuiltInPatient reconstruct_built_in(const std::filesystem::path& folder, Job& job);
+
+}  // namespace hepatica

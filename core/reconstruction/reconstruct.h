@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way from a CT to a body, as one job that can be watched and stopped: read, segment (in
+// the liver, on a resampled grid), thin, unit width, tree, mesh.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/mesh/tetrahedralize.h"
+#include "core/patient/patient_case.h"
+#include "core/reconstruction/vessel_segmentation.h"
+#include "core/skeleton/thinning.h"
+
+namespace hepatica {
+
+struct ReconstructOptions {
+    std::filesystem::path ct;                            // DICOM folder or volume file
+    std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
+                                                         // or a box of its voxels
+    std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation is
+                                                         // done; several labels: several systems
+    std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
+    std::vector<VesselSeed> seeds;                       // one or more per vascular system
+    // Which labels of the masks count; empty: all. Vessel labels that are named become the systems
+    // 1, 2 ... in the order in which they stand.
+    std::vector<int> liver_labels;
+    std::vector<int> vessel_labels;
+    // Gaps in a vessel are bridged from this confidence on (see gap_bridging.h), and the stretch is
+    // marked; the others are only offered.
+    double bridge_confidence = BridgeOptions{}.confidence;
+    SegmentationMethod method = SegmentationMethod::coherent;
+    int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
+    ThinningMethod thinning = ThinningMethod::queue;
+    double spacing_mm = 0.0;  // isotropic working grid; 0: chosen from the CT
+    MeshOptions mesh{.target_tetrahedra = 20000};
+};
+
+// Counts that judge the voxels, for display beside the case itself.
+struct VoxelCounts {
+    std::size_t voxels = 0;
+    long long components = 0;
+    long long tunnels = 0;
+    long long cavities = 0;
+};
+
+struct Reconstruction {
+    PatientCase patient;
+    VoxelCounts mask;
+    VoxelCounts skeleton;
+    std::size_t crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
+    std::vector<StageTime> stages;
+    std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
+};
+
+// How many stages of its job it begins. A caller that begins others announces them all together.
+int stage_count(const ReconstructOptions& options);
+
+// Throws InputError for whatever cannot be reconstructed (with file, value and remedy), Cancelled.
+// Writes nothing: see write_case. Thread safety: may run on any thread.
+Reconstruction reconstruct(const ReconstructOptions& options, Job& job);
+
+}  // namespace hepatica

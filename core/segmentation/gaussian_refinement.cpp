@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/gaussian_refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
+#include "core/segmentation/neighbours.h"
+#include "core/segmentation/vessel_growth.h"
+#include "core/skeleton/thinning.h"
+
+namespace hepatica {
+
+namespace {
+
+void check(const RefinementOptions& options) {
+    if (options.recursions < 0)
+        throw InputError(
+            "the number of recursions of the refinement is " + std::to_string(options.recursions),
+            "refinement", "Use 0 (no refinement) or more.");
+    if (!(options.sigma_mm > 0.0))
+        throw InputError("the refinement's sigma is " + std::to_string(options.sigma_mm) + " mm",
+                         "refinement", "Use a sigma above 0.");
+    if (!(options.level > 0.0 && options.level < 1.0))
+        throw InputError("the refinement's level is " + std::to_string(options.level), "refinement",
+                         "Use a level between 0 and 1.");
+}
+
+// The box of the object with room for the surface to move in.
+IndexBox working_box(const Mask& mask, const RefinementOptions& options) {
+    const double reach = 3.0 * options.sigma_mm * std::sqrt(options.recursions);
+    return grow_box(bounding_box(mask), mask.grid, reach + mask.grid.spacing_mm.maxCoeff());
+}
+
+Mask level_set(const Mask& object, const RefinementOptions& options, Job& job) {
+    FloatVolume volume(object.grid);
+    std::transform(object.voxels.begin(), object.voxels.end(), volume.voxels.begin(),
+                   [](std::uint8_t v) { return v ? 1.0f : 0.0f; });
+    for (int n = 0; n < options.recursions; ++n)
+        gaussian_smooth(volume, Vec3::Constant(options.sigma_mm), job);
+    Mask inside(object.grid);
+    std::transform(volume.voxels.begin(), volume.voxels.end(), inside.voxels.begin(),
+                   [&](float v) { return static_cast<std::uint8_t>(v > options.level); });
+    return inside;
+}
+
+// Every voxel of the surface takes its old label, new ones the smallest label around them, layer
+// by layer.
+Mask labelled(const Mask& surface, const Mask& labels) {
+    const Grid& grid = surface.grid;
+    Mask result(grid);
+    std::vector<std::size_t> pending;
+    for (std::size_t i = 0; i < result.voxels.size(); ++i) {
+        if (!surface.voxels[i]) continue;
+        result.voxels[i] = labels.voxels[i];
+        if (!labels.voxels[i]) pending.push_back(i);
+    }
+    while (!pending.empty()) {
+        std::vector<std::pair<std::size_t, std::uint8_t>> found;
+        std::vector<std::size_t> still;
+        for (const std::size_t i : pending) {
+            std::uint8_t best = 0;
+            for_each_neighbour(grid, i, [&](std::size_t n) {
+                const std::uint8_t label = result.voxels[n];
+                if (label && (best == 0 || label < best)) best = label;
+            });
+            if (best)
+                found.emplace_back(i, best);
+            else
+                still.push_back(i);
+        }
+        for (const auto& [voxel, label] : found) result.voxels[voxel] = label;
+        if (found.empty()) {  // a new island: it belongs to no system in particular
+            for (const std::size_t i : still) result.voxels[i] = 1;
+            break;
+        }
+        pending.swap(still);
+    }
+    return result;
+}
+
+// The share of the sphere that is nearest to each of the 13 directions (counted both ways).
+std::array<double, 13> direction_shares(const std::array<Vec3, 13>& directions) {
+    constexpr int samples = 20000;
+    std::array<double, 13> shares{};
+    for (int k = 0; k < samples; ++k) {  // Fibonacci's spiral covers the sphere evenly
+        const double z = 1.0 - (2.0 * k + 1.0) / samples;
+        const double turn = k * std::numbers::pi * (1.0 + std::sqrt(5.0));
+        const double r = std::sqrt(1.0 - z * z);
+        const Vec3 sample(r * std::cos(turn), r * std::sin(turn), z);
+        std::size_t best = 0;
+        for (std::size_t d = 1; d < directions.size(); ++d)
+            if (std::abs(directions[d].dot(sample)) > std::abs(directions[best].dot(sample)))
+                best = d;
+        shares[best] += 1.0 / samples;
+    }
+    return shares;
+}
+
+}  // namespace
+
+Mask refine(const Mask& mask, const RefinementOptions& options, Job& job) {
+    check(options);
+    const IndexBox box = working_box(mask, options);
+    if (options.recursions == 0 || box.empty()) return mask;
+    const Mask labels = crop(mask, box);
+    Mask surface = level_set(labels, options, job);
+    if (options.keep_thin_branches)
+        rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface);
+    const Mask refined = labelled(surface, labels);
+
+    Mask result(mask.grid);
+    const Grid& part = refined.grid;
+    for (int z = 0; z < part.dims[2]; ++z)
+        for (int y = 0; y < part.dims[1]; ++y)
+            std::copy_n(&refined.voxels[part.offset(0, y, z)], part.dims[0],
+                        &result.at(box.begin[0], box.begin[1] + y, box.begin[2] + z));
+    return result;
+}
+
+Mask refine(const Mask& mask, int recursions, Job& job) {
+    RefinementOptions options;
+    options.recursions = recursions;
+    return refine(mask, options, job);
+}
+
+SurfaceMeasure measure_surface(const Mask& mask) {
+    const Grid& grid = mask.grid;
+    std::array<Index3, 13> steps;
+    std::array<Vec3, 13> directions;
+    std::array<double, 13> lengths{};
+    std::size_t count = 0;
+    for (int code = 14; code < 27; ++code, ++count) {  // one of each pair of opposite neighbours
+        steps[count] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+        const Vec3 step =
+            Vec3(steps[count][0], steps[count][1], steps[count][2]).cwiseProduct(grid.spacing_mm);
+        lengths[count] = step.norm();
+        directions[count] = step / lengths[count];
+    }
+    const std::array<double, 13> shares = direction_shares(directions);
+    const double cell = grid.spacing_mm.prod();
+
+    SurfaceMeasure measure;
+    const auto object = [&](int x, int y, int z) {
+        return grid.contains(x, y, z) && mask.voxels[grid.offset(x, y, z)] != 0;
+    };
+    std::array<std::size_t, 13> crossings{};
+    std::size_t voxels = 0;
+    for (int z = 0; z < grid.dims[2]; ++z)
+        for (int y = 0; y < grid.dims[1]; ++y)
+            for (int x = 0; x < grid.dims[0]; ++x) {
+                if (!mask.voxels[grid.offset(x, y, z)]) continue;
+                ++voxels;
+                for (std::size_t d = 0; d < 13; ++d)
+                    for (const int sign : {-1, 1})
+                        crossings[d] += !object(x + sign * steps[d][0], y + sign * steps[d][1],
+                                                z + sign * steps[d][2]);
+            }
+    // Cauchy: the area is twice the mean, over all directions, of the crossings per unit area.
+    for (std::size_t d = 0; d < 13; ++d)
+        measure.area_mm2 += 2.0 * shares[d] * static_cast<double>(crossings[d]) * cell / lengths[d];
+    measure.volume_mm3 = static_cast<double>(voxels) * cell;
+    return measure;
+}
+
+}  // namespace hepatica

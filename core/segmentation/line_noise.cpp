@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/line_noise.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/segmentation/line_coherence.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double false_share = 0.02;
+constexpr std::size_t bins_per_deviation = 20;
+constexpr std::size_t most_bins = 4 * bins_per_deviation;
+
+// Voxels of `where` by the strength of the lines through them; the last bin holds all above.
+std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double deviation,
+                                            const Mask& liver, const Mask& where, Job& job) {
+    Mask candidates(values.grid);
+    for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
+        candidates.voxels[i] = liver.voxels[i] && values.voxels[i] > static_cast<float>(deviation);
+    job.throw_if_cancelled();
+    const FloatVolume lines = line_coherence(values, candidates, LineOptions{}, job);
+    job.throw_if_cancelled();
+    std::vector<std::size_t> histogram(most_bins);
+    const double bins_per_unit = bins_per_deviation / deviation;
+    for (std::size_t i = 0; i < lines.voxels.size(); ++i)
+        if (where.voxels[i] && lines.voxels[i] > 0.0f)
+            ++histogram[std::min(most_bins - 1,
+                                 static_cast<std::size_t>(lines.voxels[i] * bins_per_unit))];
+    return histogram;
+}
+
+}  // namespace
+
+double line_noise(const FloatVolume& values, double deviation, const Mask& liver, const Mask& where,
+                  const std::function<void()>& progress, Job& job) {
+    const std::vector<std::size_t> bright =
+        histogram_of_lines(values, deviation, liver, where, job);
+    progress();
+    FloatVolume negative = values;
+    for (float& v : negative.voxels) v = -v;
+    job.throw_if_cancelled();
+    const std::vector<std::size_t> dark =
+        histogram_of_lines(negative, deviation, liver, where, job);
+    std::size_t bin = most_bins;
+    double bright_above = 0.0, dark_above = 0.0;
+    for (; bin > bins_per_deviation; --bin) {
+        bright_above += static_cast<double>(bright[bin - 1]);
+        dark_above += static_cast<double>(dark[bin - 1]);
+        if (dark_above > false_share * bright_above) break;
+    }
+    return deviation * static_cast<double>(bin) / static_cast<double>(bins_per_deviation);
+}
+
+}  // namespace hepatica

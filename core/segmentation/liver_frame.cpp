@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/liver_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/image/filters.h"
+#include "core/segmentation/liver_region.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double margin_mm = 6.0;
+// Expert masks leave out the portal vein's main branches and part of the vena cava.
+constexpr double closing_mm = 8.0;
+
+// The voxels of the CT that the liver covers, with the margin.
+IndexBox box_in(const Grid& ct, const Mask& liver) {
+    const IndexBox box = bounding_box(liver);
+    if (box.empty())
+        throw InputError("the liver mask is empty", "liver mask",
+                         "Give a mask in which the liver is not 0.");
+    Vec3 low = Vec3::Constant(1e30);
+    Vec3 high = Vec3::Constant(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 index;
+        for (std::size_t a = 0; a < 3; ++a)
+            index[static_cast<Eigen::Index>(a)] =
+                (corner >> a & 1) ? box.end[a] - 1.0 : box.begin[a];
+        const Vec3 in_ct = ct.to_index(liver.grid.to_mm(index));
+        low = low.cwiseMin(in_ct);
+        high = high.cwiseMax(in_ct);
+    }
+    IndexBox in_ct;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto axis = static_cast<Eigen::Index>(a);
+        const double margin = margin_mm / ct.spacing_mm[axis];
+        in_ct.begin[a] = std::max(0, static_cast<int>(std::floor(low[axis] - margin)));
+        in_ct.end[a] = std::min(ct.dims[a], static_cast<int>(std::ceil(high[axis] + margin)) + 1);
+    }
+    if (in_ct.empty())
+        throw InputError("the liver mask lies outside the CT", "liver mask",
+                         "Give the mask of the same patient, in the same space as the CT.");
+    return in_ct;
+}
+
+}  // namespace
+
+LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
+    if (!(spacing_mm >= 0.3 && spacing_mm <= 1.5))
+        throw InputError("a working spacing of " + std::to_string(spacing_mm) + " mm was asked for",
+                         "segmentation", "Use 0.3 to 1.5 mm.");
+    FloatVolume part = to_float(crop(ct, box_in(ct.grid, liver)));
+    job.advance(0.1);
+    Vec3 blur = Vec3::Zero();  // against aliasing where the cubes are coarser than the voxels
+    for (Eigen::Index a = 0; a < 3; ++a) {
+        const double ratio = spacing_mm / part.grid.spacing_mm[a];
+        if (ratio > 1.01) blur[a] = 0.4 * part.grid.spacing_mm[a] * std::sqrt(ratio * ratio - 1.0);
+    }
+    gaussian_smooth(part, blur, job);
+    LiverFrame frame;
+    const Grid cubes = respaced(part.grid, Vec3::Constant(spacing_mm));
+    frame.intensity = resample(part, cubes, Interpolation::linear, job);
+    part = FloatVolume();
+    frame.liver = close_liver(resample(liver, cubes, Interpolation::linear, job), closing_mm, job);
+    return frame;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/tissue_contrast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double level_sigma_mm = 8.0;
+constexpr double coarse_spacing_mm = 3.2;
+constexpr double noise_smoothing_mm = 1.0;  // before a voxel is judged to be parenchyma
+constexpr double outlier_deviations = 2.0;
+constexpr double rim_mm = 3.0;
+constexpr int rounds = 3;
+// Weight of the level so far against the voxels around, where hardly any voxel counts.
+constexpr float prior_weight = 0.02f;
+
+double median_of(std::vector<float>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Robust statistics need no more than a sample: every n-th object voxel.
+std::vector<float> sample(const FloatVolume& values, const Mask& where) {
+    constexpr std::size_t enough = 400000;
+    std::size_t objects = 0;
+    for (const std::uint8_t v : where.voxels) objects += v != 0;
+    const std::size_t stride = std::max<std::size_t>(1, objects / enough);
+    std::vector<float> chosen;
+    chosen.reserve(objects / stride + 1);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < where.voxels.size(); ++i)
+        if (where.voxels[i] && seen++ % stride == 0) chosen.push_back(values.voxels[i]);
+    return chosen;
+}
+
+// Sums over blocks of voxels: the normalised convolution is wide, so a coarse grid carries it.
+class CoarseLevel {
+  public:
+    explicit CoarseLevel(const Grid& fine)
+        : block_(std::max(
+              1, static_cast<int>(std::lround(coarse_spacing_mm / fine.spacing_mm.maxCoeff())))) {
+        Grid coarse = fine;
+        for (std::size_t a = 0; a < 3; ++a) {
+            coarse.dims[a] = (fine.dims[a] + block_ - 1) / block_;
+            coarse.spacing_mm[static_cast<Eigen::Index>(a)] *= block_;
+        }
+        coarse.origin_mm = fine.to_mm(Vec3::Constant(0.5 * (block_ - 1)));
+        sum_ = FloatVolume(coarse);
+        weight_ = FloatVolume(coarse);
+    }
+
+    // Mean around each coarse voxel of the fine values that count(i) lets through.
+    template <class Count>
+    FloatVolume mean(const FloatVolume& values, const Count& count, double otherwise, Job& job) {
+        const Grid& fine = values.grid;
+        parallel_blocks(
+            static_cast<std::size_t>(sum_.grid.dims[2]), 1, [&](std::size_t begin, std::size_t) {
+                job.throw_if_cancelled();
+                const auto cz = static_cast<int>(begin);
+                const std::size_t layer = sum_.grid.offset(0, 0, cz);
+                const std::size_t size = sum_.grid.offset(0, 0, 1);
+                std::fill_n(sum_.voxels.begin() + static_cast<std::ptrdiff_t>(layer), size, 0.0f);
+                std::fill_n(weight_.voxels.begin() + static_cast<std::ptrdiff_t>(layer), size,
+                            0.0f);
+                for (int z = cz * block_; z < std::min(fine.dims[2], (cz + 1) * block_); ++z)
+                    for (int y = 0; y < fine.dims[1]; ++y)
+                        for (int x = 0; x < fine.dims[0]; ++x) {
+                            const std::size_t i = fine.offset(x, y, z);
+                            if (!count(i)) continue;
+                            const std::size_t c = sum_.grid.offset(x / block_, y / block_, cz);
+                            sum_.voxels[c] += values.voxels[i] - static_cast<float>(otherwise);
+                            weight_.voxels[c] += 1.0f;
+                        }
+            });
+        FloatVolume mean = sum_;
+        FloatVolume weight = weight_;
+        gaussian_smooth(mean, Vec3::Constant(level_sigma_mm), job);
+        gaussian_smooth(weight, Vec3::Constant(level_sigma_mm), job);
+        const float prior = prior_weight * static_cast<float>(block_ * block_ * block_);
+        for (std::size_t i = 0; i < mean.voxels.size(); ++i)
+            mean.voxels[i] = static_cast<float>(otherwise) +
+                             mean.voxels[i] / (std::max(weight.voxels[i], 0.0f) + prior);
+        return mean;
+    }
+
+  private:
+    int block_;
+    FloatVolume sum_;
+    FloatVolume weight_;
+};
+
+}  // namespace
+
+RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
+    std::vector<float> chosen = sample(values, where);
+    if (chosen.empty()) return {};
+    RobustSpread spread;
+    spread.median = median_of(chosen);
+    std::vector<float> below;
+    for (const float v : chosen)
+        if (v <= static_cast<float>(spread.median))
+            below.push_back(static_cast<float>(spread.median) - v);
+    spread.deviation = 1.4826 * median_of(below);
+    return spread;
+}
+
+TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job) {
+    FloatVolume smooth = intensity;
+    gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job);
+    TissueContrast tissue;
+    tissue.interior = erode(liver, rim_mm, job);
+    RobustSpread spread = robust_spread(smooth, tissue.interior);
+    if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
+        throw InputError("the liver region is empty", "liver mask",
+                         "Give a mask that lies inside the CT.");
+
+    tissue.parenchyma_hu = spread.median;
+    CoarseLevel coarse(intensity.grid);
+    FloatVolume level(intensity.grid, static_cast<float>(spread.median));
+    FloatVolume rise(intensity.grid);
+    const auto subtract = [&](const FloatVolume& from) {
+        parallel_blocks(rise.voxels.size(), 65536, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                rise.voxels[i] = liver.voxels[i] ? from.voxels[i] - level.voxels[i] : 0.0f;
+        });
+    };
+    for (int round = 0; round < rounds; ++round) {
+        subtract(smooth);
+        spread = robust_spread(rise, tissue.interior);
+        const auto limit = static_cast<float>(outlier_deviations * spread.deviation);
+        level = resample(
+            coarse.mean(
+                smooth,
+                [&](std::size_t i) { return liver.voxels[i] && std::abs(rise.voxels[i]) < limit; },
+                tissue.parenchyma_hu, job),
+            intensity.grid, Interpolation::linear, job);
+        job.advance(static_cast<double>(round + 1) / rounds);
+    }
+    subtract(intensity);
+    spread = robust_spread(rise, tissue.interior);
+    tissue.noise_hu = spread.deviation;
+    tissue.excess = std::move(rise);
+    for (std::size_t i = 0; i < liver.voxels.size(); ++i)
+        if (liver.voxels[i]) tissue.excess.voxels[i] -= static_cast<float>(spread.median);
+    return tissue;
+}
+
+}  // namespace hepatica

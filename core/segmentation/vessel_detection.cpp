@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/vessel_detection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
+#include "core/segmentation/line_coherence.h"
+#include "core/segmentation/line_noise.h"
+#include "core/segmentation/minimal_surface.h"
+#include "core/segmentation/multi_layer.h"
+#include "core/segmentation/vessel_growth.h"
+#include "core/segmentation/vesselness.h"
+#include "core/skeleton/thinning.h"
+
+namespace hepatica {
+
+namespace {
+
+// Deviations are those left after smoothing by surface_sigma_mm.
+constexpr double surface_sigma_mm = 0.6;
+constexpr double candidate_deviations = 1.5;
+constexpr double weak_deviations = 3.0;  // of the vesselness; coherent lines have their own
+// Noise is measured this far from whatever may be a vessel.
+constexpr double suspect_deviations = 2.0;
+constexpr double smallest_suspect_mm3 = 20.0;
+constexpr double suspect_reach_mm = 2.0;
+constexpr double least_deviation_hu = 0.3;  // a CT is stored in whole Hounsfield units
+// Slices up to the first are not thick at all, from the second on they are.
+constexpr double undimmed_slices_mm = 1.5;
+constexpr double dimming_slices_mm = 3.0;
+// Between thick slices the organs around shine this far into the liver.
+constexpr double dimmed_rim_mm = 1.8;
+constexpr double tubular_deviations = 1.5;
+// No single voxel says more than this, however bright: a line is many voxels.
+constexpr double clip_below_deviations = 3.0;
+constexpr double clip_above_deviations = 8.0;
+constexpr double line_sigma_mm = 0.7;
+constexpr double surroundings_sigma_mm = 3.0;
+// Edge of the cube that has a voxel's volume: a CT of fine voxels, and one of coarse.
+constexpr double fine_voxel_mm = 0.8;
+constexpr double coarse_voxel_mm = 1.15;
+// In multiples of the strength of a line that noise can make.
+constexpr double strong_share = 1.384;
+constexpr double weak_share = 1.12;
+constexpr double coarse_strong_share = 1.1;
+constexpr double coarse_weak_share = 1.0;
+constexpr double thick_slices_share = 0.12;  // less of both between thick slices
+// Of coarse voxels the blur is as wide as a thin vessel: its wall lies high on its lowered peak.
+constexpr double coarse_level_share = 0.5;
+constexpr double coarse_data_weight = 0.75;
+constexpr double smallest_strong_mm3 = 8.0;
+constexpr double smallest_vessel_mm3 = 200.0;
+constexpr double wall_sigma_mm = 0.3;
+constexpr double kept_branch_mm = 4.0;
+constexpr double growth_mm = 1.6;
+const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
+
+struct Evidence {
+    FloatVolume rise;  // smoothed excess
+    double deviation = 0.0;
+};
+
+// What the CT's own voxels do to thin vessels, each from 0 to 1.
+struct Sampling {
+    double thick;   // slices: the organs around shine into the next one
+    double coarse;  // voxels: what is thin is dim, and looks wide at half of its peak
+};
+
+double ramp(double value, double from, double to) {
+    return std::clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
+Sampling sampling_of(const Vec3& spacing_mm) {
+    return {ramp(spacing_mm.maxCoeff(), undimmed_slices_mm, dimming_slices_mm),
+            ramp(std::cbrt(spacing_mm.prod()), fine_voxel_mm, coarse_voxel_mm)};
+}
+
+Mask above(const FloatVolume& values, double threshold, const Mask& where) {
+    Mask mask(values.grid);
+    const auto limit = static_cast<float>(threshold);
+    parallel_blocks(mask.voxels.size(), 65536, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            mask.voxels[i] = where.voxels[i] != 0 && values.voxels[i] > limit;
+    });
+    return mask;
+}
+
+RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& interior, Job& job) {
+    const RobustSpread all = robust_spread(rise, interior);
+    Mask suspects = above(rise, all.median + suspect_deviations * all.deviation, interior);
+    job.throw_if_cancelled();
+    suspects = hysteresis(suspects, suspects, smallest_suspect_mm3);
+    job.throw_if_cancelled();
+    suspects = dilate(suspects, suspect_reach_mm, job);
+    job.throw_if_cancelled();
+    Mask quiet = interior;
+    for (std::size_t i = 0; i < quiet.voxels.size(); ++i)
+        if (suspects.voxels[i]) quiet.voxels[i] = 0;
+    const RobustSpread away = robust_spread(rise, quiet);
+    return {away.deviation > 0.0 ? away.median : all.median,
+            std::max(away.deviation, least_deviation_hu)};
+}
+
+Evidence smoothed(const TissueContrast& tissue, Job& job) {
+    Evidence evidence;
+    evidence.rise = tissue.excess;
+    gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
+    job.throw_if_cancelled();
+    const RobustSpread spread = spread_away_from_vessels(evidence.rise, tissue.interior, job);
+    job.throw_if_cancelled();
+    for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
+    evidence.deviation = spread.deviation;
+    return evidence;
+}
+
+// Excess clipped to what one voxel may say, smoothed by sigma_mm.
+FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma_mm, Job& job) {
+    FloatVolume values = tissue.excess;
+    const auto low = static_cast<float>(-clip_below_deviations * deviation);
+    const auto high = static_cast<float>(clip_above_deviations * deviation);
+    for (float& v : values.voxels) v = std::clamp(v, low, high);
+    job.throw_if_cancelled();
+    gaussian_smooth(values, Vec3::Constant(sigma_mm), job);
+    return values;
+}
+
+Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
+    Mask strong = lines;
+    for (std::size_t i = 0; i < strong.voxels.size(); ++i)
+        if (!weak.voxels[i]) strong.voxels[i] = 0;
+    job.throw_if_cancelled();
+    strong = hysteresis(strong, strong, smallest_strong_mm3);
+    job.advance(0.65);
+    job.throw_if_cancelled();
+    const Mask grown = grow_within(strong, weak, growth_mm);
+    job.advance(0.7);
+    job.throw_if_cancelled();
+    return hysteresis(grown, grown, smallest_vessel_mm3);
+}
+
+double share_of(double fine, double coarse, const Sampling& sampling) {
+    return std::lerp(fine, coarse, sampling.coarse) - thick_slices_share * sampling.thick;
+}
+
+Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
+              const Sampling& sampling, Job& job) {
+    if (tissue.threshold_hu) {  // the user's word, whatever the noise
+        const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
+        return grown_from(bright, bright, job);
+    }
+    const FloatVolume bright = clipped(tissue, evidence.deviation, line_sigma_mm, job);
+    FloatVolume standing_out = clipped(tissue, evidence.deviation, surroundings_sigma_mm, job);
+    for (std::size_t i = 0; i < bright.voxels.size(); ++i)
+        standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
+    job.throw_if_cancelled();
+    job.advance(0.2);
+    const double noise_hu = line_noise(
+        standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
+    job.advance(0.4);
+    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * noise_hu;
+    const Mask candidates =
+        above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
+    const FloatVolume lines = line_coherence(bright, candidates, LineOptions{}, job);
+    job.advance(0.6);
+    return grown_from(
+        above(lines, share_of(strong_share, coarse_strong_share, sampling) * noise_hu, liver),
+        above(evidence.rise, weak_hu, liver), job);
+}
+
+Mask tubular(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
+             const Sampling& sampling, Job& job) {
+    const double weak_hu =
+        tissue.threshold_hu.value_or((weak_deviations - sampling.thick) * evidence.deviation);
+    const Mask tubes =
+        above(vesselness(clipped(tissue, evidence.deviation, 0.0, job), tube_sigmas_mm, job),
+              tubular_deviations * evidence.deviation, liver);
+    job.advance(0.6);
+    return grown_from(tubes, above(evidence.rise, weak_hu, liver), job);
+}
+
+SurfaceOptions surface_for(const Sampling& sampling) {
+    SurfaceOptions options;
+    options.level_share = std::lerp(options.level_share, coarse_level_share, sampling.coarse);
+    options.data_weight = std::lerp(options.data_weight, coarse_data_weight, sampling.coarse);
+    return options;
+}
+
+}  // namespace
+
+void apply_window(const LiverFrame& frame, const std::pair<double, double>& window_hu,
+                  TissueContrast& tissue) {
+    const auto [low, high] = window_hu;
+    if (!(low < high))
+        throw InputError(
+            "the window runs from " + std::to_string(low) + " to " + std::to_string(high) + " HU",
+            "window", "Give the lower value first.");
+    tissue.threshold_hu = low - tissue.parenchyma_hu;
+    for (std::size_t i = 0; i < tissue.excess.voxels.size(); ++i) {
+        const float v = frame.intensity.voxels[i];
+        tissue.excess.voxels[i] = frame.liver.voxels[i] && v <= static_cast<float>(high)
+                                      ? v - static_cast<float>(tissue.parenchyma_hu)
+                                      : 0.0f;
+    }
+}
+
+Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
+                         SegmentationMethod method, Job& job) {
+    if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
+    const Sampling sampling = sampling_of(ct_spacing_mm);
+    const Evidence evidence = smoothed(tissue, job);
+    job.advance(0.1);
+    const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+    const Mask vessels = method == SegmentationMethod::coherent
+                             ? coherent(tissue, inner, evidence, sampling, job)
+                             : tubular(tissue, inner, evidence, sampling, job);
+    job.advance(0.75);
+    job.throw_if_cancelled();
+    FloatVolume wall = tissue.excess;
+    gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
+    job.advance(0.8);
+    job.throw_if_cancelled();
+    Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation,
+                              surface_for(sampling), job);
+    job.advance(0.9);
+    const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
+    job.throw_if_cancelled();
+    rejoin(skeleton, kept_branch_mm, fitted);
+    return {std::move(fitted), Mask()};
+}
+
+}  // namespace hepatica

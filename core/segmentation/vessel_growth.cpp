@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/vessel_growth.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/image/morphology.h"
+#include "core/segmentation/neighbours.h"
+
+namespace hepatica {
+
+Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3) {
+    const Components pieces = connected_components(weak, Connectivity::all26);
+    std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
+    for (std::size_t i = 0; i < weak.voxels.size(); ++i)
+        if (strong.voxels[i]) kept[pieces.labels.voxels[i]] = 1;
+    kept[0] = 0;
+    const double voxel_mm3 = weak.grid.spacing_mm.prod();
+    for (std::size_t p = 0; p < pieces.sizes.size(); ++p)
+        if (static_cast<double>(pieces.sizes[p]) * voxel_mm3 < minimum_mm3) kept[p + 1] = 0;
+    Mask mask(weak.grid);
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        mask.voxels[i] = kept[pieces.labels.voxels[i]];
+    return mask;
+}
+
+Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
+    const Grid& grid = weak.grid;
+    Mask grown(grid);
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < grown.voxels.size(); ++i)
+        if (strong.voxels[i] && weak.voxels[i]) {
+            grown.voxels[i] = 1;
+            front.push_back(i);
+        }
+    const auto rounds = static_cast<int>(std::lround(reach_mm / grid.spacing_mm[0]));
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<std::size_t> next;
+        for (const std::size_t i : front) {
+            const Index3 at = grid.index_of(i);
+            for (int code = 0; code < 27; ++code) {
+                const int x = at[0] + code % 3 - 1;
+                const int y = at[1] + code / 3 % 3 - 1;
+                const int z = at[2] + code / 9 - 1;
+                if (!grid.contains(x, y, z)) continue;
+                const std::size_t n = grid.offset(x, y, z);
+                if (!weak.voxels[n] || grown.voxels[n]) continue;
+                grown.voxels[n] = 1;
+                next.push_back(n);
+            }
+        }
+        front.swap(next);
+    }
+    return grown;
+}
+
+void rejoin(const Mask& skeleton, double kept_mm, Mask& surface) {
+    const Grid& grid = surface.grid;
+    Mask outside(grid);
+    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+        outside.voxels[i] = skeleton.voxels[i] && !surface.voxels[i];
+    const Components pieces = connected_components(outside, Connectivity::all26);
+    const Components parts = connected_components(surface, Connectivity::all26);
+    std::vector<std::uint32_t> touched(pieces.sizes.size() + 1, 0);  // first part met
+    std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
+    const double step = grid.spacing_mm.mean();
+    for (std::size_t p = 0; p < pieces.sizes.size(); ++p)
+        kept[p + 1] = static_cast<double>(pieces.sizes[p]) * step > kept_mm;
+    for (std::size_t i = 0; i < outside.voxels.size(); ++i) {
+        const std::uint32_t piece = pieces.labels.voxels[i];
+        if (piece == 0 || kept[piece]) continue;
+        for_each_neighbour(grid, i, [&](std::size_t n) {
+            const std::uint32_t part = parts.labels.voxels[n];
+            if (part == 0) return;
+            if (touched[piece] == 0) touched[piece] = part;
+            if (touched[piece] != part) kept[piece] = 1;
+        });
+    }
+    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+        if (kept[pieces.labels.voxels[i]]) surface.voxels[i] = 1;
+}
+
+}  // namespace hepatica

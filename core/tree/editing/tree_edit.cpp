@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/editing/tree_edit.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/tree/editing/cut_gap.h"
+#include "core/tree/extraction/bridged_points.h"
+#include "core/tree/extraction/centreline.h"
+#include "core/tree/extraction/vessel_graph.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double reach_mm = 10.0;  // of a click
+
+std::string text_of(const Vec3& p) {
+    return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
+}
+
+TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
+    const TreePoint found = nearest_point(tree, position_mm);
+    if (!(found.distance_mm <= reach_mm))
+        throw InputError("no vessel within 10 mm", text_of(position_mm),
+                         "Name a place on a vessel");
+    return found;
+}
+
+// Which segments hang on one, itself included.
+std::vector<std::uint8_t> downstream(const VesselTree& tree, int first) {
+    std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
+    hangs[first] = 1;
+    for (std::size_t i = first + 1; i < tree.segments.size(); ++i)
+        if (tree.segments[i].parent >= 0) hangs[i] = hangs[tree.segments[i].parent];
+    return hangs;
+}
+
+// Nodes at one place become one, so that a vessel that changes its system finds what it touches.
+void merge_touching_nodes(VesselGraph& graph, std::vector<RootWish>& wishes) {
+    std::map<std::tuple<double, double, double>, int> first_at;
+    std::vector<int> merged(graph.nodes.size());
+    for (std::size_t n = 0; n < merged.size(); ++n) {
+        const Vec3& p = graph.nodes[n].position_mm;
+        merged[n] = first_at.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(n)).first->second;
+    }
+    for (VesselLink& link : graph.links) {
+        link.from = merged[link.from];
+        link.to = merged[link.to];
+    }
+    for (RootWish& wish : wishes) wish.node = merged[wish.node];
+}
+
+class Edit {
+  public:
+    explicit Edit(const VesselTree& tree)
+        : tree_(tree), graph_(to_graph(tree)), wishes_(root_wishes(tree)) {
+        bridged_.add(tree);
+    }
+
+    void cut(const TreeEdit& edit) {
+        const TreePoint at = locate(tree_, edit.at_mm);
+        const auto stretch = cut_stretch(graph_, at.segment, at.arclength_mm);
+        if (!stretch)
+            throw InputError("the vessel is too short here to be parted by a gap of 1 mm",
+                             text_of(edit.at_mm), "Cut a longer one beside it, or delete it");
+        int taken = at.segment;
+        if (stretch->to_mm) split_link(graph_, taken, *stretch->to_mm, 0.0);
+        // What is parted begins at the cut, unless its root stays.
+        wishes_.push_back({graph_.links[taken].to, graph_.links[taken].system});
+        if (stretch->from_mm) {
+            split_link(graph_, taken, *stretch->from_mm, 0.0);
+            taken = static_cast<int>(graph_.links.size()) - 1;
+        }
+        graph_.links.erase(graph_.links.begin() + taken);
+    }
+
+    void add(const TreeEdit& edit) {
+        const auto node_at = [&](const Vec3& position_mm) {
+            // Located in the tree as it is now: the first split may have renumbered its links.
+            VesselTree now;
+            for (const VesselLink& link : graph_.links) {
+                VesselSegment& segment = now.segments.emplace_back();
+                segment.points_mm = link.points_mm;
+                segment.radii_mm = link.radii_mm;
+            }
+            const TreePoint at = locate(now, position_mm);
+            return std::pair(split_link(graph_, at.segment, at.arclength_mm, 1.0),
+                             graph_.links[at.segment].system);
+        };
+        const auto [from, system] = node_at(edit.at_mm);
+        const auto [to, other_system] = node_at(edit.to_mm);
+        if (from == to)
+            throw InputError("both ends of the link lie at one point", text_of(edit.at_mm),
+                             "Name two places that are not joined yet");
+        add_path(from, to, system, edit.path_mm);
+        if (other_system != system) adopt(to, system, other_system);
+    }
+
+    void remove(const TreeEdit& edit) {
+        const auto hangs = downstream(tree_, locate(tree_, edit.at_mm).segment);
+        std::vector<VesselLink> kept;
+        for (std::size_t i = 0; i < graph_.links.size(); ++i)
+            if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));
+        graph_.links = std::move(kept);
+    }
+
+    void set_root(const TreeEdit& edit) {
+        const int near = locate(tree_, edit.at_mm).segment;
+        const std::vector<int> component = component_of_nodes(graph_);
+        const auto at_node = links_of_nodes(graph_);
+        const int wanted = component[tree_.segments[near].proximal_node];
+        int best = tree_.segments[near].proximal_node;
+        double least = reach_mm * 1e6;
+        for (std::size_t n = 0; n < component.size(); ++n) {
+            const double d = (graph_.nodes[n].position_mm - edit.at_mm).norm();
+            if (component[n] != wanted || at_node[n].size() != 1 || d >= least) continue;
+            least = d;
+            best = static_cast<int>(n);
+        }
+        wishes_.insert(wishes_.begin(), RootWish{best, tree_.segments[near].system});
+    }
+
+    void reassign(const TreeEdit& edit) {
+        const int first = locate(tree_, edit.at_mm).segment;
+        const auto hangs = downstream(tree_, first);
+        for (std::size_t i = 0; i < hangs.size(); ++i)
+            if (hangs[i] != 0) graph_.links[i].system = edit.system;
+        merge_touching_nodes(graph_, wishes_);
+        // Should it touch nothing of its new system, it begins where it hung before.
+        wishes_.push_back({graph_.links[first].from, edit.system});
+    }
+
+    VesselTree result() {
+        // Joining renumbers the nodes: roots are found again by their place.
+        std::vector<std::pair<Vec3, int>> places;
+        for (const RootWish& wish : wishes_)
+            places.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
+        join_passing_nodes(graph_);
+        std::vector<RootWish> wishes;
+        for (const auto& [place, system] : places)
+            for (std::size_t n = 0; n < graph_.nodes.size(); ++n)
+                if (graph_.nodes[n].position_mm == place)
+                    wishes.push_back({static_cast<int>(n), system});
+        VesselTree tree = directed(std::move(graph_), wishes);
+        bridged_.mark(tree);
+        return tree;
+    }
+
+  private:
+    void add_path(int from, int to, int system, const std::vector<Vec3>& between_mm) {
+        const VesselNode& start = graph_.nodes[from];
+        const VesselNode& end = graph_.nodes[to];
+        Centreline curve{{start.position_mm}, {start.radius_mm}};
+        for (const Vec3& p : between_mm)
+            if (p != curve.points_mm.back() && p != end.position_mm) curve.points_mm.push_back(p);
+        curve.points_mm.push_back(end.position_mm);
+        const std::vector<double> at = arclengths_mm(curve.points_mm);
+        // A link is no wider than the narrower of the two vessels it joins.
+        const double radius = std::min(start.radius_mm, end.radius_mm);
+        curve.radii_mm.assign(at.size(), radius);
+        curve = resampled(curve, std::max(0.5 * radius, 0.5));
+        bridged_.add(curve.points_mm);
+        graph_.links.push_back({from, to, system, curve.points_mm, curve.radii_mm});
+    }
+
+    // What is linked on becomes part of the system it is linked to.
+    void adopt(int node, int system, int old_system) {
+        const auto at_node = links_of_nodes(graph_);
+        std::vector<int> open{node};
+        while (!open.empty()) {
+            const int n = open.back();
+            open.pop_back();
+            for (const int id : at_node[n]) {
+                VesselLink& link = graph_.links[id];
+                if (link.system != old_system) continue;
+                link.system = system;
+                open.push_back(link.from);
+                open.push_back(link.to);
+            }
+        }
+    }
+
+    const VesselTree& tree_;
+    VesselGraph graph_;
+    std::vector<RootWish> wishes_;
+    BridgedPoints bridged_;
+};
+
+}  // namespace
+
+VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
+    Edit work(tree);
+    switch (edit.kind) {
+        case TreeEditKind::cut_link:
+            work.cut(edit);
+            break;
+        case TreeEditKind::add_link:
+            work.add(edit);
+            break;
+        case TreeEditKind::delete_branch:
+            work.remove(edit);
+            break;
+        case TreeEditKind::set_root:
+            work.set_root(edit);
+            break;
+        case TreeEditKind::reassign_system:
+            work.reassign(edit);
+            break;
+    }
+    return work.result();
+}
+
+TreeEditor::TreeEditor(VesselTree tree) {
+    states_.push_back(std::move(tree));
+}
+
+void TreeEditor::apply(const TreeEdit& edit) {
+    VesselTree next = edited(tree(), edit);
+    states_.resize(done_ + 1);
+    edits_.resize(done_);
+    states_.push_back(std::move(next));
+    edits_.push_back(edit);
+    ++done_;
+}
+
+void TreeEditor::undo() {
+    if (can_undo()) --done_;
+}
+
+void TreeEditor::redo() {
+    if (can_redo()) ++done_;
+}
+
+std::vector<TreeEdit> TreeEditor::edits() const {
+    return {edits_.begin(), edits_.begin() + static_cast<std::ptrdiff_t>(done_)};
+}
+
+}  // namespace hepatica

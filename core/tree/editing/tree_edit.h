@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corrections of a vessel tree by hand: commands that can be undone and are stored with the case.
+// They name places in the patient, not numbers of segments, so that they still mean the same after
+// other edits.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+enum class TreeEditKind {
+    cut_link,         // parts the vessel at `at_mm`, wall from wall by 1 mm; what hangs there
+                      // becomes a tree of its own
+    add_link,         // joins the vessels nearest to `at_mm` and `to_mm`
+    delete_branch,    // removes the segment at `at_mm` and all that hangs on it
+    set_root,         // makes the end nearest to `at_mm` the root of its component
+    reassign_system,  // gives the segment at `at_mm` and all that hangs on it to `system`
+};
+
+struct TreeEdit {
+    TreeEditKind kind = TreeEditKind::cut_link;
+    Vec3 at_mm = Vec3::Zero();
+    Vec3 to_mm = Vec3::Zero();  // add_link
+    std::vector<Vec3> path_mm;  // add_link: points between the two vessels; empty: straight
+    int system = 0;             // reassign_system
+
+    bool operator==(const TreeEdit&) const = default;
+};
+
+// The tree after the edit. Throws InputError where the edit cannot be done (an empty tree, a place
+// farther than 10 mm from any vessel, two ends of a link at one point, a cut between two forks too
+// close for a gap).
+VesselTree edited(const VesselTree& tree, const TreeEdit& edit);
+
+// A tree and the edits made to it. Not thread-safe.
+class TreeEditor {
+  public:
+    explicit TreeEditor(VesselTree tree);
+
+    const VesselTree& tree() const { return states_[done_]; }
+    // Does an edit; what had been undone before is forgotten. Throws as edited() does and then
+    // leaves everything as it was.
+    void apply(const TreeEdit& edit);
+    bool can_undo() const { return done_ > 0; }
+    bool can_redo() const { return done_ < edits_.size(); }
+    void undo();  // does nothing where nothing can be undone
+    void redo();
+    // The edits that made the present tree, in order.
+    std::vector<TreeEdit> edits() const;
+
+  private:
+    std::vector<VesselTree> states_;  // one more than edits
+    std::vector<TreeEdit> edits_;
+    std::size_t done_ = 0;
+};
+
+// Edits as a JSON array, and back. Reading throws InputError that names `place` (the file).
+std::string edits_to_json(const std::vector<TreeEdit>& edits);
+std::vector<TreeEdit> edits_from_json(const std::string& text, const std::string& place);
+
+}  // namespace hepatica

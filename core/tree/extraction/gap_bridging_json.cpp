@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+#include "core/tree/extraction/gap_bridging.h"
+#include "core/tree/files/tree_json.h"
+
+namespace hepatica {
+
+std::string bridges_to_json(const std::vector<Bridge>& bridges) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Bridge& bridge : bridges)
+        list.push_back({{"confidence", bridge.confidence},
+                        {"gap_mm", bridge.gap_mm},
+                        {"from_radius_mm", bridge.from_radius_mm},
+                        {"to_radius_mm", bridge.to_radius_mm},
+                        {"built", bridge.built},
+                        {"path_mm", json_of(bridge.path_mm)}});
+    return list.dump(1);
+}
+
+std::vector<Bridge> bridges_from_json(const std::string& text, const std::string& place) {
+    std::vector<Bridge> bridges;
+    try {
+        for (const nlohmann::json& value : nlohmann::json::parse(text)) {
+            Bridge& bridge = bridges.emplace_back();
+            bridge.confidence = value.at("confidence").get<double>();
+            bridge.gap_mm = value.at("gap_mm").get<double>();
+            bridge.from_radius_mm = value.at("from_radius_mm").get<double>();
+            bridge.to_radius_mm = value.at("to_radius_mm").get<double>();
+            bridge.built = value.at("built").get<bool>();
+            bridge.path_mm = path_from(value.at("path_mm"));
+            if (bridge.path_mm.size() < 2)
+                throw InputError("a bridge has fewer than two points", place,
+                                 "Reconstruct the patient again");
+        }
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(error.what(), place, "Give a JSON array of bridges");
+    }
+    return bridges;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Removes what thinning adds to a skeleton where the vessel's wall is bumpy.
+#pragma once
+
+#include "core/tree/extraction/vessel_graph.h"
+
+namespace hepatica {
+
+// Removes end links that reach less than spur_radii radii (or less than `shortest_mm`) beyond the
+// wall of the vessel they leave, the worst at each node first, until none is left. Rings that fit
+// into their vessel's lumen go as well. Joins what then passes straight through.
+void prune_spurs(VesselGraph& graph, double spur_radii, double shortest_mm);
+
+// Removes components whose links are shorter than `shortest_mm` in all, except the longest.
+void remove_short_components(VesselGraph& graph, double shortest_mm);
+
+}  // namespace hepatica

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/extraction/tree_extraction.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/tree/extraction/bridged_points.h"
+#include "core/tree/extraction/lumen_measurement.h"
+#include "core/tree/extraction/skeleton_graph.h"
+#include "core/tree/extraction/spur_pruning.h"
+#include "core/tree/extraction/system_assignment.h"
+#include "core/tree/extraction/vessel_graph.h"
+
+namespace hepatica {
+
+namespace {
+
+RootWish nearest_end(const VesselGraph& graph, const Vec3& position_mm) {
+    const auto at_node = links_of_nodes(graph);
+    RootWish nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+        const double d = (graph.nodes[n].position_mm - position_mm).norm();
+        if (at_node[n].size() != 1 || d >= least) continue;
+        least = d;
+        nearest = {static_cast<int>(n), graph.links[at_node[n][0]].system};
+    }
+    return nearest;
+}
+
+}  // namespace
+
+TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                                        const TreeOptions& options, Job& job) {
+    if (!same_grid(skeleton.grid, vessels.grid))
+        throw InputError("the skeleton and the vessel mask lie on different grids", "",
+                         "Make the skeleton from this mask");
+    job.throw_if_cancelled();
+    TreeExtraction result;
+    VesselGraph graph = skeleton_graph(skeleton, vessels);
+    prune_spurs(graph, options.spur_radii, 1.5 * skeleton.grid.spacing_mm.minCoeff());
+    remove_short_components(graph, options.minimum_piece_mm);
+    job.advance(0.3);
+    measure_lumen(graph, vessels, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
+    result.bridges = bridge_gaps(graph, vessels, ct, options.bridging,
+                                 [&](double share) { job.advance(0.8 + 0.15 * share); });
+    remove_short_components(graph, options.minimum_component_mm);
+    if (!assign_systems_by_labels(graph, vessels)) assign_systems(graph, options.seeds);
+    std::vector<RootWish> wishes;
+    for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
+    result.tree = directed(std::move(graph), wishes);
+    BridgedPoints bridged;
+    for (const Bridge& bridge : result.bridges)
+        if (bridge.built) bridged.add(bridge.path_mm);
+    bridged.mark(result.tree);
+    job.advance(1.0);
+    return result;
+}
+
+VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                        const TreeOptions& options, Job& job) {
+    return extract_tree_and_bridges(skeleton, vessels, ct, options, job).tree;
+}
+
+}  // namespace hepatica

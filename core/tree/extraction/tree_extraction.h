@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a unit-width skeleton to a vessel tree: segments between bifurcations and ends, with smooth
+// centrelines, sub-voxel radii, parents, Strahler orders and systems.
+#pragma once
+
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/image/volume.h"
+#include "core/tree/extraction/gap_bridging.h"
+#include "core/tree/extraction/system_assignment.h"
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+struct TreeOptions {
+    // One or more per system. Where two systems touch they are parted at the narrowest link between
+    // their seeds. What no seed's component reaches joins the nearest system. Empty: all is system
+    // 0.
+    std::vector<SystemSeed> seeds;
+    // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
+    // position. A component without one begins at its widest end.
+    std::vector<Vec3> roots_mm;
+    // An end branch that reaches less than this many radii of its parent beyond the parent's wall
+    // is a bump of the wall, not a vessel.
+    double spur_radii = 0.5;
+    // Pieces shorter than this are noise and left out, unless nothing longer exists.
+    double minimum_piece_mm = 3.0;
+    // The same after gaps have been bridged, for what is still on its own.
+    double minimum_component_mm = 15.0;
+    // Gaps that are bridged without asking, and those that are only offered.
+    BridgeOptions bridging;
+};
+
+struct TreeExtraction {
+    VesselTree tree;
+    std::vector<Bridge> bridges;  // built and offered ones, best first
+};
+
+// Both masks lie on one grid. Radii are measured on `ct` where it is given (any grid that covers
+// the masks in space), otherwise on `vessels`. Returns an empty tree for an empty skeleton.
+// Deterministic; throws Cancelled, and InputError where the masks' grids differ.
+TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                                        const TreeOptions& options, Job& job);
+
+// The tree alone.
+VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
+                        const TreeOptions& options, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vessel trees in files that other programs open: VTP (3D Slicer, VMTK, SimVascular, ParaView), SWC
+// (neuron and vessel tracers) and JSON. Positions are millimetres in LPS in all of them.
+#pragma once
+
+#include <filesystem>
+
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+// Writers replace the file as a whole or leave it as it was; they throw InputError where it cannot
+// be written. Readers throw InputError, naming the file, for whatever is not a vessel tree.
+
+// One polyline per segment. Field data SPACE = LPS and NodeRadius; point arrays
+// MaximumInscribedSphereRadius, Radius (mm), Bridged (1 where a gap was), and SimVascular's Path
+// (distance from the root, mm) and CenterlineSectionArea; cell arrays SegmentId, ParentId, System,
+// StrahlerOrder, ClosesLoop, ProximalNode, DistalNode, VMTK's GroupIds, CenterlineIds, TractIds,
+// Blanking, and SimVascular's BranchId, BifurcationId, CenterlineId.
+void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree);
+
+// Reads its own files back to the bit. From files of other programs the tree is rebuilt: polylines
+// that share points (or positions within a micrometre) meet in nodes, radii are taken from the
+// first point or cell array whose name speaks of a radius (1 mm where there is none), and each
+// component begins at its widest end.
+VesselTree read_tree_vtp(const std::filesystem::path& file);
+
+// One sample per line (number, type, x, y, z, radius, parent); type 5 and up is system 0 and up.
+// What SWC cannot say: the radius with which a branch leaves its parent (read back as the parent's
+// last) and the link that closes a loop (a chain that ends at the place of another sample; read
+// back as a loop).
+void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree);
+
+// Also reads files of other programs: lines of seven numbers, comments after #, samples in any
+// order. A sample without parent is a root, samples at one place (to a micrometre) are one.
+VesselTree read_tree_swc(const std::filesystem::path& file);
+
+// Everything there is, with the names of vessel_tree.h; comes back to the bit.
+void write_tree_json(const std::filesystem::path& file, const VesselTree& tree);
+VesselTree read_tree_json(const std::filesystem::path& file);
+
+// By the file's extension: .vtp, .swc or .json. Throws InputError for any other.
+void write_tree(const std::filesystem::path& file, const VesselTree& tree);
+VesselTree read_tree(const std::filesystem::path& file);
+
+}  // namespace hepatica

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/files/tree_io.h"
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/tree/files/tree_files.h"
+#include "core/tree/files/tree_json.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int tree_version = 1;
+
+}  // namespace
+
+void write_tree_json(const std::filesystem::path& file, const VesselTree& tree) {
+    nlohmann::json nodes = nlohmann::json::array(), segments = nlohmann::json::array();
+    for (const VesselNode& node : tree.nodes)
+        nodes.push_back(
+            {{"position_mm", json_of(node.position_mm)}, {"radius_mm", node.radius_mm}});
+    for (const VesselSegment& s : tree.segments) {
+        segments.push_back({{"proximal_node", s.proximal_node},
+                            {"distal_node", s.distal_node},
+                            {"parent", s.parent},
+                            {"system", s.system},
+                            {"strahler_order", s.strahler_order},
+                            {"closes_loop", s.closes_loop},
+                            {"points_mm", json_of(s.points_mm)},
+                            {"radii_mm", s.radii_mm}});
+        if (!s.bridged.empty()) segments.back()["bridged"] = s.bridged;
+    }
+    const nlohmann::json whole{{"format", "hepatica vessel tree"},
+                               {"version", tree_version},
+                               {"space", "LPS"},
+                               {"nodes", std::move(nodes)},
+                               {"segments", std::move(segments)}};
+    write_text_atomically(file, whole.dump() + "\n");
+}
+
+VesselTree read_tree_json(const std::filesystem::path& file) {
+    VesselTree tree;
+    try {
+        const nlohmann::json whole = nlohmann::json::parse(read_text(file));
+        if (whole.at("version").get<int>() != tree_version)
+            throw InputError("is of version " + whole.at("version").dump(), file.string(),
+                             "Write it anew with this program");
+        for (const nlohmann::json& node : whole.at("nodes"))
+            tree.nodes.push_back(
+                {vec3_from(node.at("position_mm")), node.at("radius_mm").get<double>()});
+        for (const nlohmann::json& value : whole.at("segments")) {
+            VesselSegment& s = tree.segments.emplace_back();
+            s.proximal_node = value.at("proximal_node").get<int>();
+            s.distal_node = value.at("distal_node").get<int>();
+            s.parent = value.at("parent").get<int>();
+            s.system = value.at("system").get<int>();
+            s.strahler_order = value.at("strahler_order").get<int>();
+            s.closes_loop = value.at("closes_loop").get<bool>();
+            s.points_mm = path_from(value.at("points_mm"));
+            s.radii_mm = value.at("radii_mm").get<std::vector<double>>();
+            if (value.contains("bridged"))
+                s.bridged = value.at("bridged").get<std::vector<std::uint8_t>>();
+        }
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(error.what(), file.string(), "Give a JSON file that holds a vessel tree");
+    }
+    validate_from_file(tree, file);
+    return tree;
+}
+
+}  // namespace hepatica

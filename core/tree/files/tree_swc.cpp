@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/files/tree_io.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <sstream>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/tree/extraction/line_graph.h"
+#include "core/tree/files/tree_files.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int first_system_type = 5;  // 0 to 4 stand for parts of nerve cells
+
+// The shortest text that reads back to the same bits, whatever the locale.
+std::string text_of(double value) {
+    char buffer[32];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+    return {buffer, end};
+}
+
+struct Sample {
+    long long number = 0;
+    int system = 0;
+    Vec3 position_mm = Vec3::Zero();
+    double radius_mm = 0.0;
+    long long parent = -1;
+};
+
+// Reads the next number of a line; false where there is none.
+template <class T>
+bool take(std::string_view& line, T& value) {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string_view::npos) return false;
+    line.remove_prefix(begin);
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
+    if (error != std::errc{}) return false;
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    return line.empty() || line.front() == ' ' || line.front() == '\t' || line.front() == '\r';
+}
+
+std::vector<Sample> parse_samples(const std::string& text, const std::filesystem::path& file) {
+    std::vector<Sample> samples;
+    std::istringstream lines(text);
+    std::string line;
+    for (int line_number = 1; std::getline(lines, line); ++line_number) {
+        std::string_view rest(line);
+        rest = rest.substr(0, rest.find('#'));
+        if (rest.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+        Sample s;
+        double type = 0.0;
+        const bool whole = take(rest, s.number) && take(rest, type) &&
+                           take(rest, s.position_mm.x()) && take(rest, s.position_mm.y()) &&
+                           take(rest, s.position_mm.z()) && take(rest, s.radius_mm) &&
+                           take(rest, s.parent);
+        if (!whole || !s.position_mm.allFinite())
+            throw InputError("line " + std::to_string(line_number) + " is not a sample",
+                             file.string(), "Give an SWC file: seven numbers per line");
+        s.system = std::max(0, static_cast<int>(std::clamp(type, 0.0, 1e6)) - first_system_type);
+        samples.push_back(s);
+    }
+    return samples;
+}
+
+}  // namespace
+
+void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree) {
+    std::ostringstream out;
+    out << "# Vessel tree, millimetres, LPS. Type 5 is system 0, 6 is system 1 and so on.\n"
+           "# number type x y z radius parent\n";
+    long long number = 0;
+    const auto write_sample = [&](const VesselSegment& s, std::size_t i, long long parent) {
+        const Vec3& p = s.points_mm[i];
+        out << ++number << ' ' << first_system_type + s.system << ' ' << text_of(p.x()) << ' '
+            << text_of(p.y()) << ' ' << text_of(p.z()) << ' ' << text_of(s.radii_mm[i]) << ' '
+            << parent << '\n';
+        return number;
+    };
+    std::vector<long long> last_sample(tree.segments.size());
+    std::vector<long long> root_sample(tree.nodes.size(), -1);
+    for (std::size_t id = 0; id < tree.segments.size(); ++id) {
+        const VesselSegment& segment = tree.segments[id];
+        long long& root = root_sample[segment.proximal_node];
+        if (segment.parent < 0 && root < 0) root = write_sample(segment, 0, -1);
+        long long before = segment.parent < 0 ? root : last_sample[segment.parent];
+        for (std::size_t i = 1; i < segment.points_mm.size(); ++i)
+            before = write_sample(segment, i, before);
+        last_sample[id] = before;
+    }
+    write_text_atomically(file, out.str());
+}
+
+VesselTree read_tree_swc(const std::filesystem::path& file) {
+    const std::vector<Sample> samples = parse_samples(read_text(file), file);
+    std::map<long long, int> index_of;
+    std::vector<Vec3> points;
+    for (const Sample& s : samples) {
+        if (!index_of.try_emplace(s.number, static_cast<int>(points.size())).second)
+            throw InputError("sample " + std::to_string(s.number) + " stands there twice",
+                             file.string(), "Number the samples differently");
+        points.push_back(s.position_mm);
+    }
+    std::vector<LineEdge> edges;
+    std::vector<int> root_points;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Sample& s = samples[i];
+        if (s.parent < 0) {
+            root_points.push_back(static_cast<int>(i));
+            continue;
+        }
+        const auto parent = index_of.find(s.parent);
+        if (parent == index_of.end())
+            throw InputError("sample " + std::to_string(s.number) + " names a parent, " +
+                                 std::to_string(s.parent) + ", that is not there",
+                             file.string(), "Give the whole file");
+        edges.push_back({parent->second, static_cast<int>(i), samples[parent->second].radius_mm,
+                         s.radius_mm, s.system});
+    }
+    if (edges.empty())
+        throw InputError("holds no vessel", file.string(),
+                         "Give an SWC file with two samples or more");
+    LineGraph lines = graph_of_edges(points, edges, root_points);
+    std::vector<RootWish> wishes;
+    for (const int p : root_points) wishes.push_back({lines.node_of_point[p], samples[p].system});
+    VesselTree tree = directed(std::move(lines.graph), wishes);
+    validate_from_file(tree, file);
+    return tree;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ledger of energy from step to step, and the step that may make none.
+#include "core/deform/step/energy_ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+namespace {
+
+// A beam along x, clamped at x = 0.
+BodyDescription beam(const Vec3& size_mm, const Index3& cells) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(size_mm, cells);
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x[0] == 0.0);
+    return body;
+}
+
+double stored(const EnergyLedger& ledger) {
+    return ledger.kinetic + ledger.elastic + ledger.grab;
+}
+
+double put_in(const EnergyLedger& ledger) {
+    return ledger.gravity_work + ledger.tool_work;
+}
+
+// What the ledger leaves open between the energies before and after, relative to what is handled.
+double left_open(double stored_before, const EnergyLedger& ledger) {
+    const double change = put_in(ledger) - ledger.damping_loss - ledger.integrator_loss -
+                          ledger.unfolding_loss + ledger.solver_work;
+    return std::abs(stored(ledger) - stored_before - change) /
+           (stored_before + energy_handled(ledger));
+}
+
+// Where no share of the first direction lowers the potential, nothing moves, and no motion is paid.
+// A thousandfold gravity throws the bar against its clamp, until a step has to be cut in halves.
+TEST(EnergyLedger, ClosesWhereABodyIsStopped) {
+    const auto stepper = make_cpu_stepper(beam(Vec3(100, 20, 20), {10, 2, 2}), {});
+    stepper->set_gravity(-1000.0 * units::standard_gravity * Vec3(1, 0, 1));
+    double before = 0.0;
+    int cut = 0;
+    for (int i = 0; i < 40; ++i) {
+        const StepReport report = stepper->step(1.0);
+        const EnergyLedger& ledger = report.energy;
+        EXPECT_LT(relative_imbalance(ledger), 1e-10) << "step " << i << ": " << report.message;
+        EXPECT_LT(left_open(before, ledger), 1e-10) << "step " << i << ": " << report.message;
+        EXPECT_EQ(report.dt_s, 1.0);
+        cut += report.message.find("halves") != std::string::npos;
+        before = stored(ledger);
+    }
+    EXPECT_GT(cut, 0);
+}
+
+// A step that is cut in halves is two steps of half the time, and what it does is what they do.
+TEST(EnergyLedger, AStepCutInHalvesIsTwoStepsOfHalfTheTime) {
+    const BodyDescription body = beam(Vec3(100, 20, 20), {10, 2, 2});
+    StepperOptions exactly;
+    exactly.solver = LinearSolverKind::cholesky;
+    exactly.linear.energy_tolerance = 1e-12;
+    const auto make = [&] {
+        auto stepper = make_cpu_stepper(body, exactly);
+        stepper->set_gravity(-1000.0 * units::standard_gravity * Vec3(1, 0, 1));
+        return stepper;
+    };
+    const auto stepper = make();
+    int cut = 0;
+    for (int i = 0; i < 40 && cut < 3; ++i) {
+        const BodyState before = stepper->state();
+        const StepReport whole = stepper->step(1.0);
+        if (whole.message.find("halves") == std::string::npos) continue;
+        ++cut;
+        const auto other = make();
+        other->set_state(before.positions_mm, before.velocities_mm_per_s);
+        const StepReport first = other->step(0.5), second = other->step(0.5);
+        const StepReport both = in_sequence(first, second);
+        const double size = energy_handled(both.energy);
+        EXPECT_NEAR(whole.energy.gravity_work, both.energy.gravity_work, 1e-6 * size);
+        EXPECT_NEAR(whole.energy.integrator_loss, both.energy.integrator_loss, 1e-6 * size);
+        double apart_mm = 0.0;
+        for (std::size_t v = 0; v < before.positions_mm.size(); ++v)
+            apart_mm =
+                std::max(apart_mm, (stepper->positions_mm()[v] - other->positions_mm()[v]).norm());
+        EXPECT_LT(apart_mm, 1e-3) << "step " << i;
+    }
+    EXPECT_GT(cut, 0);
+}
+
+// Without the check of the energy in the step's velocities, one of these steps makes 2 %.
+TEST(EnergyLedger, NoStepOfAWhippingBeamMakesEnergy) {
+    BodyDescription body = beam(Vec3(60, 8, 8), {12, 2, 2});
+    body.material.damping_ratio = 0.0;
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->set_gravity(Vec3(0, 0, -10.0 * units::standard_gravity));
+    double before = 0.0, handled = 0.0;
+    for (int i = 0; i < 240; ++i) {
+        const EnergyLedger ledger = stepper->step(1.0 / 240.0).energy;
+        handled = std::max(handled, energy_handled(ledger));
+        EXPECT_LT(stored(ledger) - before - put_in(ledger), 1e-8 * handled) << "step " << i;
+        before = stored(ledger);
+    }
+    EXPECT_GT(before, 0.0);
+}
+
+TEST(EnergyLedger, AddsUpOverGrabsThatMoveAndSubsteps) {
+    for (const int substeps : {1, 3}) {
+        const BodyDescription body = beam(Vec3(60, 8, 8), {12, 2, 2});
+        const auto stepper = make_cpu_stepper(body, {.substeps = substeps});
+        stepper->set_gravity(Vec3(0, 0, -units::standard_gravity));
+        const int tip = static_cast<int>(body.mesh.vertices_mm.size()) - 1;
+        double before = 0.0, tools = 0.0, damped = 0.0;
+        for (int i = 0; i < 90; ++i) {
+            Grab grab{.vertices = {tip, -1, -1, -1}};
+            grab.target_mm = body.mesh.vertices_mm[tip] + Vec3(0, 20 * std::sin(0.1 * i), 0.2 * i);
+            grab.stiffness_un_per_mm = 1e4;
+            grab.force_limit_un = 5e4;
+            if (i < 60)
+                stepper->set_grabs(std::span(&grab, 1));
+            else
+                stepper->set_grabs({});
+            const EnergyLedger ledger = stepper->step(1.0 / 60.0).energy;
+            EXPECT_LT(left_open(before, ledger), 1e-10) << substeps << " substeps, step " << i;
+            before = stored(ledger);
+            tools = std::max(tools, ledger.tool_work / energy_handled(ledger));
+            damped = std::max(damped, ledger.damping_loss / energy_handled(ledger));
+        }
+        EXPECT_GT(tools, 1e-3);
+        EXPECT_GT(damped, 1e-3);
+    }
+}
+
+TEST(EnergyLedger, TwoStepsHaveTheEnergiesOfTheSecondAndTheWorksOfBoth) {
+    const EnergyLedger first{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    const EnergyLedger second{100, 200, 300, 400, 500, 600, 700, 800, 900, 1000};
+    const EnergyLedger both = in_sequence(first, second);
+    EXPECT_EQ(both.kinetic, 100);
+    EXPECT_EQ(both.elastic, 200);
+    EXPECT_EQ(both.grab, 300);
+    EXPECT_EQ(both.gravity_work, 404);
+    EXPECT_EQ(both.tool_work, 505);
+    EXPECT_EQ(both.damping_loss, 606);
+    EXPECT_EQ(both.integrator_loss, 707);
+    EXPECT_EQ(both.unfolding_loss, 808);
+    EXPECT_EQ(both.solver_work, 909);
+    EXPECT_EQ(both.imbalance, 1010);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/step/inversion_recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+namespace {
+
+BodyDescription clamped_brick() {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(80, 40, 40), {4, 2, 2});
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x[0] == 0.0);
+    return body;
+}
+
+// Distance of the rest shape to itself is what every energy of these tests measures.
+Unfolding::Energy distance_to(const Body& body) {
+    return [&body](std::span<const Vec3> x) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            sum += (x[i] - body.rest_positions_mm[i]).squaredNorm();
+        return sum;
+    };
+}
+
+TEST(Unfolding, LeavesAloneWhatIsNotInverted) {
+    for (const ElementOrder order : {ElementOrder::linear, ElementOrder::quadratic}) {
+        const Body body = build_body(clamped_brick(), ElementModel::corotated, order);
+        std::vector<Vec3> bent = body.rest_positions_mm;
+        for (Vec3& x : bent) x[2] += 0.002 * x[0] * x[0];
+        EXPECT_TRUE(inverted_elements(body, bent).empty());
+        EXPECT_FALSE(Unfolding(body).unfold(bent, distance_to(body)));
+    }
+}
+
+TEST(Unfolding, PutsOneVertexBackAndMovesNothingFurtherAway) {
+    const Body body = build_body(clamped_brick(), ElementModel::corotated, ElementOrder::linear);
+    std::vector<Vec3> folded = body.rest_positions_mm;
+    // A corner of the free end pushed through the body.
+    std::size_t corner = 0;
+    for (std::size_t i = 0; i < folded.size(); ++i)
+        if (folded[i].norm() > folded[corner].norm()) corner = i;
+    folded[corner] -= Vec3(45, 0, 0);
+    ASSERT_FALSE(inverted_elements(body, folded).empty());
+    const auto unfolded = Unfolding(body).unfold(folded, distance_to(body));
+    ASSERT_TRUE(unfolded);
+    EXPECT_TRUE(inverted_elements(body, *unfolded).empty());
+    for (std::size_t i = 0; i < folded.size(); ++i) {
+        EXPECT_LT(((*unfolded)[i] - body.rest_positions_mm[i]).norm(), 1e-6);
+        if (folded[i][0] < 30.0) {
+            EXPECT_EQ((*unfolded)[i], folded[i]);
+        }
+    }
+}
+
+TEST(Unfolding, NeverRaisesTheEnergy) {
+    const Body body = build_body(clamped_brick(), ElementModel::corotated, ElementOrder::linear);
+    std::vector<Vec3> folded = body.rest_positions_mm;
+    for (std::size_t i = 0; i < folded.size(); ++i)
+        if (!body.fixed[i]) folded[i][0] = -folded[i][0];
+    const Unfolding::Energy worse_than_folded = [&](std::span<const Vec3> x) {
+        return x[folded.size() - 1] == folded.back() ? 0.0 : 1.0;
+    };
+    EXPECT_FALSE(Unfolding(body).unfold(folded, worse_than_folded));
+    EXPECT_TRUE(Unfolding(body).unfold(folded, distance_to(body)));
+}
+
+// Nothing fixed: the shape comes back where the body is, not where it was made.
+TEST(Unfolding, KeepsThePlaceOfAFreeBody) {
+    BodyDescription description = clamped_brick();
+    description.fixed.clear();
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    std::vector<Vec3> folded;
+    for (const Vec3& x : body.rest_positions_mm)
+        folded.push_back(Vec3(500, 0, 0) + Vec3(-x[1], x[0], x[2]));
+    std::vector<Vec3> place = folded;
+    folded[folded.size() / 2] += Vec3(0, 60, 0);
+    ASSERT_FALSE(inverted_elements(body, folded).empty());
+    const auto unfolded = Unfolding(body).unfold(folded, [&](std::span<const Vec3> x) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) sum += (x[i] - place[i]).squaredNorm();
+        return sum;
+    });
+    ASSERT_TRUE(unfolded);
+    for (std::size_t i = 0; i < place.size(); ++i)
+        EXPECT_LT(((*unfolded)[i] - place[i]).norm(), 0.5);
+}
+
+// The beam turned through its clamp, which once stayed so: the loss is in the ledger.
+TEST(Unfolding, ABodyTurnedThroughItsClampComesBack) {
+    BodyDescription description = clamped_brick();
+    description.material.damping_ratio = 1.0;
+    const auto stepper = make_cpu_stepper(description, {.model = ElementModel::neohookean});
+    std::vector<Vec3> start = description.mesh.vertices_mm;
+    for (Vec3& x : start) x[0] = -x[0];
+    stepper->set_state(start, std::vector<Vec3>(start.size(), Vec3::Zero()));
+    double stored = INFINITY, handled = 0.0;
+    for (int i = 0; i < 600; ++i) {
+        const EnergyLedger e = stepper->step(i < 300 ? 1e-3 : 0.05).energy;
+        EXPECT_GE(e.unfolding_loss, 0.0);
+        EXPECT_LE(e.kinetic + e.elastic, stored * (1.0 + 1e-9) + 1e-9);
+        handled = std::max(handled, e.kinetic + e.elastic + e.unfolding_loss);
+        EXPECT_LE(std::abs(e.imbalance), 1e-10 * handled);
+        stored = e.kinetic + e.elastic;
+    }
+    for (std::size_t v = 0; v < start.size(); ++v)
+        EXPECT_LT((stepper->positions_mm()[v] - description.mesh.vertices_mm[v]).norm(), 0.1);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/vessel_segmentation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/phantom/phantom.h"
+#include "core/segmentation/tissue_contrast.h"
+#include "tests/reconstruction/segmentation_score.h"
+
+namespace hepatica {
+namespace {
+
+using namespace testing_support;
+
+PhantomOptions small_phantom() {
+    PhantomOptions options;
+    options.dims = {128, 128, 80};
+    options.spacing_mm = Vec3(1.4, 1.4, 1.6);
+    options.generations = 5;
+    return options;
+}
+
+Segmentation segment(const Patient& patient, bool with_liver = true,
+                     SegmentationMethod method = SegmentationMethod::coherent) {
+    SegmentationOptions options;
+    options.method = method;
+    if (with_liver) options.liver = patient.liver;
+    Job job;
+    return segment_vessels(patient.ct, options, job);
+}
+
+TEST(VesselSegmentation, FindsThePhantomsTree) {
+    Job job;
+    const Patient patient = phantom_patient(1, 1.0, job);
+    const Segmentation found = segment(patient);
+    const Score s = score(found.mask, patient, job);
+    EXPECT_GE(s.dice, 0.88);
+    EXPECT_GE(s.cldice, 0.93);
+    EXPECT_NEAR(found.statistics.parenchyma_hu, 110.0, 3.0);
+    EXPECT_NEAR(found.statistics.contrast_hu(), 65.0, 10.0);
+    EXPECT_TRUE(found.warnings.empty());
+}
+
+TEST(VesselSegmentation, FindsTheTreeOnAScanOfHardlyAnyNoiseOrNone) {
+    Job job;
+    for (const double noise : {0.0, 3.0}) {
+        SCOPED_TRACE(noise);
+        PhantomOptions options;
+        options.noise_hu = noise;
+        Phantom phantom = make_phantom(options, job);
+        Patient patient = phantom_patient(options.seed, options.spacing_mm[2], job);
+        patient.ct = std::move(phantom.ct);
+        EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.88);
+    }
+}
+
+TEST(VesselSegmentation, WarnsWhereThinBranchesDrownInNoise) {
+    Job job;
+    PhantomOptions options = small_phantom();
+    options.noise_hu = 40.0;
+    const Phantom phantom = make_phantom(options, job);
+    SegmentationOptions choice;
+    choice.liver = phantom.liver;
+    const Segmentation found = segment_vessels(phantom.ct, choice, job);
+    EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
+        return warning.find("thin branches are missing") != std::string::npos;
+    }));
+}
+
+TEST(VesselSegmentation, NamesTheWindowWhereItHoldsNoVessels) {
+    Job job;
+    const Phantom phantom = make_phantom(small_phantom(), job);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.window_hu = {200.0, 210.0};
+    try {
+        segment_vessels(phantom.ct, options, job);
+        FAIL() << "a window above all vessels was taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("between 200 and 210 HU"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
+    Job job;
+    const Patient patient = phantom_patient(1, 1.0, job);
+    const Segmentation found = segment(patient, false);
+    EXPECT_EQ(found.components, 1);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.85);
+}
+
+TEST(VesselSegmentation, KeepsTheTreeTogetherWhereSlicesAreThreeMillimetresApart) {
+    Job job;
+    const Patient patient = phantom_patient(1, 3.0, job);
+    const Segmentation found = segment(patient);
+    EXPECT_GE(length_found(found.mask, patient, 1.2, 2.0, job), 0.95);
+    ASSERT_EQ(found.warnings.size(), 1u);
+    EXPECT_NE(found.warnings[0].find("3.0 mm"), std::string::npos);
+}
+
+TEST(VesselSegmentation, ByLayersFindsTheTreeAndItsCentreline) {
+    Job job;
+    const Patient patient = phantom_patient(2, 1.0, job);
+    const Segmentation found = segment(patient, true, SegmentationMethod::multi_layer);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.70);
+    EXPECT_GE(length_found(found.mask, patient, 1.2, 2.0, job), 0.95);
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < found.mask.voxels.size(); ++i) {
+        points += found.centreline.voxels[i] != 0;
+        EXPECT_LE(found.centreline.voxels[i], found.mask.voxels[i]);
+    }
+    EXPECT_GT(points, 500u);
+}
+
+TEST(VesselSegmentation, ReachesItsFloorsOnARealPatient) {
+    if (!std::filesystem::exists(data_folder() / "ircadb01_case01"))
+        GTEST_SKIP() << "no test data in " << data_folder();
+    Job job;
+    const Patient patient = ircadb_patient(job);
+    const Score s = score(segment(patient).mask, patient, job);
+    EXPECT_GE(s.dice, 0.705);
+    EXPECT_GE(s.cldice, 0.70);
+}
+
+TEST(VesselSegmentation, FindsTheLiverOfARealPatientAndItsVesselsByItself) {
+    if (!std::filesystem::exists(data_folder() / "ircadb01_case01"))
+        GTEST_SKIP() << "no test data in " << data_folder();
+    Job job;
+    const Patient patient = ircadb_patient(job);
+    const Segmentation found = segment(patient, false);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.70);
+    Patient organ = patient;
+    organ.truth = patient.judged;
+    organ.judged = Mask(patient.ct.grid, 1);
+    EXPECT_GE(score(found.liver, organ, job).dice, 0.87);
+}
+
+TEST(VesselSegmentation, ReachesItsFloorsOnThePhantomOfAnotherHand) {
+    if (!std::filesystem::exists(data_folder() / "vascusynth"))
+        GTEST_SKIP() << "no test data in " << data_folder();
+    Job job;
+    const Patient patient = vascusynth_patient(job);
+    const Segmentation found = segment(patient);
+    EXPECT_GE(score(found.mask, patient, job).dice, 0.85);
+    EXPECT_GE(length_found(found.mask, patient, 1.2, 2.0, job), 0.97);
+}
+
+TEST(VesselSegmentation, RefusesAScanWithoutContrastInWords) {
+    for (const double noise : {5.0, 10.0, 25.0}) {
+        PhantomOptions options = small_phantom();
+        options.contrast_hu = 0.0;
+        options.noise_hu = noise;
+        Job job;
+        const Phantom phantom = make_phantom(options, job);
+        SegmentationOptions how;
+        how.liver = phantom.liver;
+        how.spacing_mm = 1.4;
+        for (const auto method : {SegmentationMethod::coherent, SegmentationMethod::multi_layer,
+                                  SegmentationMethod::vesselness}) {
+            how.method = method;
+            try {
+                segment_vessels(phantom.ct, how, job);
+                ADD_FAILURE() << "a tree of noise at " << noise << " HU";
+            } catch (const InputError& error) {
+                EXPECT_NE(error.problem().find("do not stand out"), std::string::npos);
+                EXPECT_NE(error.problem().find("noise is"), std::string::npos);
+                EXPECT_NE(error.remedy().find("contrast medium"), std::string::npos);
+            }
+        }
+    }
+}
+
+TEST(VesselSegmentation, IsTheSameForAnyNumberOfThreads) {
+    Job job;
+    const Phantom phantom = make_phantom(small_phantom(), job);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.spacing_mm = 1.4;
+    for (const auto method : {SegmentationMethod::coherent, SegmentationMethod::multi_layer,
+                              SegmentationMethod::vesselness}) {
+        options.method = method;
+        std::vector<std::uint8_t> one;
+        {
+            const ThreadLimit limit(1);
+            one = segment_vessels(phantom.ct, options, job).mask.voxels;
+        }
+        EXPECT_EQ(one, segment_vessels(phantom.ct, options, job).mask.voxels);
+    }
+}
+
+TEST(VesselSegmentation, TakesTheUsersWindowAndRefusesAnEmptyOne) {
+    Job job;
+    const Phantom phantom = make_phantom(small_phantom(), job);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.spacing_mm = 1.4;
+    options.window_hu = {{140.0, 300.0}};
+    EXPECT_GT(segment_vessels(phantom.ct, options, job).components, 0);
+    options.window_hu = {{300.0, 140.0}};
+    EXPECT_THROW(segment_vessels(phantom.ct, options, job), InputError);
+}
+
+TEST(VesselSegmentation, StopsWhereverItIsCancelled) {
+    Job setup;
+    const Phantom phantom = make_phantom(small_phantom(), setup);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.spacing_mm = 0.6;  // long enough for every delay
+    for (const int after_ms : {0, 30, 120, 300}) {
+        Job job;
+        std::thread canceller([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
+            job.cancel();
+        });
+        EXPECT_THROW(segment_vessels(phantom.ct, options, job), Cancelled) << after_ms << " ms";
+        canceller.join();
+    }
+}
+
+TEST(TissueContrast, MeasuresTheNoiseAndAnUnevenParenchyma) {
+    Grid grid;
+    grid.dims = {80, 80, 80};
+    FloatVolume intensity(grid);
+    Mask liver(grid);
+    std::uint32_t state = 1;
+    for (std::size_t i = 0; i < intensity.voxels.size(); ++i) {
+        const Index3 at = grid.index_of(i);
+        double noise = -6.0;  // twelve uniform numbers: normal enough
+        for (int k = 0; k < 12; ++k) {
+            state = state * 1664525u + 1013904223u;
+            noise += (state >> 8) * 0x1p-24;
+        }
+        const bool vessel = (at[0] - 40) * (at[0] - 40) + (at[1] - 40) * (at[1] - 40) < 16;
+        intensity.voxels[i] =
+            static_cast<float>(100.0 + 0.5 * at[0] + 8.0 * noise + (vessel ? 60.0 : 0.0));
+        liver.voxels[i] =
+            std::min({at[0], at[1], at[2]}) > 3 && std::max({at[0], at[1], at[2]}) < 76;
+    }
+    Job job;
+    const TissueContrast tissue = measure_tissue(intensity, liver, job);
+    EXPECT_NEAR(tissue.noise_hu, 8.0, 0.5);
+    EXPECT_NEAR(tissue.parenchyma_hu, 120.0, 2.0);
+    double in_vessel = 0.0;
+    for (int z = 20; z < 60; ++z) in_vessel += tissue.excess.at(40, 40, z) / 40.0;
+    EXPECT_NEAR(in_vessel, 60.0, 5.0);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/skeleton/unit_width_skeleton.h"
+
+#include <gtest/gtest.h>
+
+#include "core/skeleton/thinning.h"
+#include "core/skeleton/topology.h"
+#include "tests/support/test_masks.h"
+
+namespace hepatica {
+
+using namespace test;
+
+namespace {
+
+Mask thinned(const Mask& mask) {
+    Job job;
+    return thin(mask, ThinningMethod::queue, job);
+}
+
+Mask unit_width_of(const Mask& skeleton) {
+    Job job;
+    return unit_width(skeleton, job);
+}
+
+}  // namespace
+
+// The method must keep the topology of whatever it is given, not only of skeletons.
+TEST(UnitWidthSkeleton, KeepsTheTopologyAndLeavesNothingRemovable) {
+    for (int trial = 0; trial < 3000; ++trial) {
+        std::mt19937_64 random(trial);
+        const Mask mask = bernoulli_mask(7, 0.05 + 0.5 * uniform(random), random);
+        const Mask thinner = unit_width_of(mask);
+        ASSERT_EQ(betti_numbers(thinner), betti_numbers(mask)) << "seed " << trial;
+        ASSERT_EQ(removable_point_count(thinner), 0u) << "seed " << trial;
+    }
+}
+
+TEST(UnitWidthSkeleton, KeepsTheTopologyOfThinnedBlobs) {
+    for (int trial = 0; trial < 150; ++trial) {
+        std::mt19937_64 random(trial);
+        const Mask mask = blob_mask(24, 0.1 + 0.4 * uniform(random), random);
+        const Mask thinner = unit_width_of(thinned(mask));
+        ASSERT_EQ(betti_numbers(thinner), betti_numbers(mask)) << "seed " << trial;
+        ASSERT_EQ(removable_point_count(thinner), 0u) << "seed " << trial;
+    }
+}
+
+//   . . . #          a plus sign with a crowded 3 x 3 middle:
+//   # # # # # # #    the middle's own centre is the median, the four arms are the exits
+TEST(UnitWidthSkeleton, StagesOfACrossWithAThickMiddle) {
+    Mask mask(cube_grid(11));
+    for (int i = 0; i < 11; ++i) mask.at(i, 5, 5) = mask.at(5, i, 5) = 1;
+    for (int y = 4; y <= 6; ++y)
+        for (int x = 4; x <= 6; ++x) mask.at(x, y, 5) = 1;
+    Job job;
+    const UnitWidthStages stages = unit_width_stages(mask, job);
+    ASSERT_EQ(stages.regions.size(), 1u);
+    const CrowdedRegion& region = stages.regions[0];
+    EXPECT_EQ(region.centre, mask.grid.offset(5, 5, 5));
+    EXPECT_EQ(region.exits.size(), 4u);
+    for (const auto& path : region.paths) {
+        ASSERT_FALSE(path.empty());
+        EXPECT_EQ(path.front(), region.centre);
+    }
+    EXPECT_EQ(stages.skeleton.at(4, 4, 5), 0);
+    EXPECT_EQ(stages.skeleton.at(6, 4, 5), 0);
+    EXPECT_EQ(removable_point_count(stages.skeleton), 0u);
+    EXPECT_EQ(betti_numbers(stages.skeleton), betti_numbers(mask));
+    EXPECT_EQ(stages.skeleton.at(0, 5, 5), 1);
+    EXPECT_EQ(stages.skeleton.at(5, 10, 5), 1);
+}
+
+// A ring of crowded points around a hole: removing all but a star of paths would close the tunnel.
+TEST(UnitWidthSkeleton, TunnelInsideACrowdedRegionStaysOpen) {
+    Mask mask(cube_grid(13));
+    for (int y = 3; y <= 9; ++y)
+        for (int x = 3; x <= 9; ++x) {
+            const int r = std::max(std::abs(x - 6), std::abs(y - 6));
+            if (r >= 2 && r <= 3) mask.at(x, y, 6) = 1;
+        }
+    for (int i = 0; i < 3; ++i) mask.at(i, 6, 6) = mask.at(12 - i, 6, 6) = 1;
+    ASSERT_EQ(betti_numbers(mask), (Betti{1, 1, 0}));
+    EXPECT_EQ(betti_numbers(unit_width_of(mask)), (Betti{1, 1, 0}));
+}
+
+TEST(UnitWidthSkeleton, LineIsLeftAlone) {
+    Mask mask(cube_grid(9));
+    for (int i = 0; i < 9; ++i) mask.at(i, i, i) = 1;
+    EXPECT_EQ(unit_width_of(mask).voxels, mask.voxels);
+    EXPECT_EQ(crowded_point_count(mask), 0u);
+}
+
+TEST(UnitWidthSkeleton, NothingBecomesNothing) {
+    EXPECT_EQ(count_object(unit_width_of(Mask(cube_grid(3)))), 0u);
+}
+
+}  // namespace hepatica

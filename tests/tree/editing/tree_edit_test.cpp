@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/editing/tree_edit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/tree/extraction/centreline.h"
+#include "tests/support/test_trees.h"
+
+namespace hepatica {
+
+using namespace test;
+
+namespace {
+
+// Places on the tree of test_trees.h.
+const Vec3 on_trunk(0.05, 10, 1.5);
+const Vec3 on_left_branch(-6, 25.5, 4);
+const Vec3 on_right_branch(4.5, 26.5, 2);
+const Vec3 on_last_branch(15.5, 39, 1.5);
+
+TreeEdit edit_at(TreeEditKind kind, const Vec3& at, int system = 0) {
+    TreeEdit edit;
+    edit.kind = kind;
+    edit.at_mm = at;
+    edit.system = system;
+    return edit;
+}
+
+// Between the walls of parts that nothing joins, over all pairs of points.
+double narrowest_gap_mm(const VesselTree& tree) {
+    const VesselGraph graph = to_graph(tree);
+    const std::vector<int> component = component_of_nodes(graph);
+    double least = std::numeric_limits<double>::infinity();
+    for (const VesselLink& a : graph.links)
+        for (const VesselLink& b : graph.links) {
+            if (component[a.from] == component[b.from]) continue;
+            const Centreline x = resampled({a.points_mm, a.radii_mm}, 0.2);
+            const Centreline y = resampled({b.points_mm, b.radii_mm}, 0.2);
+            for (std::size_t i = 0; i < x.points_mm.size(); ++i)
+                for (std::size_t k = 0; k < y.points_mm.size(); ++k)
+                    least = std::min(least, (x.points_mm[i] - y.points_mm[k]).norm() -
+                                                x.radii_mm[i] - y.radii_mm[k]);
+        }
+    return least;
+}
+
+}  // namespace
+
+TEST(TreeEdit, CutMakesTwoTreesWithAGapBetween) {
+    const VesselTree before = forked_tree();
+    const VesselTree after = edited(before, edit_at(TreeEditKind::cut_link, on_right_branch));
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 2u);
+    EXPECT_EQ(bifurcation_count(after), 2);
+    EXPECT_GE(narrowest_gap_mm(after), 1.0 - 1e-9);
+    EXPECT_LE(narrowest_gap_mm(after), 1.0 + 0.3);
+    EXPECT_GT(nearest_point(after, on_right_branch).distance_mm, 3.0);
+}
+
+TEST(TreeEdit, CutAnywhereLeavesAGap) {
+    const VesselTree before = forked_tree();
+    for (std::size_t s = 0; s < before.segments.size(); ++s) {
+        const bool is_end = node_degrees(before)[before.segments[s].distal_node] == 1;
+        for (const Vec3& place : before.segments[s].points_mm) {
+            const VesselTree after = edited(before, edit_at(TreeEditKind::cut_link, place));
+            validate(after);
+            EXPECT_LT(length_mm(after), length_mm(before));
+            EXPECT_GE(roots(after).size(), s == 0 || is_end ? 1u : 2u) << place.transpose();
+            // Beside a narrowing vessel the gap is measured to the foot on its axis.
+            EXPECT_GE(narrowest_gap_mm(after), 0.97) << place.transpose();
+        }
+    }
+}
+
+TEST(TreeEdit, CutInABendLeavesAGap) {
+    VesselGraph graph;
+    VesselLink link{0, 1, 0, {}, {}};
+    for (int i = 0; i <= 40; ++i) {
+        const double angle = M_PI * i / 40.0;
+        link.points_mm.emplace_back(8.0 * std::cos(angle), 8.0 * std::sin(angle), 0.0);
+        link.radii_mm.push_back(2.5);
+    }
+    graph.nodes = {{link.points_mm.front(), 2.5}, {link.points_mm.back(), 2.5}};
+    graph.links = {link};
+    const VesselTree after =
+        edited(directed(graph), edit_at(TreeEditKind::cut_link, Vec3(0, 8, 0)));
+    EXPECT_EQ(roots(after).size(), 2u);
+    EXPECT_GE(narrowest_gap_mm(after), 1.0 - 1e-9);
+    EXPECT_LE(narrowest_gap_mm(after), 1.0 + 0.3);
+}
+
+TEST(TreeEdit, CutKeepsTheRootsAndBeginsTheRestAtTheGap) {
+    const VesselTree after = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_last_branch));
+    const std::vector<int> begins = roots(after);
+    ASSERT_EQ(begins.size(), 2u);
+    EXPECT_EQ(after.segments[begins[0]].points_mm.front(), Vec3(0, 0, 0));
+    EXPECT_EQ(after.segments[begins[1]].points_mm.back(), Vec3(22, 45, 2));
+}
+
+TEST(TreeEdit, CutAtTheTipTakesTheTipAway) {
+    const VesselTree after =
+        edited(forked_tree(), edit_at(TreeEditKind::cut_link, Vec3(22, 45, 2)));
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 1u);
+    EXPECT_EQ(after.segments.size(), forked_tree().segments.size());
+    EXPECT_NEAR(length_mm(forked_tree()) - length_mm(after), 0.5 + 2.2, 0.2);
+}
+
+TEST(TreeEdit, CutBetweenForksTooCloseForAGapIsRefused) {
+    VesselGraph graph = forked_graph();
+    graph.nodes[3].position_mm = Vec3(5, 23, 2);  // 5.8 mm from the other fork, radii 3.7 and 3.3
+    graph.links = {straight_link(graph, 0, 1, 4.0, 3.7), straight_link(graph, 1, 2, 2.5, 2.1),
+                   straight_link(graph, 1, 3, 3.3, 3.0), straight_link(graph, 3, 4, 1.9, 1.6),
+                   straight_link(graph, 3, 5, 2.4, 2.2)};
+    EXPECT_THROW(edited(directed(graph), edit_at(TreeEditKind::cut_link, Vec3(2.5, 21.5, 2.5))),
+                 InputError);
+}
+
+TEST(TreeEdit, LinkJoinsWhatACutParted) {
+    const VesselTree cut = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_right_branch));
+    TreeEdit link = edit_at(TreeEditKind::add_link, on_right_branch - Vec3(0.4, 0.6, -0.1));
+    link.to_mm = on_right_branch + Vec3(0.4, 0.6, -0.1);
+    const VesselTree joined = edited(cut, link);
+    validate(joined);
+    EXPECT_EQ(roots(joined).size(), 1u);
+    EXPECT_EQ(joined.segments.size(), forked_tree().segments.size());
+    EXPECT_NEAR(length_mm(joined), length_mm(forked_tree()), 0.05);
+}
+
+TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {
+    TreeEdit link = edit_at(TreeEditKind::add_link, on_left_branch);
+    link.to_mm = on_last_branch;
+    link.path_mm = {Vec3(0, 34, 3), Vec3(8, 38, 2)};
+    const VesselTree after = edited(forked_tree(), link);
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 1u);
+    EXPECT_EQ(std::ranges::count_if(after.segments, [](const auto& s) { return s.closes_loop; }),
+              1);
+}
+
+TEST(TreeEdit, DeletingABranchTakesAllThatHangsOnIt) {
+    const VesselTree after =
+        edited(forked_tree(), edit_at(TreeEditKind::delete_branch, on_right_branch));
+    validate(after);
+    EXPECT_EQ(after.segments.size(), 1u);  // trunk and left branch have become one
+    EXPECT_EQ(bifurcation_count(after), 0);
+    EXPECT_TRUE(edited(after, edit_at(TreeEditKind::delete_branch, on_trunk)).segments.empty());
+}
+
+TEST(TreeEdit, RootMovesToTheNearestEnd) {
+    const Vec3 end(22, 45, 2);
+    const VesselTree after = edited(forked_tree(), edit_at(TreeEditKind::set_root, end));
+    validate(after);
+    ASSERT_EQ(roots(after).size(), 1u);
+    EXPECT_EQ(after.segments[roots(after)[0]].points_mm.front(), end);
+    EXPECT_DOUBLE_EQ(length_mm(after), length_mm(forked_tree()));
+    // Later edits keep it.
+    const VesselTree later = edited(after, edit_at(TreeEditKind::delete_branch, on_left_branch));
+    EXPECT_EQ(later.segments[roots(later)[0]].points_mm.front(), end);
+}
+
+TEST(TreeEdit, ReassigningIsOneStepThereAndOneStepBack) {
+    const VesselTree other =
+        edited(forked_tree(), edit_at(TreeEditKind::reassign_system, on_right_branch, 1));
+    validate(other);
+    ASSERT_EQ(roots(other).size(), 2u);
+    EXPECT_EQ(std::ranges::count_if(other.segments, [](const auto& s) { return s.system == 1; }),
+              3);
+    const VesselTree back =
+        edited(other, edit_at(TreeEditKind::reassign_system, on_right_branch, 0));
+    expect_equal(back, forked_tree());
+}
+
+TEST(TreeEdit, PlacesFarFromAnyVesselAreRefused) {
+    EXPECT_THROW(edited(forked_tree(), edit_at(TreeEditKind::cut_link, Vec3(200, 0, 0))),
+                 InputError);
+    EXPECT_THROW(edited(VesselTree{}, edit_at(TreeEditKind::set_root, on_trunk)), InputError);
+    TreeEdit nothing = edit_at(TreeEditKind::add_link, on_trunk);
+    nothing.to_mm = on_trunk;
+    EXPECT_THROW(edited(forked_tree(), nothing), InputError);
+}
+
+TEST(TreeEditor, UndoAndRedo) {
+    TreeEditor editor(forked_tree());
+    EXPECT_FALSE(editor.can_undo());
+    editor.apply(edit_at(TreeEditKind::cut_link, on_right_branch));
+    editor.apply(edit_at(TreeEditKind::delete_branch, on_left_branch));
+    const VesselTree last = editor.tree();
+    editor.undo();
+    editor.undo();
+    expect_equal(editor.tree(), forked_tree());
+    EXPECT_TRUE(editor.edits().empty());
+    editor.redo();
+    editor.redo();
+    expect_equal(editor.tree(), last);
+    editor.undo();
+    editor.apply(edit_at(TreeEditKind::set_root, Vec3(-12, 31, 5)));
+    EXPECT_FALSE(editor.can_redo());
+    ASSERT_EQ(editor.edits().size(), 2u);
+    EXPECT_EQ(editor.edits()[1].kind, TreeEditKind::set_root);
+}
+
+TEST(TreeEditor, FailedEditChangesNothing) {
+    TreeEditor editor(forked_tree());
+    EXPECT_THROW(editor.apply(edit_at(TreeEditKind::cut_link, Vec3(500, 0, 0))), InputError);
+    expect_equal(editor.tree(), forked_tree());
+    EXPECT_FALSE(editor.can_undo());
+}
+
+TEST(TreeEditJson, ComesBackAndGivesTheSameTree) {
+    TreeEditor editor(forked_tree());
+    editor.apply(edit_at(TreeEditKind::cut_link, on_right_branch));
+    TreeEdit link = edit_at(TreeEditKind::add_link, on_left_branch);
+    link.to_mm = on_last_branch;
+    link.path_mm = {Vec3(0.1, 34, 3), Vec3(8, 38.3, 2)};
+    editor.apply(link);
+    editor.apply(edit_at(TreeEditKind::set_root, Vec3(22, 45, 2)));
+    editor.apply(edit_at(TreeEditKind::reassign_system, Vec3(7, 41, -1), 2));
+    TreeEditor again(forked_tree());
+    for (const TreeEdit& edit : edits_from_json(edits_to_json(editor.edits()), "case.json"))
+        again.apply(edit);
+    expect_equal(again.tree(), editor.tree());
+}
+
+TEST(TreeEditJson, BadTextIsRefused) {
+    for (const char* text :
+         {"", "{}", "[1]", "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]"})
+        EXPECT_THROW(edits_from_json(text, "case.json"), InputError) << text;
+}
+
+}  // namespace hepatica
