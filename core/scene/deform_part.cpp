@@ -149,6 +149,7 @@ void DeformPart::move_grab(const Vec3& target_mm) {
 }
 
 void DeformPart::release() {
+    if (!hold_) return;
     hold_.reset();
     apply_grabs();
 }

@@ -27,12 +27,13 @@ struct DrugView {
                                                           // Null: nothing was injected
     std::uint64_t version = 0;                            // changes whenever arrival_s does
     double time_s = 0.0;                                  // since the injection began
-    double end_s = 0.0;  // when most vertices have been reached; some may be later
-    bool playing = false;
+    double end_s = 0.0;    // when most vertices have been reached; some may be later
+    bool playing = false;  // the drug's clock runs whenever the world is not paused; false where
+                           // nothing was injected
 };
 
 struct FrameStatistics {
-    double step_ms = 0.0;           // wall time of the step
+    double step_ms = 0.0;           // wall time of the whole step: commands, world and this frame
     double real_time_factor = 1.0;  // simulated over wall time, at most 1
     int linear_iterations = 0;
     double expected_error = 0.0;  // relative, of the present setting of the dial; 0: not known
@@ -41,8 +42,10 @@ struct FrameStatistics {
     bool automatic = false;       // the session picks the setting
     std::string setting;          // in words
     bool degraded = false;
-    bool paused = false;
-    std::string message;  // for the user; usually empty
+    bool paused = false;    // the world stands still, the drug's clock included
+    bool diverged = false;  // it was stopped by itself and taken back to its last good state;
+                            // RestoreSnapshot and SetPaused{false} go on from there
+    std::string message;    // for the user; usually empty
 };
 
 struct Frame {

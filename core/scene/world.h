@@ -44,6 +44,8 @@ class World {
     // Null where the scene has no such part.
     DeformPart* deform() { return deform_.get(); }
     FlowPart* flow() { return flow_.get(); }
+    const DeformPart* deform() const { return deform_.get(); }
+    const FlowPart* flow() const { return flow_.get(); }
 
     // The vertices shown: those of the mesh where it deforms, else those of the surface.
     std::size_t vertex_count() const;

@@ -46,7 +46,8 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
     }
     if (world_->deform() != nullptr)
         last_good_ = std::make_unique<BodyState>(world_->deform()->state());
-    publish({});
+    SessionStep first;
+    publish(first, Clock::now());
 }
 
 Session::~Session() = default;
@@ -145,8 +146,7 @@ SessionStep Session::step() {
         done.state_hash = state_hash();
         recording_.steps.back().state_hash = done.state_hash;
     }
-    done.step_ms = milliseconds_since(start);
-    publish(done);
+    publish(done, start);
     govern(done);
     return done;
 }
@@ -172,12 +172,11 @@ std::uint64_t Session::state_hash() const {
     return world_->state_hash();
 }
 
-void Session::publish(const SessionStep& step) {
+void Session::publish(SessionStep& step, Clock::time_point start) {
     Frame& frame = frames_.back();
     world_->fill(frame);
     frame.step = step_;
     FrameStatistics& statistics = frame.statistics;
-    statistics.step_ms = step.step_ms;
     statistics.real_time_factor = std::min(1.0, real_time_factor_);
     statistics.linear_iterations = step.deform.linear_iterations;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
@@ -189,7 +188,10 @@ void Session::publish(const SessionStep& step) {
     }
     statistics.degraded = step.deform.degraded;
     statistics.paused = paused_;
+    statistics.diverged = diverged_;
     statistics.message = message_.empty() ? step.deform.message : message_;
+    // Last, so that it holds the frame's own cost; handing it over is one exchange of an index.
+    statistics.step_ms = step.step_ms = milliseconds_since(start);
     frames_.publish();
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -36,7 +37,7 @@ struct BodyState;
 // What one step did, for scripts and measurements.
 struct SessionStep {
     std::uint64_t step = 0;        // number of this step, from 1
-    double step_ms = 0.0;          // wall time of commands, world and frame
+    double step_ms = 0.0;          // wall time of commands, world, recording and frame
     std::uint64_t state_hash = 0;  // of the world; 0 unless a recording is kept
     bool paused = false;           // the world stood still
     StepReport deform;             // of the deforming body, where there is one
@@ -96,7 +97,8 @@ class Session {
     void govern(const SessionStep& done);
     void guard_state();
     void forget_divergence();
-    void publish(const SessionStep& step);
+    // Fills a frame in and hands it to the reader; `step.step_ms` is then the time since `start`.
+    void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
     QualityDial dial_;
     QualityGovernor governor_;

@@ -199,21 +199,177 @@ TEST(Session, ScenesWithoutAPartRefuseItsCommands) {
               3 * small_patient()->surface.vertices_mm.size());
 }
 
-TEST(Session, PausesAndResets) {
-    const auto session = new_session();
+// Of the body that moves: equal to the last bit, or not.
+bool same_shape(const World& a, const std::vector<Vec3>& positions_mm) {
+    const auto now = a.deform()->positions_mm();
+    return std::equal(now.begin(), now.end(), positions_mm.begin(), positions_mm.end());
+}
+
+std::vector<Vec3> shape_of(const Session& session) {
+    const auto now = session.world().deform()->positions_mm();
+    return {now.begin(), now.end()};
+}
+
+double furthest_from_rest_mm(const Session& session) {
+    const auto& rest = small_patient()->mesh.vertices_mm;
+    double furthest = 0.0;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        furthest =
+            std::max(furthest, (session.world().vertex_mm(static_cast<int>(v)) - rest[v]).norm());
+    return furthest;
+}
+
+const Frame& newest_frame(Session& session) {
+    session.update_frame();
+    return session.frame();
+}
+
+// A pull that is under way, with a drug that runs: 20 steps of it.
+std::unique_ptr<Session> pulled_and_injected() {
+    auto session = new_session();
     session->keep_recording(true);
     session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
     session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
-    const std::uint64_t pulled = play(*session, 20).state_hash;
-    EXPECT_NE(pulled, play(*session, 1).state_hash);
+    session->post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm});
+    play(*session, 20);
+    return session;
+}
+
+TEST(Session, APauseStopsTheBodyAndTheDrugAndResumingGoesOn) {
+    const auto session = pulled_and_injected();
+    EXPECT_FALSE(newest_frame(*session).statistics.paused);
+    const double drug_s = session->frame().drug.time_s;
+    const double time_s = session->frame().time_s;
+    const std::vector<Vec3> shape = shape_of(*session);
     session->post(SetPaused{true});
     const std::uint64_t paused = session->step().state_hash;
     EXPECT_EQ(play(*session, 5).state_hash, paused);
+    EXPECT_TRUE(same_shape(session->world(), shape));
+    EXPECT_TRUE(newest_frame(*session).statistics.paused);
+    EXPECT_FALSE(session->frame().statistics.diverged);
+    EXPECT_TRUE(session->frame().drug.playing);  // its clock goes on with the world's
+    EXPECT_EQ(session->frame().drug.time_s, drug_s);
+    EXPECT_EQ(session->frame().time_s, time_s);
+    EXPECT_EQ(session->frame().step, 26u);  // the view stays alive
+    session->post(SetPaused{false});
+    EXPECT_NE(session->step().state_hash, paused);
+    EXPECT_FALSE(same_shape(session->world(), shape));
+    EXPECT_FALSE(newest_frame(*session).statistics.paused);
+    EXPECT_GT(session->frame().drug.time_s, drug_s);
+}
+
+TEST(Session, AResetOpensTheHandTakesTheDrugAwayAndPlaysOn) {
+    const auto session = pulled_and_injected();
+    session->post(SetPaused{true});
+    session->step();
+    EXPECT_GT(furthest_from_rest_mm(*session), 1.0);
     session->post(ResetWorld{});
     play(*session, 5);
-    const auto& rest = small_patient()->mesh.vertices_mm;
-    for (std::size_t v = 0; v < rest.size(); ++v)
-        EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
+    EXPECT_LT(furthest_from_rest_mm(*session), 1e-9);
+    const Frame& frame = newest_frame(*session);
+    EXPECT_FALSE(frame.statistics.paused);
+    EXPECT_FALSE(frame.grab.has_value());
+    EXPECT_EQ(frame.drug.arrival_s, nullptr);
+    EXPECT_FALSE(frame.drug.playing);
+    EXPECT_EQ(frame.drug.time_s, 0.0);
+}
+
+TEST(Session, RemovingTheDrugLeavesTheBodyAsItIs) {
+    const auto session = pulled_and_injected();
+    const auto injected = pulled_and_injected();
+    const std::uint64_t version = newest_frame(*session).drug.version;
+    ASSERT_NE(session->frame().drug.arrival_s, nullptr);
+    EXPECT_GT(session->frame().drug.time_s, 0.0);
+    session->post(RemoveDrug{});
+    session->step();
+    injected->step();
+    const DrugView& drug = newest_frame(*session).drug;
+    EXPECT_EQ(drug.arrival_s, nullptr);
+    EXPECT_NE(drug.version, version);
+    EXPECT_EQ(drug.time_s, 0.0);
+    EXPECT_EQ(drug.end_s, 0.0);
+    EXPECT_FALSE(drug.playing);
+    EXPECT_TRUE(session->frame().grab.has_value());
+    EXPECT_TRUE(same_shape(session->world(), shape_of(*injected)));
+    // Its clock can be set going only by another injection.
+    session->post(PlayDrug{true});
+    session->step();
+    EXPECT_FALSE(newest_frame(*session).drug.playing);
+    session->post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm});
+    session->step();
+    EXPECT_TRUE(newest_frame(*session).drug.playing);
+}
+
+// Throws the vessels so far away that no step can be believed.
+void make_diverge(Session& session) {
+    BodyState state = session.world().deform()->state();
+    for (Vec3& position : state.positions_mm) position.x() += 1e6;
+    session.world().deform()->set_state(state);
+}
+
+TEST(Session, ADivergenceGoesBackToTheLastGoodStateStopsAndSaysSo) {
+    const auto session = pulled_and_injected();
+    play(*session, 40);
+    const std::vector<Vec3> snapshot = shape_of(*session);  // of step 60
+    play(*session, 20);
+    EXPECT_FALSE(newest_frame(*session).statistics.diverged);
+    make_diverge(*session);
+    session->step();
+    EXPECT_TRUE(same_shape(session->world(), snapshot));
+    const FrameStatistics& said = newest_frame(*session).statistics;
+    EXPECT_TRUE(said.diverged);
+    EXPECT_TRUE(said.paused);
+    EXPECT_NE(said.message.find("diverged"), std::string::npos) << said.message;
+    EXPECT_FALSE(session->frame().grab.has_value());
+    session->post(MoveGrab{Vec3(1, 2, 3)});  // a hand that still moves changes nothing
+    play(*session, 3);
+    EXPECT_TRUE(same_shape(session->world(), snapshot));
+    EXPECT_TRUE(newest_frame(*session).statistics.diverged);
+    EXPECT_FALSE(session->frame().statistics.message.empty());
+}
+
+TEST(Session, AfterADivergenceResumingRestoringAndResettingGoOn) {
+    for (const Command& command :
+         {Command(SetPaused{false}), Command(RestoreSnapshot{}), Command(ResetWorld{})}) {
+        const auto session = pulled_and_injected();
+        play(*session, 50);
+        make_diverge(*session);
+        const std::uint64_t stopped = session->step().state_hash;
+        session->post(command);
+        EXPECT_NE(session->step().state_hash, stopped);
+        const Frame& frame = newest_frame(*session);
+        EXPECT_FALSE(frame.statistics.diverged);
+        EXPECT_FALSE(frame.statistics.paused);
+        EXPECT_TRUE(frame.statistics.message.empty()) << frame.statistics.message;
+        EXPECT_EQ(frame.drug.playing, !std::holds_alternative<ResetWorld>(command));
+        EXPECT_EQ(furthest_from_rest_mm(*session) < 1e-6,
+                  std::holds_alternative<ResetWorld>(command));
+    }
+}
+
+// A world that stands still and has a great surface: the frame is all that a step costs.
+TEST(Session, TheTimeOfAStepHoldsItsFrame) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    std::vector<Vec3>& vertices = patient->surface.vertices_mm;
+    const std::vector<Vec3> once = vertices;
+    while (vertices.size() < 200'000) vertices.insert(vertices.end(), once.begin(), once.end());
+    SceneSpec flow_only;
+    flow_only.deform.reset();
+    Job job;
+    Session session(patient, flow_only, job);
+    session.post(SetPaused{true});
+    play(session, 5);
+    double counted_ms = 0.0;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 50; ++i) {
+        counted_ms += session.step().step_ms;
+        session.update_frame();
+        EXPECT_GT(session.frame().statistics.step_ms, 0.0);
+    }
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start;
+    EXPECT_GT(counted_ms, 0.5 * passed.count());
+    EXPECT_LE(counted_ms, passed.count());
 }
 
 TEST(Session, AResetIsTheStateThatARestoreGoesBackTo) {
