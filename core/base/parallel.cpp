@@ -33,7 +33,8 @@ struct ThreadLimit::Implementation {
 namespace {
 
 std::atomic<int>& most_threads() {
-    static std::atomic<int> most{std::max(2, static_cast<int>(std::thread::hardware_concurrency()))};
+    static std::atomic<int> most{
+        std::max(2, static_cast<int>(std::thread::hardware_concurrency()))};
     return most;
 }
 

@@ -12,15 +12,10 @@
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
+#include "core/segmentation/segmentation_method.h"
 #include "core/segmentation/vessel_systems.h"
 
 namespace hepatica {
-
-enum class SegmentationMethod {
-    multi_layer,  // 2-D cross-sections, layer by layer, assembled along their centreline
-    vesselness,   // 3-D multi-scale Hessian, hysteresis, growth
-    coherent,  // rise above the local parenchyma, kept where it goes on along a line: the default
-};
 
 struct SegmentationOptions {
     SegmentationMethod method = SegmentationMethod::coherent;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/job.h"
-#include "core/reconstruction/vessel_segmentation.h"
 #include "core/segmentation/liver_frame.h"
+#include "core/segmentation/segmentation_method.h"
 #include "core/segmentation/tissue_contrast.h"
 
 namespace hepatica {
