@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways to find the vessels' voxels that stand side by side and are measured against each other.
+#pragma once
+
+namespace hepatica {
+
+enum class SegmentationMethod {
+    multi_layer,  // 2-D cross-sections, layer by layer, assembled along their centreline
+    vesselness,   // 3-D multi-scale Hessian, hysteresis, growth
+    coherent,  // rise above the local parenchyma, kept where it goes on along a line: the default
+};
+
+}  // namespace hepatica
