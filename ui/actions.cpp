@@ -44,6 +44,8 @@ constexpr std::array table{
                "Stop the simulation; the view stays alive", true, true},
     ActionSpec{reset, "&Play", "&Reset", "Backspace", "Back to the rest shape: no pull, no drug",
                false, true},
+    ActionSpec{restore, "&Play", "Back to the last &good state", "Ctrl+Backspace",
+               "After the simulation diverged: take back the last moments and go on", false, true},
     ActionSpec{view_anterior, "&View", "&Anterior", "A", "Look from the front"},
     ActionSpec{view_posterior, "&View", "&Posterior", "P", "Look from the back"},
     ActionSpec{view_left, "&View", "&Left", "L", "Look from the patient's left"},

@@ -33,6 +33,7 @@ enum class ActionId {
     remove_drug,
     pause_simulation,
     reset,
+    restore,
     view_anterior,
     view_posterior,
     view_left,

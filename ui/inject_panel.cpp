@@ -62,6 +62,7 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
     column->addWidget(make_clock());
     hover_ = new QLabel(this);
     hover_->setObjectName("quiet");
+    hover_->setAccessibleName("Under the mouse");
     hover_->setWordWrap(true);
     hover_->setMinimumHeight(3 * fontMetrics().height());
     hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -113,12 +114,14 @@ QWidget* InjectPanel::make_clock() {
     auto* column = new QVBoxLayout(box);
     auto* row = new QHBoxLayout;
     play_ = new QPushButton("Play", box);
+    play_->setObjectName("play");
     connect(play_, &QPushButton::clicked, this, [this] { toggle_playing(); });
     row->addWidget(play_);
     time_label_ = new QLabel(box);
     row->addWidget(time_label_, 1, Qt::AlignRight);
     column->addLayout(row);
     time_ = new QSlider(Qt::Horizontal, box);
+    time_->setObjectName("drugTime");
     time_->setRange(0, slider_steps);
     time_->setAccessibleName("Time of the drug front");
     connect(time_, &QSlider::sliderMoved, this, [this](int place) {

@@ -200,6 +200,7 @@ void MainWindow::connect_play() {
     actions_->on(ActionId::pause_simulation,
                  [this] { post(SetPaused{(*actions_)[ActionId::pause_simulation].isChecked()}); });
     actions_->on(ActionId::reset, [this] { post(ResetWorld{}); });
+    actions_->on(ActionId::restore, [this] { post(RestoreSnapshot{}); });
 }
 
 void MainWindow::connect_views() {

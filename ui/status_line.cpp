@@ -13,6 +13,7 @@ StatusLine::StatusLine(QStatusBar& bar)
       error_(new QLabel(&bar)),
       picture_(new QLabel(&bar)),
       renderer_(new QLabel(&bar)) {
+    step_->setObjectName("step");
     step_->setToolTip("Wall time of one step of the simulation");
     real_time_->setToolTip("Simulated time over wall time: 1 is real time, less is slower");
     error_->setToolTip("Of the present setting of the dial, and what it was measured against");

@@ -159,10 +159,10 @@ TEST_F(Editing, a_corrected_patient_is_played_on_with_all_that_was_chosen) {
     EXPECT_EQ(heard<SetWall>()->wall_mm, 0.8);
     EXPECT_EQ(heard<SetDrugSpeed>()->factor, 2.5);
     // The simulation itself took them, and the panels still show them.
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window_.frame().step > 2; }, 30000));
+    EXPECT_TRUE(testing::wait_for([this] { return window_.frame().step > 2; }));
     EXPECT_EQ(window_.frame().statistics.message, "");
     EXPECT_FALSE(window_.frame().statistics.automatic);
-    QTest::qWait(600);  // the figures are shown four times a second
+    wait_for_figures();
     EXPECT_FALSE(child<QCheckBox>("automatic").isChecked());
     EXPECT_EQ(child<QSlider>("dial").value(), 30);
     EXPECT_EQ(child<QDoubleSpinBox>("wall").value(), 0.8);
@@ -171,8 +171,8 @@ TEST_F(Editing, a_corrected_patient_is_played_on_with_all_that_was_chosen) {
 TEST_F(Editing, what_was_not_chosen_stays_automatic_after_a_correction) {
     click(test::last_gap[1]);
     EXPECT_TRUE(heard_.empty());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window_.frame().statistics.automatic; }, 30000));
-    QTest::qWait(600);
+    EXPECT_TRUE(testing::wait_for([this] { return window_.frame().statistics.automatic; }));
+    wait_for_figures();
     EXPECT_TRUE(child<QCheckBox>("automatic").isChecked());
 }
 
@@ -182,18 +182,20 @@ TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
     patient.mask = Mask(Grid{{4, 4, 4}}, 1);
     write_case(to_path(first), patient);
     window_.open(first);
-    QTest::qWait(50);
     wait();
     EXPECT_FALSE(window_.isWindowModified());
     click(test::last_gap[1]);
     EXPECT_TRUE(window_.isWindowModified());
 
-    QTimer::singleShot(300, [&] {
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
+        if (dialog == nullptr) return;
+        answer.stop();
         dialog->findChild<QLineEdit*>("fileNameEdit")->setText(second);
         QMetaObject::invokeMethod(dialog, "accept");
     });
+    answer.start(10);
     window_.actions()[ActionId::save_case].trigger();
     wait();
     EXPECT_EQ(window_.messages().text(), "");

@@ -19,12 +19,21 @@ void FakeSimulation::post(Command command) {
 }
 
 bool FakeSimulation::update_frame() {
-    const bool newer = !published_ || !waiting_.empty() || frame_.drug.playing;
-    published_ = true;
     for (const Command& command : std::exchange(waiting_, {})) apply(command);
-    if (frame_.drug.playing) frame_.drug.time_s += 1.0 / 60.0;
+    if (frame_.drug.playing && !frame_.statistics.paused) frame_.drug.time_s += 1.0 / 60.0;
     ++frame_.step;
-    return newer;
+    return true;
+}
+
+void FakeSimulation::diverge() {
+    frame_.grab.reset();
+    frame_.statistics.paused = true;
+    frame_.statistics.message = "The simulation diverged";
+}
+
+void FakeSimulation::go_on() {
+    frame_.statistics.paused = false;
+    frame_.statistics.message.clear();
 }
 
 void FakeSimulation::apply(const Command& command) {
@@ -44,6 +53,16 @@ void FakeSimulation::apply(const Command& command) {
         frame_.drug.time_s = time->time_s;
     } else if (std::holds_alternative<RemoveDrug>(command)) {
         frame_.drug = {};
+    } else if (const auto* hold = std::get_if<SetPaused>(&command)) {
+        frame_.statistics.paused = hold->paused;
+        if (!hold->paused) go_on();
+    } else if (std::holds_alternative<RestoreSnapshot>(command)) {
+        go_on();
+    } else if (std::holds_alternative<ResetWorld>(command)) {
+        frame_.grab.reset();
+        frame_.drug = {};
+        frame_.positions_mm = at_rest_;
+        go_on();
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A simulation without physics for tests of the window: what is held goes where it is pulled, its
-// surroundings follow less, and every command is kept.
+// surroundings follow less, every command is kept, and each update_frame() is one step.
 #pragma once
 
 #include <vector>
@@ -21,15 +21,19 @@ class FakeSimulation : public Simulation {
 
     const std::vector<Command>& commands() const { return commands_; }
 
+    // As a session does whose body diverged: it stops of its own accord and says why.
+    void diverge();
+
   private:
     void apply(const Command& command);
+    void go_on();
     void pull_to(const Vec3& target_mm);
 
-    Frame rest_;
+    Frame rest_;  // when the present pull began
     Frame frame_;
+    std::vector<float> at_rest_;
     std::vector<Command> commands_;
     std::vector<Command> waiting_;
-    bool published_ = false;
 };
 
 // The fake tree (tests/render/fake_frame.h) as a patient whose simulation is fake; `simulation`

@@ -44,23 +44,24 @@ TEST_F(Play, the_grabbed_vertex_follows_the_mouse) {
     QTest::mousePress(&view, Qt::LeftButton, {}, start);
     QTest::mouseMove(&view, start + QPoint(20, 0));
     QTest::mouseMove(&view, start + QPoint(40, 0));
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return vertex_on_widget(held.nearest_vertex).x() - rest.x() > 5; }, 30000))
-        << "moved by " << vertex_on_widget(held.nearest_vertex).x() - rest.x() << " points";
+    EXPECT_TRUE(testing::wait_for([&] {
+        return vertex_on_widget(held.nearest_vertex).x() - rest.x() > 5;
+    })) << "moved by "
+        << vertex_on_widget(held.nearest_vertex).x() - rest.x() << " points";
     EXPECT_TRUE(frame().grab.has_value());
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start + QPoint(40, 0));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !frame().grab.has_value(); }, 30000));
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return std::abs(vertex_on_widget(held.nearest_vertex).x() - rest.x()) <= 2; }, 60000))
-        << "it stays away from rest";
+    EXPECT_TRUE(testing::wait_for([&] { return !frame().grab.has_value(); }));
+    EXPECT_TRUE(testing::wait_for([&] {
+        return std::abs(vertex_on_widget(held.nearest_vertex).x() - rest.x()) <= 2;
+    })) << "it stays away from rest";
 }
 
 TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_widget(softest_place()));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return frame().drug.arrival_s != nullptr; }, 30000));
+    EXPECT_TRUE(testing::wait_for([&] { return frame().drug.arrival_s != nullptr; }));
     EXPECT_GT(frame().drug.end_s, 0.0);
     const double before = frame().drug.time_s;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return frame().drug.time_s > before; }, 30000));
+    EXPECT_TRUE(testing::wait_for([&] { return frame().drug.time_s > before; }));
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every test of the whole window shares: a window on the screen with settings of its own, and
-// the way from a place in the patient to a place under the mouse.
+// the way from a place in the patient to a place under the mouse. Nothing here waits for a fixed
+// time: each wait ends with its condition, or fails after `patience_ms`.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
 #include <utility>
 
 #include "ui/main_window.h"
@@ -16,34 +19,52 @@
 
 namespace hepatica::testing {
 
+// Far longer than anything takes here, also on a computer that builds at the same time.
+inline constexpr int patience_ms = 60000;
+
+// False where the condition has not come true in time.
+inline bool wait_for(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, patience_ms);
+}
+
 class WindowTest : public ::testing::Test {
   protected:
     explicit WindowTest(MainWindow::Patients patients)
         : settings_(folder_.filePath("settings.ini")), window_(settings_, std::move(patients)) {
         window_.resize(1100, 760);
         window_.show();
-        if (!QTest::qWaitForWindowExposed(&window_)) ADD_FAILURE() << "the window did not appear";
+        if (!QTest::qWaitForWindowExposed(&window_, patience_ms))
+            ADD_FAILURE() << "the window did not appear";
         QApplication::setActiveWindow(&window_);  // there is no window manager that would
     }
 
     // Until no job runs and there is something to see.
     void wait() {
-        const bool done = QTest::qWaitFor(
-            [this] {
-                return window_.has_patient() && !window_.busy() &&
-                       !window_.frame().positions_mm.empty();
-            },
-            60000);
-        EXPECT_TRUE(done);
+        EXPECT_TRUE(wait_for([this] {
+            return window_.has_patient() && !window_.busy() &&
+                   !window_.frame().positions_mm.empty();
+        }));
         paint();
     }
     void open_built_in() {
         window_.open(OpenRequest{true, {}});
         wait();
     }
+    // Until the window has taken over two more frames, and draws the last one. The fake simulation
+    // has then applied whatever was posted before this call.
     void paint() {
-        QTest::qWait(80);
+        const std::uint64_t now = window_.frame().step;
+        EXPECT_TRUE(wait_for([&] { return window_.frame().step > now + 1; }));
         window_.view().grabFramebuffer();
+    }
+    // Until the figures at the window's foot and in its panels are those of a frame that was shown
+    // after this call.
+    void wait_for_figures() {
+        auto* step = window_.findChild<QLabel*>("step");
+        ASSERT_NE(step, nullptr);
+        paint();
+        step->clear();
+        EXPECT_TRUE(wait_for([&] { return !step->text().isEmpty(); }));
     }
     // Where a point of the patient is on the widget, in Qt's points.
     QPoint on_widget(const Vec3& point_mm) {
