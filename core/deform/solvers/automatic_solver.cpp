@@ -11,16 +11,35 @@ constexpr double most_multiplications_per_block = 3000.0;
 
 }  // namespace
 
+void AutomaticSolver::choose(const BlockMatrix& pattern) {
+    if (chosen_ != nullptr && planned_rows_ == pattern.row_begin) return;
+    planned_rows_ = pattern.row_begin;
+    cholesky_.plan(pattern);
+    const double per_block =
+        cholesky_.factor().tree().multiplications / static_cast<double>(pattern.column.size());
+    chosen_ = &skeleton_;
+    if (per_block <= most_multiplications_per_block) chosen_ = &cholesky_;
+}
+
 void AutomaticSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
-    if (chosen_ == nullptr || planned_rows_ != matrix.row_begin) {
-        planned_rows_ = matrix.row_begin;
-        cholesky_.plan(matrix);
-        const double per_block =
-            cholesky_.factor().tree().multiplications / static_cast<double>(matrix.column.size());
-        chosen_ = &skeleton_;
-        if (per_block <= most_multiplications_per_block) chosen_ = &cholesky_;
-    }
+    choose(matrix);
     chosen_->prepare(matrix, positions_mm);
+}
+
+// The choice follows from the pattern; nothing is kept before there was one.
+std::vector<double> AutomaticSolver::memory() const {
+    return chosen_ == nullptr ? std::vector<double>{} : chosen_->memory();
+}
+
+void AutomaticSolver::restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                              std::span<const double> memory) {
+    require_memory((made_from == nullptr) == memory.empty());
+    if (made_from == nullptr) {
+        chosen_ = nullptr;
+        return;
+    }
+    choose(*made_from);
+    chosen_->restore(made_from, positions_mm, memory);
 }
 
 }  // namespace hepatica

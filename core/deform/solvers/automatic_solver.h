@@ -21,8 +21,14 @@ class AutomaticSolver final : public LinearSolver {
         return chosen_->solve(rhs, x, limits);  // its report names the method
     }
     std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
+    bool made_from_latest() const override { return chosen_->made_from_latest(); }
+    std::vector<double> memory() const override;
+    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                 std::span<const double> memory) override;
 
   private:
+    void choose(const BlockMatrix& pattern);
+
     CholeskySolver cholesky_;
     SkeletonSolver skeleton_;
     LinearSolver* chosen_ = nullptr;

@@ -42,4 +42,14 @@ SolveReport BlockJacobiSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> 
     return report;
 }
 
+std::vector<double> BlockJacobiSolver::memory() const {
+    return {iteration_.smallest_ritz()};
+}
+
+void BlockJacobiSolver::restore(const BlockMatrix* made_from, std::span<const Vec3>,
+                                std::span<const double> memory) {
+    require_memory(made_from == nullptr && memory.size() == 1 && memory[0] >= 0.0);
+    iteration_.remember(memory[0]);
+}
+
 }  // namespace hepatica

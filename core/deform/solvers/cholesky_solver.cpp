@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -56,22 +57,28 @@ void CholeskySolver::plan(const BlockMatrix& pattern) {
 CholeskySolver::Change CholeskySolver::change() const {
     const BlockMatrix& a = *matrix_;
     std::vector<double> size(static_cast<std::size_t>(a.rows()), 0.0);
+    std::vector<char> changed(size.size(), 0);
     parallel_blocks(size.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             double largest = 0.0;
-            for (int k = a.row_begin[i]; k < a.row_begin[i + 1]; ++k) {
+            const int begin_row = a.row_begin[i], end_row = a.row_begin[i + 1];
+            // To the bit, so that an exact factor is the one that this matrix would give.
+            if (std::memcmp(&a.block[begin_row], &factored_.block[begin_row],
+                            sizeof(Mat3) * static_cast<std::size_t>(end_row - begin_row)) == 0)
+                continue;
+            for (int k = begin_row; k < end_row; ++k) {
                 const double difference = (a.block[k] - factored_.block[k]).squaredNorm();
                 // Written so that NaN counts as a change.
                 if (!(difference <= largest)) largest = difference;
             }
-            if (largest == 0.0) continue;
             const double scale = factored_.block[a.diagonal[i]].squaredNorm();
             size[i] = scale > 0.0 ? std::sqrt(largest / scale) : 1.0;
+            changed[i] = 1;
         }
     });
     Change change;
     for (std::size_t i = 0; i < size.size(); ++i) {
-        if (size[i] == 0.0) continue;
+        if (!changed[i]) continue;
         change.vertices.push_back(static_cast<int>(i));
         change.size = std::max(change.size, size[i]);
     }
@@ -111,6 +118,24 @@ void CholeskySolver::prepare(const BlockMatrix& matrix, std::span<const Vec3>) {
 double CholeskySolver::iteration_cost() const {
     return per_factor_entry * 9.0 * static_cast<double>(factor_->tree().factor_blocks) +
            per_matrix_entry * 9.0 * static_cast<double>(matrix_->column.size());
+}
+
+std::vector<double> CholeskySolver::memory() const {
+    return {spent_, too_much_, iteration_.smallest_ritz()};
+}
+
+void CholeskySolver::restore(const BlockMatrix* made_from, std::span<const Vec3>,
+                             std::span<const double> memory) {
+    require_memory(memory.size() == 3);
+    matrix_ = made_from;
+    factored_once_ = false;
+    if (made_from != nullptr) {
+        plan(*made_from);
+        factor_anew();
+    }
+    spent_ = memory[0];
+    too_much_ = memory[1];
+    iteration_.remember(memory[2]);
 }
 
 SolveReport CholeskySolver::solve_directly(std::span<const Vec3> rhs, std::span<Vec3> x) {

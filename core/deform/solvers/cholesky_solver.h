@@ -29,6 +29,10 @@ class CholeskySolver final : public LinearSolver {
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
+    bool made_from_latest() const override { return exact_; }
+    std::vector<double> memory() const override;
+    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                 std::span<const double> memory) override;
 
     // Plans the elimination of a pattern without factoring.
     void plan(const BlockMatrix& pattern);

@@ -19,11 +19,13 @@ class ConjugateGradient {
 
     // Forgets what earlier solves taught about the spectrum.
     void forget() { smallest_ritz_ = 0.0; }
+    // Goes on from what another one knew: its smallest_ritz().
+    void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
     SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
-    // Smallest and largest eigenvalue of M^-1 A seen by the last solve.
+    // Smallest eigenvalue of M^-1 A seen by the solves so far, relaxed a little by each; 0: none.
     double smallest_ritz() const { return smallest_ritz_; }
 
   private:

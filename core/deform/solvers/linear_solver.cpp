@@ -37,6 +37,12 @@ std::string_view name_of(LinearSolverKind kind) {
     return entries[static_cast<std::size_t>(kind)].name;
 }
 
+void require_memory(bool condition) {
+    if (!condition)
+        throw InputError("is of another linear solver", "the checkpoint of a body",
+                         "Make the stepper with the options that it was taken with");
+}
+
 std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
     return std::make_unique<BlockJacobiSolver>();
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/frame_skeleton.h"
@@ -46,6 +47,19 @@ class LinearSolver {
                               const SolveLimits& limits) = 0;
 
     virtual std::string_view name() const = 0;
+
+    // What is carried from one matrix to the next: something made of an earlier matrix (a factor,
+    // a preconditioner), and the few numbers that say when it is to be made anew.
+
+    // Whether that something was made of the matrix of the last prepare. False where a solver makes
+    // nothing that it keeps.
+    virtual bool made_from_latest() const = 0;
+    virtual std::vector<double> memory() const = 0;
+    // Makes it anew of the matrix and positions that it was last made of (none: nothing was made
+    // yet) and takes the numbers: what follows has the bits of the solver that gave them. Throws
+    // InputError where the numbers cannot be those of such a solver, and then changes nothing.
+    virtual void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                         std::span<const double> memory) = 0;
 };
 
 enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };
@@ -53,6 +67,9 @@ enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };
 // "block-jacobi", "skeleton", "cholesky", "automatic"; throws UsageError for another name.
 LinearSolverKind linear_solver_kind(std::string_view name);
 std::string_view name_of(LinearSolverKind kind);
+
+// Throws the InputError of LinearSolver::restore where the condition does not hold.
+void require_memory(bool condition);
 
 // Conjugate gradients preconditioned by the inverse 3x3 diagonal blocks.
 std::unique_ptr<LinearSolver> make_block_jacobi_solver();

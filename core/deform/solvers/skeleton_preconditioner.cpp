@@ -2,6 +2,8 @@
 #include "core/deform/solvers/skeleton_preconditioner.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -129,6 +131,33 @@ SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     report = iterate(rhs, x, rest);
     report.iterations += iterations;
     return report;
+}
+
+std::vector<double> SkeletonSolver::memory() const {
+    return {worn_ ? 1.0 : 0.0,
+            static_cast<double>(spent_),
+            static_cast<double>(fresh_iterations_),
+            static_cast<double>(fresh_limits_.max_iterations),
+            fresh_limits_.energy_tolerance,
+            fresh_limits_.residual_tolerance,
+            iteration_.smallest_ritz()};
+}
+
+void SkeletonSolver::restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                             std::span<const double> memory) {
+    constexpr double most = std::numeric_limits<int>::max();
+    require_memory(memory.size() == 7 && (made_from != nullptr || memory[0] == 1.0));
+    for (int k = 0; k < 4; ++k)
+        require_memory(memory[k] >= 0.0 && memory[k] <= most && memory[k] == std::floor(memory[k]));
+    if (made_from != nullptr) preconditioner_.prepare(*made_from, positions_mm);
+    fresh_ = false;
+    worn_ = memory[0] != 0.0;
+    spent_ = static_cast<int>(memory[1]);
+    fresh_iterations_ = static_cast<int>(memory[2]);
+    fresh_limits_ = {.energy_tolerance = memory[4],
+                     .residual_tolerance = memory[5],
+                     .max_iterations = static_cast<int>(memory[3])};
+    iteration_.remember(memory[6]);
 }
 
 }  // namespace hepatica

@@ -62,6 +62,10 @@ class SkeletonSolver final : public LinearSolver {
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
+    bool made_from_latest() const override { return fresh_; }
+    std::vector<double> memory() const override;
+    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+                 std::span<const double> memory) override;
 
   private:
     void prepare_anew();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/deform/step/node_loops.h"
+#include "core/deform/stepper/stepper_input.h"
 
 namespace hepatica {
 namespace {
@@ -57,13 +58,13 @@ struct BackwardEuler::Step {
     const ExternalForces& forces;
     const BodyState& start;
     double dt_s;
-    double start_kinetic, start_elastic, start_external;
-    std::vector<Vec3> w;          // accepted so far; 0 at first
-    std::vector<Vec3> x;          // x_n + dt w
-    std::vector<Vec3> direction;  // of w
-    double value = 0.0;           // of the potential at w
-    double damping_form = 0.0;    // w^T K_n w beta
-    double direction_form = 0.0;  // the same of the first direction
+    double start_kinetic = 0.0, start_elastic = 0.0, start_external = 0.0;
+    std::vector<Vec3> w = {};          // accepted so far; 0 at first
+    std::vector<Vec3> x;               // x_n + dt w
+    std::vector<Vec3> direction = {};  // of w
+    double value = 0.0;                // of the potential at w
+    double damping_form = 0.0;         // w^T K_n w beta
+    double direction_form = 0.0;       // the same of the first direction
     int iterate = 0;
     double share = 1.0;  // of the last direction that was taken
     bool whole = false;  // one iterate, taken whole: the linearised equations hold
@@ -187,9 +188,57 @@ void BackwardEuler::solve(const Step& step, StepReport& report) {
     }
     std::ranges::fill(change_, Vec3::Zero());
     const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
+    if (solver_->made_from_latest()) made_from_ = origin_of(step);
     report.linear_iterations += solved.iterations;
     report.linear_residual = solved.relative_residual;
     report.linear_energy_error = solved.energy_error;
+}
+
+MatrixOrigin BackwardEuler::origin_of(const Step& step) const {
+    return {.dt_s = step.dt_s,
+            .start_mm = step.start.positions_mm,
+            .iterate_mm = step.iterate > 0 ? step.x : std::vector<Vec3>{},
+            .grabs = step.forces.grabs(),
+            .velocity_error = settings_.velocity_error};
+}
+
+// Assembles matrix_ as the step that `origin` is of did.
+void BackwardEuler::assemble_again(const MatrixOrigin& origin) {
+    validate_time_step(origin.dt_s);
+    const std::size_t nodes = body_.rest_positions_mm.size();
+    validate_state(origin.start_mm, origin.start_mm, nodes);
+    const bool first = origin.iterate_mm.empty();
+    if (!first) validate_state(origin.iterate_mm, origin.iterate_mm, nodes);
+    ExternalForces forces(body_);
+    forces.set_grabs(origin.grabs);
+    const NewtonSettings now = settings_;
+    settings_.velocity_error = origin.velocity_error;
+    set_settings(settings_);
+    const BodyState start{origin.start_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
+    Step step{.forces = forces, .start = start, .dt_s = origin.dt_s, .x = origin.start_mm};
+    evaluate(step.x);
+    assemble(step);
+    if (has_error_) add_velocity_error(step);
+    if (!first) {
+        if (body_.damping.beta_s > 0.0) keep_damping(step);
+        step.iterate = 1;
+        step.x = origin.iterate_mm;
+        evaluate(step.x);
+        assemble(step);
+    }
+    set_settings(now);
+}
+
+void BackwardEuler::restore(const SolverCheckpoint& checkpoint) {
+    const std::optional<MatrixOrigin>& origin = checkpoint.made_from;
+    if (origin) assemble_again(*origin);
+    forget();
+    const std::vector<Vec3> none;
+    const bool first = !origin || origin->iterate_mm.empty();
+    solver_->restore(origin ? &matrix_ : nullptr,
+                     !origin ? none : (first ? origin->start_mm : origin->iterate_mm),
+                     checkpoint.memory);
+    made_from_ = origin;
 }
 
 double BackwardEuler::potential(const Step& step) const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/deform/body/body.h"
@@ -17,6 +18,7 @@
 #include "core/deform/step/assembly.h"
 #include "core/deform/step/energy_ledger.h"
 #include "core/deform/stepper/stepper.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
 
@@ -60,12 +62,20 @@ class BackwardEuler {
     // To be called after the state was changed from outside.
     void forget() { current_ = false; }
 
+    // What the linear solver carries from step to step. restore() makes its factor anew to the bit;
+    // it throws InputError where the checkpoint does not fit the body or the solver, and then
+    // changes nothing.
+    SolverCheckpoint checkpoint() const { return {made_from_, solver_->memory()}; }
+    void restore(const SolverCheckpoint& checkpoint);
+
   private:
     struct Step;
 
     StepReport advance_in_parts(BodyState& state, double dt_s, const ExternalForces& forces,
                                 int halvings_left);
     void evaluate(const std::vector<Vec3>& positions_mm);
+    void assemble_again(const MatrixOrigin& origin);
+    MatrixOrigin origin_of(const Step& step) const;
     void add_velocity_error(const Step& step);
     void assemble(const Step& step);
     void right_hand_side(const Step& step);
@@ -90,7 +100,8 @@ class BackwardEuler {
     BlockMatrix damping_;   // beta K at the start of the step; for further iterates
     bool current_ = false;  // slots, elastic_ and elastic_force_ belong to the state
     double elastic_ = 0.0;
-    BlockMatrix error_matrix_;  // dt E of this step, where there is any
+    std::optional<MatrixOrigin> made_from_;  // see LinearSolver::made_from_latest
+    BlockMatrix error_matrix_;               // dt E of this step, where there is any
     std::vector<Vec3> elastic_force_, force_, residual_, steepest_, change_, product_;
 };
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/deform/potentials/external_forces.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/energy_ledger.h"
 #include "core/deform/step/inversion_recovery.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/deform/stepper/stepper_input.h"
 #include "core/mesh/hex_mesh.h"
 
@@ -106,6 +108,8 @@ class CpuStepper final : public Stepper {
     BodyState state() const override { return state_; }
     void set_state(std::span<const Vec3> positions_mm,
                    std::span<const Vec3> velocities_mm_per_s) override;
+    StepperCheckpoint checkpoint() const override;
+    void restore(const StepperCheckpoint& checkpoint) override;
 
   private:
     void wake() {
@@ -201,6 +205,39 @@ void CpuStepper::set_state(std::span<const Vec3> positions_mm,
     integrator_.forget();
     tool_work_ = 0.0;
     wake();
+}
+
+StepperCheckpoint CpuStepper::checkpoint() const {
+    return {.nodes = state_,
+            .grabs = forces_.grabs(),
+            .gravity_mm_per_s2 = forces_.gravity_mm_per_s2(),
+            .unreported_tool_work = tool_work_,
+            .still_s = still_s_,
+            .settled_s = settled_s_,
+            .last_kinetic = resting_.kinetic,
+            .last_elastic = resting_.elastic,
+            .last_grab = resting_.grab,
+            .solver = integrator_.checkpoint(),
+            .region = {},
+            .part = {}};
+}
+
+void CpuStepper::restore(const StepperCheckpoint& checkpoint) {
+    validate_checkpoint(checkpoint, state_.positions_mm.size());
+    if (checkpoint.region)
+        throw InputError("is of a stepper that computes a part", "the checkpoint of a body",
+                         "Make a stepper of that kind");
+    integrator_.restore(checkpoint.solver);
+    state_ = checkpoint.nodes;
+    forces_.set_grabs(checkpoint.grabs);
+    forces_.set_gravity(checkpoint.gravity_mm_per_s2);
+    tool_work_ = checkpoint.unreported_tool_work;
+    still_s_ = checkpoint.still_s;
+    settled_s_ = checkpoint.settled_s;
+    resting_ = {};
+    resting_.kinetic = checkpoint.last_kinetic;
+    resting_.elastic = checkpoint.last_elastic;
+    resting_.grab = checkpoint.last_grab;
 }
 
 }  // namespace

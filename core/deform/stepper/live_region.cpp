@@ -2,6 +2,7 @@
 #include "core/deform/stepper/live_region.h"
 
 #include <algorithm>
+#include <string>
 
 #include "core/base/error.h"
 
@@ -130,6 +131,36 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
     }
     reference_mm_.assign(positions_mm.begin(), positions_mm.end());
     return true;
+}
+
+RegionCheckpoint LiveRegion::checkpoint() const {
+    return {.live = {live_.begin(), live_.end()},
+            .still_s = still_s_,
+            .held = held_,
+            .reference_mm = reference_mm_};
+}
+
+void LiveRegion::restore(const RegionCheckpoint& checkpoint) {
+    const auto fits = [&](bool condition, const std::string& problem) {
+        if (!condition)
+            throw InputError(problem, "the checkpoint of a body",
+                             "Make the stepper of the body that it was taken of");
+    };
+    const std::size_t nodes = live_.size();
+    fits(checkpoint.live.size() == nodes && checkpoint.still_s.size() == nodes,
+         "is of a skeleton of " + std::to_string(checkpoint.live.size()) + " nodes instead of " +
+             std::to_string(nodes));
+    fits(std::ranges::all_of(checkpoint.live, [](std::uint8_t live) { return live <= 1; }),
+         "marks a skeleton node as neither live nor frozen");
+    fits(std::ranges::all_of(checkpoint.held,
+                             [&](int n) { return n >= 0 && static_cast<std::size_t>(n) < nodes; }),
+         "holds a skeleton node that does not exist");
+    fits(checkpoint.reference_mm.empty() || checkpoint.reference_mm.size() == node_of_.size(),
+         "is of a body of " + std::to_string(checkpoint.reference_mm.size()) + " vertices");
+    live_.assign(checkpoint.live.begin(), checkpoint.live.end());
+    still_s_ = checkpoint.still_s;
+    held_ = checkpoint.held;
+    reference_mm_ = checkpoint.reference_mm;
 }
 
 }  // namespace hepatica

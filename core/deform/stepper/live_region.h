@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
 
@@ -40,6 +41,11 @@ class LiveRegion {
     // once, and shrinks when a quarter of it has been still for long enough.
     bool watch(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                double dt_s);
+
+    // live, still_s, held and reference_mm of a RegionCheckpoint. restore() takes them; it throws
+    // InputError where they are not of a region of this skeleton, and then changes nothing.
+    RegionCheckpoint checkpoint() const;
+    void restore(const RegionCheckpoint& checkpoint);
 
     bool live(int vertex) const { return live_[node_of_[vertex]] != 0; }
     const std::vector<char>& live_nodes() const { return live_; }

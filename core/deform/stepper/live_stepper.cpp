@@ -2,8 +2,11 @@
 #include "core/deform/stepper/live_stepper.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/deform/stepper/stepper_input.h"
 #include "core/mesh/hex_mesh.h"
 
@@ -171,6 +174,9 @@ class PartStepper final : public LiveStepper {
         booked_ = {};
     }
 
+    StepperCheckpoint checkpoint() const override;
+    void restore(const StepperCheckpoint& checkpoint) override;
+
     Extent extent() const override {
         Extent extent;
         extent.elements = static_cast<int>(body_.mesh.tetrahedra.size() + body_.hexahedra.size());
@@ -248,6 +254,53 @@ void PartStepper::rebuild() {
         velocities.push_back(velocities_mm_per_s_[v]);
     }
     stepper_->set_state(positions, velocities);  // forgets the grabs' work: it was booked before
+}
+
+StepperCheckpoint PartStepper::checkpoint() const {
+    StepperCheckpoint kept;
+    kept.nodes = {positions_mm_, velocities_mm_per_s_};
+    kept.grabs = grabs_;
+    kept.gravity_mm_per_s2 = gravity_mm_per_s2_;
+    kept.region = region_.checkpoint();
+    kept.region->frozen_elastic = frozen_.elastic;
+    kept.region->frozen_grab = frozen_.grab;
+    kept.region->unreported_tool_work = booked_.tool_work;
+    kept.region->unreported_loss = booked_.integrator_loss;
+    if (stepper_) kept.part.push_back(stepper_->checkpoint());
+    return kept;
+}
+
+void PartStepper::restore(const StepperCheckpoint& checkpoint) {
+    validate_checkpoint(checkpoint, positions_mm_.size());
+    const auto fits = [](bool condition, const std::string& problem) {
+        if (!condition)
+            throw InputError(problem, "the checkpoint of a body",
+                             "Make a stepper of the kind that it was taken of");
+    };
+    fits(checkpoint.region.has_value(), "is of a stepper that computes the whole body");
+    LiveRegion region = region_;
+    region.restore(*checkpoint.region);
+    Part part = live_part(body_, region, whole_);
+    fits(checkpoint.part.size() == (part.vertex.empty() ? 0 : 1),
+         "lacks the part that is computed");
+    std::unique_ptr<Stepper> stepper;
+    if (!part.vertex.empty()) {
+        stepper = make_cpu_stepper(part.body, options_);
+        stepper->restore(checkpoint.part.front());
+    }
+    region_ = std::move(region);
+    part_ = std::move(part);
+    stepper_ = std::move(stepper);
+    positions_mm_ = checkpoint.nodes.positions_mm;
+    velocities_mm_per_s_ = checkpoint.nodes.velocities_mm_per_s;
+    grabs_ = checkpoint.grabs;
+    gravity_mm_per_s2_ = checkpoint.gravity_mm_per_s2;
+    frozen_ = {};
+    frozen_.elastic = checkpoint.region->frozen_elastic;
+    frozen_.grab = checkpoint.region->frozen_grab;
+    booked_ = {};
+    booked_.tool_work = checkpoint.region->unreported_tool_work;
+    booked_.integrator_loss = checkpoint.region->unreported_loss;
 }
 
 void PartStepper::copy_from_part() {

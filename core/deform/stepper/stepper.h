@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +52,8 @@ struct StepReport {
     EnergyLedger energy;
 };
 
+struct StepperCheckpoint;  // core/deform/stepper/stepper_checkpoint.h
+
 class Stepper {
   public:
     virtual ~Stepper() = default;
@@ -85,6 +88,18 @@ class Stepper {
     // are then placed on their straight middles) or one per node as in state(); all finite.
     virtual void set_state(std::span<const Vec3> positions_mm,
                            std::span<const Vec3> velocities_mm_per_s) = 0;
+
+    // Everything that determines the steps to come, apart from the body and the options. Costs a
+    // copy of a few arrays, never a factorisation.
+    virtual StepperCheckpoint checkpoint() const = 0;
+
+    // Goes on from a checkpoint with the same bits as the stepper it was taken from, which must
+    // have been made of the same body and have had the same options. Costs a factorisation. Throws
+    // InputError where the checkpoint cannot be of such a stepper, and then changes nothing.
+    virtual void restore(const StepperCheckpoint& checkpoint) = 0;
+
+    // Of all that the checkpoint holds: equal hashes, equal steps to come.
+    std::uint64_t state_hash() const;
 };
 
 }  // namespace hepatica

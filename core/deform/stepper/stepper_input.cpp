@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
 namespace {
@@ -89,6 +90,12 @@ void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> ve
     };
     check(positions_mm, "position");
     check(velocities_mm_per_s, "velocity");
+}
+
+void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes) {
+    validate_state(checkpoint.nodes.positions_mm, checkpoint.nodes.velocities_mm_per_s, nodes);
+    validate_grabs(checkpoint.grabs, nodes);
+    validate_gravity(checkpoint.gravity_mm_per_s2);
 }
 
 }  // namespace hepatica

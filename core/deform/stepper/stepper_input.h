@@ -28,4 +28,7 @@ void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                     std::size_t expected);
 
+// Nodes, grabs and gravity of a checkpoint, as the three above.
+void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes);
+
 }  // namespace hepatica

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/stepper/stepper_checkpoint.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+
+namespace hepatica {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
+
+constexpr std::string_view heading = "hepatica checkpoint 1\n";
+
+// The one list of all fields, for writing, reading and hashing alike.
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.weights;
+}
+{
+    for (auto& vertex : value.vertices) visit(vertex);
+    for (auto& weight : value.weights) visit(weight);
+    visit(value.target_mm);
+    visit(value.stiffness_un_per_mm);
+    visit(value.force_limit_un);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.iterate_mm;
+}
+{
+    visit(value.dt_s);
+    visit(value.start_mm);
+    visit(value.iterate_mm);
+    visit(value.grabs);
+    visit(value.velocity_error.alpha_per_s);
+    visit(value.velocity_error.beta_s);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.held;
+}
+{
+    visit(value.live);
+    visit(value.still_s);
+    visit(value.held);
+    visit(value.reference_mm);
+    visit(value.frozen_elastic);
+    visit(value.frozen_grab);
+    visit(value.unreported_tool_work);
+    visit(value.unreported_loss);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.solver;
+}
+{
+    visit(value.nodes.positions_mm);
+    visit(value.nodes.velocities_mm_per_s);
+    visit(value.grabs);
+    visit(value.gravity_mm_per_s2);
+    visit(value.unreported_tool_work);
+    visit(value.still_s);
+    visit(value.settled_s);
+    visit(value.last_kinetic);
+    visit(value.last_elastic);
+    visit(value.last_grab);
+    visit(value.solver.made_from);
+    visit(value.solver.memory);
+    visit(value.region);
+    visit(value.part);
+}
+
+// Gives the bytes of every field to a sink.
+template <class Sink>
+class Writer {
+  public:
+    explicit Writer(Sink& sink) : sink_(sink) {}
+
+    void operator()(double value) { put(&value, sizeof value); }
+    void operator()(int value) {
+        const auto wide = static_cast<std::int64_t>(value);
+        put(&wide, sizeof wide);
+    }
+    void operator()(const Vec3& value) { put(value.data(), sizeof value); }
+    void operator()(const std::vector<Vec3>& values) { put_array(values); }
+    void operator()(const std::vector<double>& values) { put_array(values); }
+    void operator()(const std::vector<std::uint8_t>& values) { put_array(values); }
+    template <class Record>
+    void operator()(const std::vector<Record>& values) {
+        put_length(values.size());
+        for (const Record& value : values) put_record(value);
+    }
+    template <class Record>
+    void operator()(const std::optional<Record>& value) {
+        put_length(value ? 1 : 0);
+        if (value) put_record(*value);
+    }
+
+  private:
+    void put(const void* data, std::size_t size) { sink_(data, size); }
+    void put_length(std::size_t length) {
+        const std::uint64_t wide = length;
+        put(&wide, sizeof wide);
+    }
+    template <class T>
+    void put_array(const std::vector<T>& values) {
+        put_length(values.size());
+        put(values.data(), values.size() * sizeof(T));
+    }
+    void put_record(int value) { (*this)(value); }
+    template <class Record>
+    void put_record(const Record& value) {
+        fields(*this, value);
+    }
+
+    Sink& sink_;
+};
+
+[[noreturn]] void refuse(const std::string& problem) {
+    throw InputError(problem, "the checkpoint of a body", "Take another one");
+}
+
+class Reader {
+  public:
+    explicit Reader(std::string_view bytes) : rest_(bytes) {}
+
+    void operator()(double& value) {
+        take(&value, sizeof value);
+        require_finite(std::isfinite(value));
+    }
+    void operator()(int& value) {
+        std::int64_t wide = 0;
+        take(&wide, sizeof wide);
+        value = static_cast<int>(wide);
+        if (value != wide) refuse("holds an index of " + std::to_string(wide));
+    }
+    void operator()(Vec3& value) {
+        take(value.data(), sizeof value);
+        require_finite(value.allFinite());
+    }
+    void operator()(std::vector<Vec3>& values) {
+        take_array(values);
+        for (const Vec3& value : values) require_finite(value.allFinite());
+    }
+    void operator()(std::vector<double>& values) {
+        take_array(values);
+        for (const double value : values) require_finite(std::isfinite(value));
+    }
+    void operator()(std::vector<std::uint8_t>& values) { take_array(values); }
+    template <class Record>
+    void operator()(std::vector<Record>& values) {
+        const std::size_t length = take_length(sizeof(std::int64_t));
+        for (std::size_t i = 0; i < length; ++i) take_record(values.emplace_back());
+    }
+    template <class Record>
+    void operator()(std::optional<Record>& value) {
+        if (take_flag()) take_record(value.emplace());
+    }
+    // A part is computed by a stepper that has no part of its own.
+    void operator()(std::vector<StepperCheckpoint>& part) {
+        if (!take_flag()) return;
+        if (depth_++ > 0) refuse("holds the part of a part");
+        take_record(part.emplace_back());
+    }
+
+    void expect_end() const {
+        if (!rest_.empty())
+            refuse("goes on for " + std::to_string(rest_.size()) + " bytes after its end");
+    }
+
+  private:
+    void take(void* data, std::size_t size) {
+        if (rest_.size() < size) refuse("is cut off");
+        if (size > 0) std::memcpy(data, rest_.data(), size);
+        rest_.remove_prefix(size);
+    }
+    std::size_t take_length(std::size_t least_size) {
+        std::uint64_t length = 0;
+        take(&length, sizeof length);
+        if (length > rest_.size() / least_size) refuse("is cut off");
+        return static_cast<std::size_t>(length);
+    }
+    bool take_flag() {
+        std::uint64_t flag = 0;
+        take(&flag, sizeof flag);
+        if (flag > 1) refuse("holds " + std::to_string(flag) + " of something it has once");
+        return flag == 1;
+    }
+    template <class T>
+    void take_array(std::vector<T>& values) {
+        values.resize(take_length(sizeof(T)));
+        take(values.data(), values.size() * sizeof(T));
+    }
+    void take_record(int& value) { (*this)(value); }
+    template <class Record>
+    void take_record(Record& value) {
+        fields(*this, value);
+    }
+    static void require_finite(bool finite) {
+        if (!finite) refuse("holds a number that is not finite");
+    }
+
+    std::string_view rest_;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+std::uint64_t hash_of(const StepperCheckpoint& checkpoint) {
+    Hasher hasher;
+    const auto sink = [&](const void* data, std::size_t size) { hasher.add_bytes(data, size); };
+    Writer writer(sink);
+    fields(writer, checkpoint);
+    return hasher.value();
+}
+
+std::uint64_t Stepper::state_hash() const {
+    return hash_of(checkpoint());
+}
+
+std::string to_bytes(const StepperCheckpoint& checkpoint) {
+    std::string bytes(heading);
+    const auto sink = [&](const void* data, std::size_t size) {
+        bytes.append(static_cast<const char*>(data), size);
+    };
+    Writer writer(sink);
+    fields(writer, checkpoint);
+    return bytes;
+}
+
+StepperCheckpoint checkpoint_from_bytes(std::string_view bytes) {
+    if (!bytes.starts_with(heading)) refuse("does not begin as one");
+    Reader reader(bytes.substr(heading.size()));
+    StepperCheckpoint checkpoint;
+    fields(reader, checkpoint);
+    reader.expect_end();
+    return checkpoint;
+}
+
+}  // namespace hepatica
