@@ -5,10 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/image/memory_limit.h"
 
 namespace hepatica {
@@ -22,6 +24,12 @@ constexpr std::uint64_t deflate_limit = 1032;    // no deflated byte becomes mor
 
 [[noreturn]] void reject_geometry(const std::string& what, const std::string& place) {
     throw InputError(what, place, "Export the image again, with its spacing and orientation");
+}
+
+std::string short_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
 }
 
 // Nearest rotation-with-flips to three almost orthogonal unit vectors.
@@ -121,11 +129,17 @@ PlacedGrid placed_grid(const std::array<std::int64_t, 3>& dims, const Mat3& axes
         if (dims[a] < 1 || dims[a] > std::numeric_limits<int>::max())
             reject_geometry("has " + std::to_string(dims[a]) + " voxels along an axis", place);
         spacing[a] = axes.col(a).norm();
-        if (!(spacing[a] > 1e-6) || !(spacing[a] < 1e4))
-            reject_geometry("has a voxel spacing of " + std::to_string(spacing[a]) + " mm", place);
+        if (!(spacing[a] > 1e-6) || !(spacing[a] < farthest_mm))
+            reject_geometry("has a voxel spacing of " + short_text(spacing[a]) + " mm", place);
+        const double extent_mm = spacing[a] * static_cast<double>(dims[a]);
+        if (!(extent_mm <= farthest_mm))
+            reject_geometry("is " + short_text(extent_mm / 1000.0) + " m long (" +
+                                std::to_string(dims[a]) + " voxels of " + short_text(spacing[a]) +
+                                " mm)",
+                            place);
         direction.col(a) = axes.col(a) / spacing[a];
     }
-    if (!origin_mm.allFinite()) reject_geometry("has a position that is not a number", place);
+    require_in_patient_space(origin_mm, "its first voxel", place);
     for (int a = 0; a < 3; ++a)
         if (std::abs(direction.col(a).dot(direction.col((a + 1) % 3))) > greatest_axis_cosine)
             reject_geometry("has axes that are not at right angles (a sheared grid)", place);

@@ -54,8 +54,9 @@ struct PlacedGrid {
     std::array<std::ptrdiff_t, 3> strides{};  // offset in the grid of a step along a file axis
 };
 
-// Throws InputError, naming `place`, where a size or spacing is not positive and finite or the
-// axes are not at right angles (to half a degree).
+// Throws InputError, naming `place`, where a size or spacing is not positive and finite, the axes
+// are not at right angles (to half a degree), or the grid is longer than 10 m or begins farther
+// away (see patient_space.h).
 PlacedGrid placed_grid(const std::array<std::int64_t, 3>& dims, const Mat3& axes,
                        const Vec3& origin_mm, const std::string& place);
 

@@ -19,6 +19,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/mesh/surface.h"
 
 namespace hepatica {
@@ -96,10 +97,12 @@ vtkSmartPointer<Reader> read(const fs::path& file) {
     return reader;
 }
 
-std::vector<Vec3> positions_of(vtkPoints* points) {
+std::vector<Vec3> positions_of(vtkPoints* points, const fs::path& file) {
     std::vector<Vec3> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
-    for (std::size_t v = 0; v < positions.size(); ++v)
+    for (std::size_t v = 0; v < positions.size(); ++v) {
         points->GetPoint(static_cast<vtkIdType>(v), positions[v].data());
+        require_in_patient_space(positions[v], "a vertex", file.string());
+    }
     return positions;
 }
 
@@ -138,7 +141,7 @@ void write_vtp(const fs::path& file, const TriangleMesh& surface) {
 TetMesh read_vtu(const fs::path& file) {
     const auto reader = read<vtkXMLUnstructuredGridReader>(file);
     TetMesh mesh;
-    mesh.vertices_mm = positions_of(reader->GetOutput()->GetPoints());
+    mesh.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
     mesh.tetrahedra = corners_of<4>(reader->GetOutput()->GetCells(), file);
     validate(mesh);
     return mesh;
@@ -147,7 +150,7 @@ TetMesh read_vtu(const fs::path& file) {
 TriangleMesh read_vtp(const fs::path& file) {
     const auto reader = read<vtkXMLPolyDataReader>(file);
     TriangleMesh surface;
-    surface.vertices_mm = positions_of(reader->GetOutput()->GetPoints());
+    surface.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
     surface.triangles = corners_of<3>(reader->GetOutput()->GetPolys(), file);
     validate_closed(surface);
     return surface;

@@ -14,7 +14,8 @@ void write_vtu(const std::filesystem::path& file, const TetMesh& mesh);
 void write_vtp(const std::filesystem::path& file, const TriangleMesh& surface);
 
 // Positions in double precision, so that what was written is read back to the last bit. Throw
-// InputError that names the file where it is missing, damaged, or holds other cells.
+// InputError that names the file where it is missing, damaged, holds other cells, or has
+// a vertex beyond 10 m.
 TetMesh read_vtu(const std::filesystem::path& file);
 TriangleMesh read_vtp(const std::filesystem::path& file);
 

@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "core/base/error.h"
+
 namespace hepatica {
 
 namespace {
@@ -127,10 +129,12 @@ class Grower {
 
     // Uniform in the domain, a little below its surface.
     Vec3 random_end() {
-        for (;;) {
+        constexpr int most_points = 1'000'000;
+        for (int i = 0; i < most_points; ++i) {
             const Vec3 p = random_.point(request_.low, request_.high);
             if (request_.depth_mm(p) > surface_mm) return p;
         }
+        throw InputError("is too thin for vessels", "the organ", "Choose a larger one");
     }
 
     // The first branch ends at the deepest of some random points that are not far from the entry.

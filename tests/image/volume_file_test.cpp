@@ -224,6 +224,39 @@ TEST(BadHeader, OfAGzipBombIsRefusedBeforeInflating) {
               std::string::npos);
 }
 
+// Positions that far away made arithmetic hang: neighbouring doubles are 131 m apart at 1e21 mm.
+TEST(BadHeader, BeyondTenMetresIsRefusedByValue) {
+    const TemporaryFolder folder;
+    const std::size_t origin_x = 292, axis_x = 280;
+    for (const auto& [value, text] :
+         {std::pair{1e21f, "1e+21"}, std::pair{3e9f, "3e+09"}, std::pair{-10001.0f, "10001"}}) {
+        const std::string message = NiftiFile(folder).set(origin_x, value).refusal_of_volume();
+        EXPECT_NE(message.find(text), std::string::npos) << message;
+        EXPECT_NE(message.find("10 m from the origin"), std::string::npos) << message;
+    }
+    EXPECT_EQ(NiftiFile(folder).set(origin_x, 9000.0f).refusal_of_volume(), "");
+    // 13 voxels of 800 mm are 10.4 m.
+    const std::string long_one = NiftiFile(folder).set(axis_x, -800.0f).refusal_of_volume();
+    EXPECT_NE(long_one.find("10.4 m long"), std::string::npos) << long_one;
+
+    Job job;
+    const auto says = [&](const std::string& name, const std::string& bytes) {
+        write_bytes(folder / name, bytes + std::string(16, '\0'));
+        return refusal([&] { read_volume(folder / name, job); });
+    };
+    const std::string mha =
+        says("far.mha",
+             "ObjectType = Image\nNDims = 3\nOffset = 0 1e21 0\nElementSpacing = 1 1 1\n"
+             "DimSize = 2 2 2\nElementType = MET_SHORT\nElementDataFile = LOCAL\n");
+    EXPECT_NE(mha.find("1e+21"), std::string::npos) << mha;
+    const std::string nrrd =
+        says("far.nrrd",
+             "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\n"
+             "sizes: 2 2 2\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nendian: little\n"
+             "encoding: raw\nspace origin: (0,0,-1e21)\n\n");
+    EXPECT_NE(nrrd.find("-1e+21"), std::string::npos) << nrrd;
+}
+
 TEST(BadHeader, WithoutASoundGeometryIsRefused) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();

@@ -48,6 +48,19 @@ TEST_F(MeshIo, RefusesMissingForeignAndCutFiles) {
     EXPECT_THROW(read_vtu(folder_ / "cut.vtu"), InputError);
 }
 
+TEST_F(MeshIo, RefusesAVertexBeyondTenMetresByValue) {
+    Job job;
+    TetMesh mesh = tetrahedralize(test::random_tree(1, 1), {}, job);
+    for (Vec3& vertex : mesh.vertices_mm) vertex.x() += 3e9;  // 3,000 km
+    write_vtu(folder_ / "far.vtu", mesh);
+    try {
+        read_vtu(folder_ / "far.vtu");
+        FAIL() << "was read";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("3e+09"), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(MeshIo, LeavesNothingWhereItCannotWrite) {
     std::ofstream(folder_ / "file") << "x";
     Job job;

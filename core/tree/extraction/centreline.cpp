@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "core/base/error.h"
 
 namespace hepatica {
 
 namespace {
+
+constexpr double most_pieces = 1e7;  // a whole vascular system has some 1e5
 
 // Calls visit(j, weight) for the points j within three deviations of point i along the curve.
 template <class Visit>
@@ -93,9 +98,22 @@ std::vector<double> median_values(const std::vector<Vec3>& points_mm,
     return medians;
 }
 
+namespace {
+
+int piece_count(double length_mm, double step_mm) {
+    const double pieces = std::round(length_mm / step_mm);
+    if (pieces <= most_pieces) return std::max(1, static_cast<int>(pieces));
+    std::ostringstream problem;
+    problem << "is " << length_mm << " mm long, more than " << most_pieces << " steps of "
+            << step_mm << " mm";
+    throw InputError(problem.str(), "a vessel", "Check the unit of the positions: millimetres");
+}
+
+}  // namespace
+
 Centreline resampled(const Centreline& curve, double step_mm) {
     const std::vector<double> at = arclengths_mm(curve.points_mm);
-    const int pieces = std::max(1, static_cast<int>(std::lround(at.back() / step_mm)));
+    const int pieces = piece_count(at.back(), step_mm);
     Centreline even;
     std::size_t i = 0;
     for (int k = 0; k <= pieces; ++k) {
@@ -116,9 +134,11 @@ Centreline resampled(const Centreline& curve, double step_mm) {
 std::vector<Vec3> tangents(const std::vector<Vec3>& points_mm, double reach_mm) {
     const std::vector<double> at = arclengths_mm(points_mm);
     std::vector<Vec3> found(points_mm.size());
+    // Both only grow with i, which makes the time linear however dense the points lie.
+    std::size_t first = 0, last = 0;
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
-        std::size_t first = i, last = i;
-        while (first > 0 && at[i] - at[first] < reach_mm) --first;
+        last = std::max(last, i);
+        while (first + 1 <= i && at[i] - at[first + 1] >= reach_mm) ++first;
         while (last + 1 < at.size() && at[last] - at[i] < reach_mm) ++last;
         const Vec3 chord = points_mm[last] - points_mm[first];
         found[i] = chord.norm() > 0.0 ? Vec3(chord.normalized()) : Vec3(0, 0, 1);

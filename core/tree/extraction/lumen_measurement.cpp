@@ -93,11 +93,17 @@ class Measurement {
     void for_each_link(const Work& work) {
         parallel_blocks(graph_.links.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t id = begin; id < end; ++id) {
-                const double all = rounds * static_cast<double>(graph_.links.size());
-                progress_(std::min(1.0, links_done_++ / all));
+                report();
                 work(id);
+                ++links_done_;
             }
         });
+    }
+
+    // Also asks whether to stop.
+    void report() const {
+        const double all = rounds * static_cast<double>(graph_.links.size());
+        progress_(std::min(1.0, links_done_ / all));
     }
 
     bool is_fork(int node) const { return at_node_[node].size() >= 3; }
@@ -110,6 +116,7 @@ class Measurement {
         stations.sections.clear();
         stations.trust.clear();
         for (std::size_t i = 0; i < link.points_mm.size(); ++i) {
+            if (i % sections_per_report == 0) report();
             const CrossSection section =
                 cross_section(vessels_, ct_, link.points_mm[i], directions[i],
                               2.0 * link.radii_mm[i] + 2.0 * voxel_mm_);
@@ -255,6 +262,7 @@ class Measurement {
     const Mask& vessels_;
     const Volume* ct_;
     static constexpr double rounds = 3.0;
+    static constexpr std::size_t sections_per_report = 64;  // some milliseconds
     const std::function<void(double)>& progress_;
     std::atomic<int> links_done_ = 0;  // in all rounds
     double voxel_mm_;

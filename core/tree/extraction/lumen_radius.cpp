@@ -50,7 +50,10 @@ class Section {
         CrossSection section;
         section.inside = interpolate(mask_, point_mm_) >= 0.5;
         if (!section.inside) return section;
-        for (Ray& ray : rays_) find_wall(ray, reach_mm);
+        // No ray through the mask is longer than its grid's diagonal.
+        const Index3& dims = mask_.grid.dims;
+        const Vec3 extent_mm = Vec3(dims[0], dims[1], dims[2]).cwiseProduct(mask_.grid.spacing_mm);
+        for (Ray& ray : rays_) find_wall(ray, std::min(reach_mm, extent_mm.norm()));
         choose_usable(section);
         measure_mask(section);
         if (ct_ != nullptr) measure_ct(section);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/patient_space.h"
+
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+void require_in_patient_space(const Vec3& position_mm, const std::string& what,
+                              const std::string& place) {
+    if (is_in_patient_space(position_mm)) return;
+    std::ostringstream problem;
+    problem << "has " << what << " at " << position_mm.x() << ", " << position_mm.y() << ", "
+            << position_mm.z() << " mm, which is farther than " << farthest_mm / 1000.0
+            << " m from the origin of its coordinates";
+    throw InputError(problem.str(), place,
+                     "Check the unit of its positions and export it again in millimetres");
+}
+
+}  // namespace hepatica
