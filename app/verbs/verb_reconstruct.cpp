@@ -111,6 +111,9 @@ void add_reconstruct(CommandLine& line) {
     ReconstructOptions& reconstruct = options->reconstruct;
     verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file")
         ->required();
+    verb.add_option("--series", reconstruct.series,
+                    "Which series of a DICOM folder, as the warnings number them; 1 is the best")
+        ->check(CLI::Range(1, 10000));
     verb.add_option("--out", options->out, "Case to make, NAME.hep (a folder)")->required();
     verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
     verb.add_option("--vessel-mask", options->vessel_mask,

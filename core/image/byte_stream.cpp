@@ -18,7 +18,7 @@ namespace hepatica {
 struct ByteStream::State {
     std::filesystem::path file;
     std::ifstream in;
-    bool deflated = false;
+    Encoding encoding = Encoding::raw;
     z_stream inflater{};
     bool member_ended = false;
     std::vector<unsigned char> input;
@@ -46,7 +46,7 @@ struct ByteStream::State {
         while (inflater.avail_out > 0 && refill()) {
             if (member_ended) {
                 // gzip allows members in a row; anything else behind the first is padding.
-                if (inflater.next_in[0] != 0x1f) break;
+                if (encoding == Encoding::bare_deflated || inflater.next_in[0] != 0x1f) break;
                 inflateReset(&inflater);
                 member_ended = false;
             }
@@ -65,7 +65,7 @@ struct ByteStream::State {
 ByteStream::ByteStream(const std::filesystem::path& file, std::uint64_t offset, Encoding encoding)
     : state_(std::make_unique<State>()) {
     state_->file = file;
-    state_->deflated = encoding == Encoding::deflated;
+    state_->encoding = encoding;
     if (std::filesystem::is_directory(file))
         throw InputError("is a folder", file.string(), "Choose a file");
     state_->in.open(file, std::ios::binary);
@@ -74,22 +74,24 @@ ByteStream::ByteStream(const std::filesystem::path& file, std::uint64_t offset, 
             "cannot be opened (" + std::error_code(errno, std::generic_category()).message() + ")",
             file.string(), "Check that it exists and may be read");
     state_->in.seekg(static_cast<std::streamoff>(offset));
-    if (state_->deflated) {
+    if (encoding != Encoding::raw) {
         state_->input.resize(1 << 16);
-        inflateInit2(&state_->inflater, 15 + 32);  // 32: tells gzip from zlib by its header
+        // 32: tells gzip from zlib by its header; negative: there is none.
+        inflateInit2(&state_->inflater, encoding == Encoding::deflated ? 15 + 32 : -15);
     }
 }
 
 ByteStream::~ByteStream() {
-    if (state_->deflated) inflateEnd(&state_->inflater);
+    if (state_->encoding != Encoding::raw) inflateEnd(&state_->inflater);
 }
 
 std::size_t ByteStream::read_some(void* buffer, std::size_t bytes) {
     std::size_t done = 0;
     auto* out = static_cast<unsigned char*>(buffer);
     while (done < bytes) {
-        const std::size_t got = state_->deflated ? state_->inflate_some(out + done, bytes - done)
-                                                 : state_->read_raw(out + done, bytes - done);
+        const std::size_t got = state_->encoding == Encoding::raw
+                                    ? state_->read_raw(out + done, bytes - done)
+                                    : state_->inflate_some(out + done, bytes - done);
         if (got == 0) break;
         done += got;
     }

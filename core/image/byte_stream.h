@@ -8,7 +8,11 @@
 
 namespace hepatica {
 
-enum class Encoding { raw, deflated };  // deflated: gzip (also of several members) or zlib
+enum class Encoding {
+    raw,
+    deflated,      // gzip (also of several members) or zlib
+    bare_deflated  // deflate data (RFC 1951) without header and checksum
+};
 
 // Not thread-safe. Throws InputError that names the file.
 class ByteStream {

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 
+#include "core/base/error.h"
+#include "core/image/byte_stream.h"
 #include "core/image/header_text.h"
 
 namespace hepatica {
@@ -20,6 +23,7 @@ constexpr int deepest_nesting = 32;
 
 constexpr std::uint32_t pixel_data = 0x7fe00010;
 constexpr std::uint32_t transfer_syntax_uid = 0x00020010;
+constexpr std::uint32_t modality_lut = 0x00283000;
 constexpr std::uint32_t item = 0xfffee000;
 constexpr std::uint32_t item_end = 0xfffee00d;
 constexpr std::uint32_t sequence_end = 0xfffee0dd;
@@ -27,7 +31,7 @@ constexpr std::uint32_t sequence_end = 0xfffee0dd;
 // The file is not what it claims to be.
 struct Damaged {};
 
-struct Encoding {
+struct DataEncoding {
     bool explicit_vr = true;
     bool big_endian = false;
 };
@@ -38,13 +42,24 @@ struct ElementHead {
     std::uint32_t length = 0;
 };
 
+constexpr const char* deflated_syntax = "1.2.840.10008.1.2.1.99";
+
 class Parser {
   public:
-    Parser(std::ifstream& in, std::uint64_t size) : in_(in), size_(size) {}
+    Parser(std::istream& in, std::uint64_t size) : in_(in), size_(size) {}
 
+    // The file meta group, and where the rest is not deflated, that too.
     DicomHeader parse() {
         DicomHeader header;
-        Encoding encoding = begin(header);
+        const DataEncoding encoding = begin(header);
+        if (header.transfer_syntax == deflated_syntax)
+            header.deflated_at = position_;
+        else
+            parse_data(encoding, header);
+        return header;
+    }
+
+    void parse_data(const DataEncoding& encoding, DicomHeader& header) {
         header.big_endian = encoding.big_endian;
         while (position_ < size_) {
             const ElementHead head = read_head(encoding);
@@ -54,7 +69,6 @@ class Parser {
             }
             take(head, encoding, header);
         }
-        return header;
     }
 
   private:
@@ -81,7 +95,7 @@ class Parser {
         return raw[0] | raw[1] << 8 | raw[2] << 16 | static_cast<std::uint32_t>(raw[3]) << 24;
     }
 
-    ElementHead read_head(const Encoding& encoding) {
+    ElementHead read_head(const DataEncoding& encoding) {
         ElementHead head;
         const std::uint32_t group = word(2, encoding.big_endian);
         head.tag = group << 16 | word(2, encoding.big_endian);
@@ -103,7 +117,8 @@ class Parser {
     }
 
     // Keeps short values, steps over the rest.
-    void take(const ElementHead& head, const Encoding& encoding, DicomHeader& header) {
+    void take(const ElementHead& head, const DataEncoding& encoding, DicomHeader& header) {
+        if (head.tag == modality_lut && head.length > 0) header.has_modality_lut = true;
         if (head.length == undefined_length) {
             // A sequence of unknown kind is encoded without value representations.
             const bool unknown = head.vr[0] == 'U';
@@ -117,7 +132,7 @@ class Parser {
         }
     }
 
-    void skip_sequence(const Encoding& encoding, int depth) {
+    void skip_sequence(const DataEncoding& encoding, int depth) {
         if (depth > deepest_nesting) throw Damaged();
         for (;;) {
             const ElementHead head = read_head(encoding);
@@ -130,7 +145,7 @@ class Parser {
         }
     }
 
-    void skip_item(const Encoding& encoding, int depth) {
+    void skip_item(const DataEncoding& encoding, int depth) {
         for (;;) {
             const ElementHead head = read_head(encoding);
             if (head.tag == item_end) return;
@@ -142,11 +157,11 @@ class Parser {
     }
 
     // Reads the file meta group, if there is one, and tells how the rest is encoded.
-    Encoding begin(DicomHeader& header) {
+    DataEncoding begin(DicomHeader& header) {
         std::array<char, 132> head{};
         if (size_ >= head.size()) read(head.data(), head.size());
         if (std::string_view(head.data() + 128, 4) != "DICM") go_to(0);
-        const Encoding meta;
+        const DataEncoding meta;
         for (;;) {
             const std::uint64_t start = position_;
             const std::uint32_t group = word(2, false);
@@ -157,12 +172,11 @@ class Parser {
         header.transfer_syntax = trimmed(header.values[transfer_syntax_uid]);
         if (header.transfer_syntax.empty()) return guessed_encoding();
         const std::string& syntax = header.transfer_syntax;
-        if (syntax == "1.2.840.10008.1.2.1.99") throw Damaged();  // the whole file is deflated
         return {syntax != "1.2.840.10008.1.2", syntax == "1.2.840.10008.1.2.2"};
     }
 
     // Old files do not say: two capital letters after the tag are a value representation.
-    Encoding guessed_encoding() {
+    DataEncoding guessed_encoding() {
         const std::uint64_t start = position_;
         std::array<char, 6> bytes{};
         read(bytes.data(), bytes.size());
@@ -179,7 +193,7 @@ class Parser {
             header.pixel_bytes = head.length;
             return;
         }
-        const Encoding little;
+        const DataEncoding little;
         bool is_offset_table = true;
         while (position_ < size_) {
             const ElementHead fragment = read_head(little);
@@ -192,7 +206,7 @@ class Parser {
         throw Damaged();
     }
 
-    std::ifstream& in_;
+    std::istream& in_;
     std::uint64_t size_;
     std::uint64_t position_ = 0;
 };
@@ -208,10 +222,15 @@ std::string DicomHeader::text(std::uint16_t group, std::uint16_t element) const 
     return found == values.end() ? "" : trimmed(found->second);
 }
 
-std::vector<double> DicomHeader::numbers(std::uint16_t group, std::uint16_t element) const {
+std::optional<std::vector<double>> DicomHeader::numbers_if_sound(std::uint16_t group,
+                                                                 std::uint16_t element) const {
     std::string list = text(group, element);
     std::ranges::replace(list, '\\', ' ');
-    return hepatica::numbers(list).value_or(std::vector<double>{});
+    return hepatica::numbers(list);
+}
+
+std::vector<double> DicomHeader::numbers(std::uint16_t group, std::uint16_t element) const {
+    return numbers_if_sound(group, element).value_or(std::vector<double>{});
 }
 
 int DicomHeader::unsigned_short(std::uint16_t group, std::uint16_t element, int otherwise) const {
@@ -234,17 +253,59 @@ bool is_dicom_file(const fs::path& file) {
     return in.gcount() == 132 && tag && (vr || short_length);
 }
 
+std::optional<DicomHeader> parse_dicom_header(std::istream& in, std::uint64_t size) {
+    try {
+        return Parser(in, size).parse();
+    } catch (const Damaged&) {
+        return std::nullopt;
+    }
+}
+
+namespace {
+
+// What follows the file meta group of a deflated file (PS3.5 A.5), inflated; nothing where it is
+// damaged or longer than any slice.
+std::optional<std::string> inflated_data(const fs::path& file, std::uint64_t from) {
+    constexpr std::size_t most = std::size_t{1} << 28, part = std::size_t{1} << 20;
+    try {
+        ByteStream stream(file, from, Encoding::bare_deflated);
+        std::string data;
+        for (std::size_t got = part; got == part;) {
+            if (data.size() > most) return std::nullopt;
+            const std::size_t before = data.size();
+            data.resize(before + part);
+            got = stream.read_some(data.data() + before, part);
+            data.resize(before + got);
+        }
+        return data;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+bool add_deflated_data(const fs::path& file, DicomHeader& header) {
+    const std::optional<std::string> data = inflated_data(file, header.deflated_at);
+    if (!data) return false;
+    std::istringstream in(*data);
+    try {
+        Parser(in, data->size()).parse_data({}, header);
+    } catch (const Damaged&) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<DicomHeader> read_dicom_header(const fs::path& file) {
     if (!is_dicom_file(file)) return std::nullopt;
     std::error_code error;
     const std::uint64_t size = fs::file_size(file, error);
     std::ifstream in(file, std::ios::binary);
     if (error || !in) return std::nullopt;
-    try {
-        return Parser(in, size).parse();
-    } catch (const Damaged&) {
-        return std::nullopt;
-    }
+    std::optional<DicomHeader> header = parse_dicom_header(in, size);
+    if (header && header->deflated_at > 0 && !add_deflated_data(file, *header)) return std::nullopt;
+    return header;
 }
 
 }  // namespace hepatica

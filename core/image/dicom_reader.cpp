@@ -39,24 +39,30 @@ std::size_t pixels_in(const DicomSlice& slice) {
     return static_cast<std::size_t>(slice.rows) * slice.columns;
 }
 
-// Bits that are stored, without what overlays may have put above them.
+// Bits that are stored, from the high bit down, without what overlays may have put around them.
 template <class Word>
 double stored_value(Word word, const DicomSlice& slice) {
-    const int unused = static_cast<int>(8 * sizeof(Word)) - slice.bits_stored;
-    const Word shifted = static_cast<Word>(word << unused);
+    const int word_bits = static_cast<int>(8 * sizeof(Word));
+    const int unused = word_bits - slice.bits_stored;
+    const Word shifted = static_cast<Word>(word << (word_bits - 1 - slice.high_bit));
     if (!slice.is_signed) return static_cast<double>(static_cast<Word>(shifted >> unused));
     using Signed = std::make_signed_t<Word>;
     return static_cast<double>(static_cast<Signed>(shifted) >> unused);
 }
 
+constexpr double padded = std::numeric_limits<double>::quiet_NaN();  // instead of a value
+
 template <class Word>
 std::vector<double> to_hu(const std::vector<char>& bytes, const DicomSlice& slice, bool swap) {
     std::vector<double> hu(pixels_in(slice));
+    const auto [low, high] = slice.padding.value_or(std::pair(1.0, 0.0));
     for (std::size_t i = 0; i < hu.size(); ++i) {
         std::array<char, sizeof(Word)> raw;
         std::memcpy(raw.data(), bytes.data() + i * sizeof(Word), sizeof(Word));
         if (swap) std::reverse(raw.begin(), raw.end());
-        hu[i] = slice.slope * stored_value(std::bit_cast<Word>(raw), slice) + slice.intercept;
+        const double stored = stored_value(std::bit_cast<Word>(raw), slice);
+        const bool is_padding = stored >= low && stored <= high;
+        hu[i] = is_padding ? padded : slice.slope * stored + slice.intercept;
     }
     return hu;
 }
@@ -64,7 +70,11 @@ std::vector<double> to_hu(const std::vector<char>& bytes, const DicomSlice& slic
 std::vector<char> read_plain(const DicomSlice& slice, std::size_t bytes) {
     if (slice.pixel_bytes < bytes) reject(slice.file, "has fewer pixels than its header claims");
     std::vector<char> buffer(bytes);
-    ByteStream(slice.file, slice.pixel_offset, Encoding::raw).read(buffer.data(), bytes);
+    const bool deflated = slice.deflated_at > 0;
+    ByteStream stream(slice.file, deflated ? slice.deflated_at : slice.pixel_offset,
+                      deflated ? Encoding::bare_deflated : Encoding::raw);
+    if (deflated) stream.skip(slice.pixel_offset);
+    stream.read(buffer.data(), bytes);
     return buffer;
 }
 
@@ -147,6 +157,13 @@ void require_known_format(const DicomSlice& slice) {
         slice.bits_stored > bits)
         reject(slice.file, "has " + std::to_string(slice.bits_stored) + " of " +
                                std::to_string(bits) + " bits a pixel");
+    if (slice.high_bit < slice.bits_stored - 1 || slice.high_bit >= bits)
+        reject(slice.file, "has " + std::to_string(slice.bits_stored) +
+                               " bits below the high bit " + std::to_string(slice.high_bit) +
+                               " (0028,0102), which is impossible in " + std::to_string(bits));
+    if (slice.compressed && slice.high_bit != slice.bits_stored - 1)
+        reject(slice.file, "has compressed pixels that do not begin at the lowest bit (high bit " +
+                               std::to_string(slice.high_bit) + ", 0028,0102)");
     if (!std::isfinite(slice.slope) || !std::isfinite(slice.intercept) || slice.slope == 0.0)
         reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
 }
@@ -169,10 +186,14 @@ std::int16_t clamped(double hu) {
     return static_cast<std::int16_t>(std::lround(std::clamp(hu, low, high)));
 }
 
+bool is_same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks) {
     for (const auto& [kept, repeat] : series.repeated) {
         const DicomSlice& original = series.slices[kept];
-        if (read_pixels(original) != read_pixels(repeat))
+        if (!std::ranges::equal(read_pixels(original), read_pixels(repeat), is_same))
             throw InputError("lies in the same place as " + original.file.filename().string() +
                                  " but shows something else",
                              repeat.file.string(),
@@ -191,6 +212,21 @@ void require_room(const DicomSlice& slice) {
     require_memory(8 * pixels, slice.file.string());
 }
 
+// What the reader made of headers that leave a choice.
+void remark_on_values(const std::vector<DicomSlice>& slices, ReadRemarks& remarks) {
+    if (std::ranges::any_of(slices, &DicomSlice::inverted_display))
+        remarks.push_back(
+            "The series is stored for display with low values bright (MONOCHROME1): its values "
+            "were read as Hounsfield units all the same, as the standard has it");
+    // Without rescale unsigned values have air at 0 rather than at -1000.
+    const auto unscaled = std::ranges::count_if(
+        slices, [](const DicomSlice& s) { return !s.has_rescale && !s.is_signed; });
+    if (unscaled > 0)
+        remarks.push_back(std::to_string(unscaled) +
+                          " slices state no rescale slope and intercept: their stored values were "
+                          "taken as Hounsfield units");
+}
+
 PlacedGrid place(const OrderedSeries& series) {
     const DicomSlice& first = series.slices.front();
     Mat3 axes;
@@ -203,31 +239,38 @@ PlacedGrid place(const OrderedSeries& series) {
 
 }  // namespace
 
-Volume read_dicom(const fs::path& folder, const fs::path& member, Job& job, ReadRemarks& remarks) {
+Volume read_dicom(const fs::path& folder, const SeriesWish& wish, std::int16_t padding_value,
+                  Job& job, ReadRemarks& remarks) {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
-    const OrderedSeries series = order_slices(
-        choose_series(find_dicom_slices(folder, job, remarks), member, folder, remarks));
+    const OrderedSeries series =
+        order_slices(choose_series(find_dicom_slices(folder, job, remarks), wish, folder, remarks));
+    remark_on_values(series.slices, remarks);
     require_room(series.slices.front());
     require_equal_repeats(series, remarks);
     const PlacedGrid placed = place(series);
     const Index3& dims = placed.grid.dims;
     require_memory(bytes_of(dims[0], dims[1], dims[2], sizeof(std::int16_t)), folder.string());
     Volume volume(placed.grid);
-    std::atomic<std::size_t> done{0};
+    std::atomic<std::size_t> done{0}, padding{0};
     const std::size_t count = series.slices.size();
     parallel_blocks(count, 1, [&](std::size_t z, std::size_t) {
         const DicomSlice& slice = series.slices[z];
         job.throw_if_cancelled();
         const std::vector<double> hu = read_pixels(slice);
+        padding += std::ranges::count_if(hu, [](double value) { return std::isnan(value); });
         std::size_t i = 0;
         for (int y = 0; y < slice.rows; ++y)
-            for (int x = 0; x < slice.columns; ++x)
+            for (int x = 0; x < slice.columns; ++x, ++i)
                 volume.voxels[placed.first + x * placed.strides[0] + y * placed.strides[1] +
                               static_cast<std::ptrdiff_t>(z) * placed.strides[2]] =
-                    clamped(hu[i++]);
+                    std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
         job.advance(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(count));
     });
+    if (padding > 0)
+        remarks.push_back(std::to_string(padding) + " of " + std::to_string(volume.voxels.size()) +
+                          " voxels are padding around the scan (0028,0120) and became " +
+                          std::to_string(padding_value));
     return volume;
 }
 

@@ -5,14 +5,15 @@
 #include <filesystem>
 
 #include "core/base/job.h"
+#include "core/image/series_choice.h"
 #include "core/image/volume.h"
 #include "core/image/volume_reader.h"
 
 namespace hepatica {
 
-// The largest CT series of the folder, or, where `member` names one of its files, that file's
-// series. For the rest see read_volume.
-Volume read_dicom(const std::filesystem::path& folder, const std::filesystem::path& member,
-                  Job& job, ReadRemarks& remarks);
+// The CT series that is wished for, see choose_series. Padding (0028,0120) becomes padding_value.
+// For the rest see read_volume.
+Volume read_dicom(const std::filesystem::path& folder, const SeriesWish& wish,
+                  std::int16_t padding_value, Job& job, ReadRemarks& remarks);
 
 }  // namespace hepatica

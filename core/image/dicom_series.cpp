@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <numbers>
 #include <string>
 
@@ -39,18 +38,6 @@ std::string millimetres(double value) {
     return short_text(value) + " mm";
 }
 
-using SeriesMap = std::map<std::string, std::vector<DicomSlice>>;
-
-bool may_be_ct(const std::vector<DicomSlice>& series) {
-    return series.front().modality == "CT" || series.front().modality.empty();
-}
-
-std::string name_of(const std::vector<DicomSlice>& series) {
-    return series.front().description + " (" +
-           (series.front().modality.empty() ? "no modality" : series.front().modality) + ", " +
-           std::to_string(series.size()) + " images)";
-}
-
 void require_same_frame(const DicomSlice& slice, const DicomSlice& first) {
     if (slice.rows != first.rows || slice.columns != first.columns)
         reject(slice, "has " + std::to_string(slice.columns) + " x " + std::to_string(slice.rows) +
@@ -71,6 +58,7 @@ void require_sound_slice(const DicomSlice& slice) {
     if (slice.frames > 1)
         reject(slice, "holds " + std::to_string(slice.frames) +
                           " frames in one file (enhanced CT), which this program does not read");
+    if (!slice.problem.empty()) reject(slice, slice.problem);
     if (!slice.has_geometry) reject(slice, "has no position, orientation or pixel spacing");
     const auto is_unit = [](const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-2; };
     if (!is_unit(slice.row_axis) || !is_unit(slice.column_axis) ||
@@ -134,36 +122,6 @@ void require_even_gaps(const std::vector<DicomSlice>& slices) {
 }
 
 }  // namespace
-
-std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices, const fs::path& member,
-                                      const fs::path& folder, ReadRemarks& remarks) {
-    SeriesMap by_key;
-    std::string member_key;
-    std::size_t scouts = 0;
-    for (DicomSlice& slice : slices) {
-        if (!member.empty() && slice.file == member) member_key = slice.series_key;
-        if (slice.localizer)
-            ++scouts;
-        else
-            by_key[slice.series_key].push_back(std::move(slice));
-    }
-    if (scouts > 0) remarks.push_back("Left out " + std::to_string(scouts) + " scout images");
-    const std::vector<DicomSlice>* best = nullptr;
-    for (const auto& [key, series] : by_key) {
-        const bool wanted = member_key.empty() ? may_be_ct(series) : key == member_key;
-        if (wanted && (best == nullptr || series.size() > best->size())) best = &series;
-    }
-    if (best == nullptr || !may_be_ct(*best)) {
-        std::string found;
-        for (const auto& [key, series] : by_key)
-            found += (found.empty() ? ": " : ", ") + name_of(series);
-        throw InputError("holds no CT series" + found, folder.string(),
-                         "Choose the folder of a contrast-enhanced CT");
-    }
-    for (const auto& [key, series] : by_key)
-        if (&series != best) remarks.push_back("Left out " + name_of(series));
-    return *best;
-}
 
 OrderedSeries order_slices(std::vector<DicomSlice> series) {
     for (const DicomSlice& slice : series) {

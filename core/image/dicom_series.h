@@ -12,12 +12,6 @@
 
 namespace hepatica {
 
-// The CT series with the most slices (or the one that holds `member`, where that is not empty),
-// scouts left out. The others are named in `remarks`. Throws InputError where there is no CT.
-std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices,
-                                      const std::filesystem::path& member,
-                                      const std::filesystem::path& folder, ReadRemarks& remarks);
-
 struct OrderedSeries {
     std::vector<DicomSlice> slices;  // from the first to the last along their normal
     // Slices that lie where another one does, with the index in `slices` of that one. Whether they

@@ -3,8 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fstream>
 #include <optional>
+#include <sstream>
+#include <system_error>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -29,9 +34,54 @@ void read_geometry(const DicomHeader& header, DicomSlice& slice) {
                          std::isfinite(spacing[1]);
 }
 
+// A number that changes every Hounsfield unit: absent, or sound, or the slice cannot be read.
+double rescale_value(const DicomHeader& header, std::uint16_t element, const char* name,
+                     double otherwise, std::string& problem) {
+    const auto values = header.numbers_if_sound(0x0028, element);
+    if (values && values->empty()) return otherwise;
+    if (values && values->size() == 1 && std::isfinite(values->front())) return values->front();
+    problem = std::string("has a rescale ") + name + " (0028," +
+              (element == 0x1053 ? "1053" : "1052") + ") of \"" + header.text(0x0028, element) +
+              "\", which is not one number";
+    return otherwise;
+}
+
+void read_rescale(const DicomHeader& header, DicomSlice& slice) {
+    slice.slope = rescale_value(header, 0x1053, "slope", 1.0, slice.problem);
+    slice.intercept = rescale_value(header, 0x1052, "intercept", 0.0, slice.problem);
+    slice.has_rescale =
+        !header.text(0x0028, 0x1053).empty() || !header.text(0x0028, 0x1052).empty();
+    if (header.has_modality_lut)
+        slice.problem =
+            "maps its values to Hounsfield units by a table (Modality LUT Sequence, 0028,3000), "
+            "which this program does not read";
+}
+
+void read_photometric(const DicomHeader& header, DicomSlice& slice) {
+    const std::string kind = header.text(0x0028, 0x0004);
+    slice.inverted_display = kind == "MONOCHROME1";
+    if (kind == "PALETTE COLOR")
+        slice.problem = "is a picture in the colours of a palette (0028,0004), not a CT image";
+    else if (!kind.empty() && kind != "MONOCHROME1" && kind != "MONOCHROME2")
+        slice.problem = "is a colour picture (0028,0004 is \"" + kind + "\")";
+}
+
+// PS3.3 C.7.5.1.1.2: padding stands for "nothing measured here", outside the round field of view.
+void read_padding(const DicomHeader& header, DicomSlice& slice) {
+    if (!header.has(0x0028, 0x0120)) return;
+    const auto stored = [&](std::uint16_t element, int otherwise) {
+        const int value = header.unsigned_short(0x0028, element, otherwise);
+        return static_cast<double>(slice.is_signed ? static_cast<std::int16_t>(value) : value);
+    };
+    const int first = header.unsigned_short(0x0028, 0x0120, -1);
+    if (first < 0) return;  // blank
+    slice.padding = std::minmax(stored(0x0120, 0), stored(0x0121, first));
+}
+
 void read_pixel_format(const DicomHeader& header, DicomSlice& slice) {
     slice.bits_allocated = header.unsigned_short(0x0028, 0x0100);
     slice.bits_stored = header.unsigned_short(0x0028, 0x0101, slice.bits_allocated);
+    slice.high_bit = header.unsigned_short(0x0028, 0x0102, slice.bits_stored - 1);
     slice.is_signed = header.unsigned_short(0x0028, 0x0103) != 0;
     slice.samples_per_pixel = header.unsigned_short(0x0028, 0x0002, 1);
     slice.big_endian = header.big_endian;
@@ -40,18 +90,31 @@ void read_pixel_format(const DicomHeader& header, DicomSlice& slice) {
     slice.pixel_bytes = header.pixel_bytes;
     slice.transfer_syntax = header.transfer_syntax;
     slice.fragments = header.fragments;
-    const std::vector<double> slope = header.numbers(0x0028, 0x1053);
-    const std::vector<double> intercept = header.numbers(0x0028, 0x1052);
-    if (!slope.empty()) slice.slope = slope[0];
-    if (!intercept.empty()) slice.intercept = intercept[0];
+    slice.deflated_at = header.deflated_at;
+    read_rescale(header, slice);
+    read_photometric(header, slice);
+    read_padding(header, slice);
 }
 
-// Anonymised series may have lost their UID: study, number and description then part them.
-std::string series_key(const DicomHeader& header) {
+// Anonymised series may have lost their UID: whatever else is the same throughout a series then
+// tells examinations and series apart.
+std::string series_key(const DicomHeader& header, const DicomSlice& slice) {
     const std::string uid = header.text(0x0020, 0x000e);
     if (!uid.empty()) return uid;
-    return "no UID/" + header.text(0x0020, 0x000d) + "/" + header.text(0x0020, 0x0011) + "/" +
-           header.text(0x0008, 0x103e);
+    std::ostringstream key;
+    key << "no UID";
+    constexpr std::pair<std::uint16_t, std::uint16_t> fields[] = {
+        {0x0020, 0x000d},                                      // study UID
+        {0x0008, 0x0020}, {0x0008, 0x0030}, {0x0008, 0x0021},  // study date, time; series date
+        {0x0008, 0x0031}, {0x0008, 0x0060},                    // series time, modality
+        {0x0020, 0x0052}, {0x0020, 0x0011}, {0x0008, 0x103e},  // frame of reference, number, name
+        {0x0018, 0x1210}, {0x0018, 0x0050}, {0x0018, 0x0060},  // kernel, slice thickness, kV
+        {0x0010, 0x0020}, {0x0028, 0x0030}};                   // patient, pixel spacing
+    for (const auto& [group, element] : fields) key << '/' << header.text(group, element);
+    key << '/' << slice.rows << '/' << slice.columns;
+    for (const double cosine : header.numbers(0x0020, 0x0037))
+        key << '/' << std::round(100.0 * cosine) + 0.0;  // adding 0 turns -0 into 0
+    return key.str();
 }
 
 std::string description_of(const DicomHeader& header) {
@@ -67,10 +130,14 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     slice.file = file;
     slice.rows = header.unsigned_short(0x0028, 0x0010);
     slice.columns = header.unsigned_short(0x0028, 0x0011);
-    slice.series_key = series_key(header);
+    slice.series_key = series_key(header, slice);
     slice.description = description_of(header);
     slice.modality = header.text(0x0008, 0x0060);
-    slice.localizer = header.text(0x0008, 0x0008).find("LOCALIZER") != std::string::npos;
+    slice.image_type = header.text(0x0008, 0x0008);
+    slice.localizer = slice.image_type.find("LOCALIZER") != std::string::npos;
+    slice.kernel = header.text(0x0018, 0x1210);
+    slice.contrast_agent = !header.text(0x0018, 0x0010).empty();
+    slice.acquisition = header.text(0x0020, 0x0012);
     const std::vector<double> frames = header.numbers(0x0028, 0x0008);
     if (!frames.empty() && frames[0] > 1.0)
         slice.frames = static_cast<int>(std::min(frames[0], 1e6));
@@ -86,21 +153,63 @@ struct Passed {
     std::vector<std::string> damaged;
 };
 
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
-                                           error);
-    if (error)
-        throw InputError("cannot be opened (" + error.message() + ")", folder.string(),
-                         "Check that the folder exists and may be read");
-    for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        if (error) break;
-        std::error_code ignored;
-        if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+// Collects the files below a folder; what stands in the way is said, and the rest is still found.
+class FileScan {
+  public:
+    explicit FileScan(ReadRemarks& remarks) : remarks_(remarks) {}
+
+    std::vector<fs::path> files_below(const fs::path& folder) {
+        std::error_code error;
+        const fs::directory_iterator first(folder, error);
+        if (error)
+            throw InputError("cannot be opened (" + error.message() + ")", folder.string(),
+                             "Check that the folder exists and may be read");
+        folders_ = {folder};
+        while (!folders_.empty()) {
+            const fs::path next = std::move(folders_.back());
+            folders_.pop_back();
+            list(next);
+        }
+        std::ranges::sort(files_);
+        return std::move(files_);
     }
-    std::ranges::sort(files);
-    return files;
+
+  private:
+    void list(const fs::path& folder) {
+        std::error_code error;
+        fs::directory_iterator entry(folder, error);
+        while (!error && entry != fs::directory_iterator()) {
+            look_at(*entry);
+            entry.increment(error);
+        }
+        if (error)
+            remarks_.push_back("The folder " + folder.string() + " could not be listed (" +
+                               error.message() + "): files in it may be left out");
+    }
+
+    void look_at(const fs::directory_entry& entry) {
+        std::error_code error;
+        const fs::file_status status = entry.status(error);
+        if (!fs::exists(status)) {
+            const std::string reason =
+                status.type() == fs::file_type::not_found ? "a link to nothing" : error.message();
+            remarks_.push_back(entry.path().string() + " was passed over (" + reason + ")");
+        } else if (fs::is_regular_file(status)) {
+            files_.push_back(entry.path());
+        } else if (fs::is_directory(status) && entry.is_symlink(error)) {
+            remarks_.push_back("The linked folder " + entry.path().string() + " was not entered");
+        } else if (fs::is_directory(status)) {
+            folders_.push_back(entry.path());
+        }
+    }
+
+    ReadRemarks& remarks_;
+    std::vector<fs::path> folders_;  // still to be listed
+    std::vector<fs::path> files_;
+};
+
+bool can_be_opened(const fs::path& file) {
+    return std::ifstream(file, std::ios::binary).is_open();
 }
 
 }  // namespace
@@ -110,13 +219,16 @@ Vec3 DicomSlice::normal() const {
 }
 
 std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, ReadRemarks& remarks) {
-    const std::vector<fs::path> files = files_below(folder);
+    const std::vector<fs::path> files = FileScan(remarks).files_below(folder);
     if (files.empty())
         throw InputError("is empty", folder.string(), "Choose the folder that holds the CT slices");
     std::vector<DicomSlice> slices;
     Passed passed;
     for (std::size_t i = 0; i < files.size(); ++i) {
         job.advance(0.5 * static_cast<double>(i) / static_cast<double>(files.size()));
+        if (!can_be_opened(files[i]))
+            remarks.push_back(files[i].string() + " was passed over (" +
+                              std::generic_category().message(errno) + ")");
         if (!is_dicom_file(files[i])) continue;
         const std::optional<DicomHeader> header = read_dicom_header(files[i]);
         if (!header)

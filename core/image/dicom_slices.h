@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/job.h"
@@ -16,10 +18,17 @@ namespace hepatica {
 
 struct DicomSlice {
     std::filesystem::path file;
-    std::string series_key;   // equal for slices of one series
-    std::string description;  // of the series, for the user
-    std::string modality;     // "CT", "MR" ...; may be blank
-    bool localizer = false;   // a scout view
+    std::string series_key;       // equal for slices of one series
+    std::string description;      // of the series, for the user
+    std::string modality;         // "CT", "MR" ...; may be blank
+    std::string kernel;           // of the CT's reconstruction, as its maker calls it; may be blank
+    std::string image_type;       // ORIGINAL\\PRIMARY\\AXIAL ...
+    bool contrast_agent = false;  // one is named
+    std::string acquisition;      // its number; may be blank
+    // Why the slice's values cannot be read as Hounsfield units ("" where they can): found in the
+    // header, told only where the slice belongs to the series that is read.
+    std::string problem;
+    bool localizer = false;  // a scout view
     int frames = 1;
     int rows = 0;
     int columns = 0;
@@ -33,6 +42,7 @@ struct DicomSlice {
     // How the pixels are stored.
     int bits_allocated = 0;
     int bits_stored = 0;
+    int high_bit = 0;  // of the stored ones, counted from 0
     bool is_signed = false;
     int samples_per_pixel = 1;
     bool big_endian = false;
@@ -41,6 +51,11 @@ struct DicomSlice {
     std::uint64_t pixel_bytes = 0;
     std::string transfer_syntax;
     std::vector<FileRange> fragments;
+    std::uint64_t deflated_at = 0;  // see DicomHeader
+    bool inverted_display = false;  // MONOCHROME1: low values are shown bright
+    bool has_rescale = true;
+    // Stored values within these limits, both included, are padding and no measurement.
+    std::optional<std::pair<double, double>> padding;
     double slope = 1.0;  // HU = slope * stored + intercept
     double intercept = 0.0;
 
@@ -48,8 +63,8 @@ struct DicomSlice {
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
 
-// Looks at every file below `folder`; what is not a DICOM image is passed over. Reports the first
-// half of the stage's progress.
+// Looks at every file below `folder`; what is not a DICOM image is passed over, and what cannot be
+// listed or opened is named in `remarks`. Reports the first half of the stage's progress.
 std::vector<DicomSlice> find_dicom_slices(const std::filesystem::path& folder, Job& job,
                                           ReadRemarks& remarks);
 

@@ -14,6 +14,7 @@
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
 #include "core/image/header_text.h"
+#include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
 
 namespace hepatica {
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double air_hu = -1024.0;
+constexpr std::int16_t air_hu = -1024;
 
 void require_existing(const fs::path& path) {
     std::error_code error;
@@ -101,10 +102,12 @@ bool is_dicom(const fs::path& path) {
            is_dicom_file(path);
 }
 
-Volume read_dicom_at(const fs::path& path, Job& job, ReadRemarks& remarks) {
-    if (fs::is_directory(path)) return read_dicom(path, {}, job, remarks);
+Volume read_dicom_at(const fs::path& path, int series, std::int16_t padding_value, Job& job,
+                     ReadRemarks& remarks) {
+    if (fs::is_directory(path)) return read_dicom(path, {{}, series}, padding_value, job, remarks);
     const fs::path file = fs::absolute(path);
-    return read_dicom(file.parent_path(), is_dicom_file(file) ? file : fs::path(), job, remarks);
+    const fs::path member = is_dicom_file(file) ? file : fs::path();
+    return read_dicom(file.parent_path(), {member, series}, padding_value, job, remarks);
 }
 
 // Which values belong to a mask.
@@ -134,13 +137,23 @@ void require_whole_label(double value, const fs::path& file) {
 
 }  // namespace
 
-Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks) {
+Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks, int series) {
     require_existing(path);
     job.begin_stage("Reading the images");
     ReadRemarks unheard;
     ReadRemarks& heard = remarks != nullptr ? *remarks : unheard;
-    if (is_dicom(path)) return read_dicom_at(path, job, heard);
+    if (is_dicom(path)) return read_dicom_at(path, series, air_hu, job, heard);
+    if (series != 0)
+        throw InputError("is one image and holds no series", path.string(),
+                         "Leave --series out, or give a DICOM folder");
     return read_volume_file(path, job, heard);
+}
+
+std::vector<SeriesDescription> list_series(const fs::path& folder, Job& job) {
+    require_existing(folder);
+    job.begin_stage("Looking for images");
+    ReadRemarks unheard;
+    return describe_series(find_dicom_slices(folder, job, unheard));
 }
 
 LabelMap read_label_map(const fs::path& path, Job& job) {
@@ -183,7 +196,7 @@ Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     Mask mask;
     if (is_dicom(path)) {
         ReadRemarks unheard;
-        const Volume volume = read_dicom_at(path, job, unheard);
+        const Volume volume = read_dicom_at(path, 0, 0, job, unheard);
         mask = Mask(volume.grid);
         std::ranges::transform(volume.voxels, mask.voxels.begin(), [&](std::int16_t value) {
             return static_cast<std::uint8_t>(wanted(value) ? 1 : 0);

@@ -19,16 +19,35 @@ namespace hepatica {
 using ReadRemarks = std::vector<std::string>;
 
 // Reads a CT. `file_or_folder` is a DICOM folder (with subfolders; names and extensions do not
-// matter, files that are not images are passed over, the CT series with the most slices is taken),
-// any one file of such a folder, a DICOMDIR, or a .nii, .nii.gz, .mha, .mhd, .nrrd or .nhdr file.
+// matter, files that are not images are passed over), any one file of a series in such a folder, a
+// DICOMDIR, or a .nii, .nii.gz, .mha, .mhd, .nrrd or .nhdr file.
+// `series` is a number in the list of list_series, from 1; 0 reads the series of the file that was
+// named, or the first of the list. The choice and its reason stand in the remarks.
 // Values are in Hounsfield units after the file's slope and intercept, clamped to
-// [-32768, 32767]; values that are not numbers become -1024.
+// [-32768, 32767]; values that are not numbers and the padding of DICOM files become -1024.
 // Begins one stage of `job` and reports progress slice by slice. Throws Cancelled, or InputError
 // that names the file: unreadable, truncated, no CT in it, sizes or orientations that differ
-// between slices, missing slices, uneven gaps, gantry tilt, a spacing that is not positive, a
-// header that claims more than the file or the memory can hold.
+// between slices, missing slices, uneven gaps, gantry tilt, a spacing that is not positive, an
+// extent or a distance from the origin beyond 10 m, a header that claims more than the file or the
+// memory can hold.
 Volume read_volume(const std::filesystem::path& file_or_folder, Job& job,
-                   ReadRemarks* remarks = nullptr);
+                   ReadRemarks* remarks = nullptr, int series = 0);
+
+// One series of a DICOM folder.
+struct SeriesDescription {
+    std::string description;  // its number and what the scanner's user called it
+    std::string modality;     // "CT" ...; may be blank
+    std::size_t slices = 0;
+    double spacing_mm = 0.0;     // between neighbouring slices; 0 where unknown
+    std::string kernel;          // as its maker calls it; may be blank
+    std::string phase;           // of the contrast, as far as the description tells; may be blank
+    std::string why_not_chosen;  // in words, against the first of the list; "" of the first
+};
+
+// The series that a folder holds, CT first and the best for the liver's vessels first: read_volume
+// reads the first unless told otherwise. Begins one stage. Throws Cancelled, and InputError where
+// the folder cannot be opened or holds no DICOM image.
+std::vector<SeriesDescription> list_series(const std::filesystem::path& folder, Job& job);
 
 // Reads labels (whole numbers 0 to 65535) from .nii, .nii.gz, .mha, .mhd, .nrrd, .nhdr or
 // .seg.nrrd. Throws InputError as above, and where a value is negative or not whole.

@@ -12,8 +12,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/manifold_attempts.h"
 #include "core/mesh/refinement.h"
-#include "core/mesh/surface.h"
 #include "core/mesh/tube_field.h"
 
 namespace hepatica {
@@ -21,6 +21,7 @@ namespace hepatica {
 namespace {
 
 constexpr double calls_per_radius_of_length = 2000.0;
+constexpr double longest_in_radii = 1e6;  // some 1e7 tetrahedra; a liver's vessels have 1e4
 constexpr double finest_in_radii = 0.3;
 constexpr double coarsest_in_radii = 1.0;  // above it cross-sections are triangles and tubes tear
 
@@ -74,11 +75,23 @@ void append(TetMesh& whole, const TetMesh& part) {
         whole.tetrahedra.push_back({first + a, first + b, first + c, first + d});
 }
 
+double length_in_radii(const VesselTree& tree, const MeshOptions& options) {
+    double radii = 0.0;
+    for (const VesselSegment& segment : tree.segments)
+        radii += length_mm(segment) / std::max(segment.radii_mm.front(), options.minimum_radius_mm);
+    return radii;
+}
+
 void check(const VesselTree& tree, const MeshOptions& options) {
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "",
                          "Lower the window of intensities or give a vessel mask");
     validate(tree);
+    if (!(length_in_radii(tree, options) <= longest_in_radii))
+        throw InputError("the vessels are " + std::to_string(length_in_radii(tree, options)) +
+                             " radii long, too thin for tetrahedra",
+                         "mesh options",
+                         "Check the unit of the radii (millimetres), or set a least radius");
     for (const double size : {options.facet_size_in_radii, options.cell_size_in_radii})
         if (!(size >= finest_in_radii && size <= coarsest_in_radii))
             throw InputError("an element size of " + std::to_string(size) + " radii",
@@ -87,11 +100,7 @@ void check(const VesselTree& tree, const MeshOptions& options) {
 
 // How often refinement will ask for a distance, roughly: what progress is measured by.
 double expected_calls(const VesselTree& tree, const MeshOptions& options) {
-    double slenderness = 0.0;  // length in radii
-    for (const VesselSegment& segment : tree.segments)
-        slenderness +=
-            length_mm(segment) / std::max(segment.radii_mm.front(), options.minimum_radius_mm);
-    return calls_per_radius_of_length * slenderness /
+    return calls_per_radius_of_length * length_in_radii(tree, options) /
            (options.facet_size_in_radii * options.facet_size_in_radii);
 }
 
@@ -119,26 +128,28 @@ void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(
                              [](const auto& t) { return *std::ranges::min_element(t); });
 }
 
-// Where two branches nearly touch, the optimised mesh may meet itself along an edge; another size
-// of the elements moves every vertex and mends that.
-TetMesh mesh_component(const TubeField& field, const MeshOptions& options,
-                       const std::function<void(int)>& on_calls) {
-    TetMesh mesh;
-    for (const double scale : {1.0, 0.93, 0.86, 0.8}) {
+ManifoldMesh mesh_component(const TubeField& field, const MeshOptions& options,
+                            const std::function<void(int)>& on_calls) {
+    ManifoldMesh made = first_manifold([&](double scale) {
         const RefinementOptions refinement{
             std::max(finest_in_radii, scale * options.facet_size_in_radii),
             std::max(finest_in_radii, scale * options.cell_size_in_radii), options.optimise};
-        mesh = refine_tetrahedra(field, refinement, on_calls);
+        TetMesh mesh = refine_tetrahedra(field, refinement, on_calls);
         on_calls(0);
-        if (is_closed_manifold(surface_of(mesh).mesh)) break;
-    }
-    sort_along(field, mesh, on_calls);
-    return mesh;
+        return mesh;
+    });
+    sort_along(field, made.mesh, on_calls);
+    return made;
 }
 
-TetMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& components,
-                  const MeshOptions& options, Job& job) {
-    std::vector<TetMesh> parts(components.size());
+struct WholeMesh {
+    TetMesh mesh;
+    int unclosed = 0;  // components whose boundary is no closed manifold
+};
+
+WholeMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& components,
+                    const MeshOptions& options, Job& job) {
+    std::vector<ManifoldMesh> parts(components.size());
     const double all_calls = expected_calls(tree, options);
     std::atomic<double> calls = 0.0;
     const auto on_calls = [&](int more) {
@@ -153,21 +164,25 @@ TetMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& c
             parts[i] = mesh_component(field, options, on_calls);
         }
     });
-    TetMesh whole;
-    for (const TetMesh& part : parts) append(whole, part);
+    WholeMesh whole;
+    for (const ManifoldMesh& part : parts) {
+        append(whole.mesh, part.mesh);
+        whole.unclosed += part.is_manifold ? 0 : 1;
+    }
     return whole;
 }
 
 }  // namespace
 
-TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& job) {
+TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& job,
+                       std::vector<std::string>* warnings) {
     check(tree, options);
     const std::vector<std::vector<int>> components = connected_components(tree);
     MeshOptions sized = options;
     // Few tries suffice: the number of tetrahedra falls like a power of the size.
     for (int attempt = 0; options.target_tetrahedra > 0 && attempt < 3; ++attempt) {
         sized.optimise = false;
-        const std::size_t count = mesh_once(tree, components, sized, job).tetrahedra.size();
+        const std::size_t count = mesh_once(tree, components, sized, job).mesh.tetrahedra.size();
         const double ratio =
             static_cast<double>(count) / static_cast<double>(options.target_tetrahedra);
         if (ratio > 0.85 && ratio < 1.15) break;
@@ -176,10 +191,11 @@ TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& 
             *size = std::clamp(*size * scale, finest_in_radii, coarsest_in_radii);
     }
     sized.optimise = options.optimise;
-    TetMesh mesh = mesh_once(tree, components, sized, job);
+    WholeMesh whole = mesh_once(tree, components, sized, job);
     job.throw_if_cancelled();
-    validate(mesh);
-    return mesh;
+    validate(whole.mesh);
+    report_unclosed(whole.unclosed, static_cast<int>(components.size()), warnings);
+    return std::move(whole.mesh);
 }
 
 }  // namespace hepatica

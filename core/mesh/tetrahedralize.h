@@ -3,6 +3,9 @@
 // by CGAL's Delaunay refinement (Mesh_3) with sizes that follow the local radius.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/base/job.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/tree/vessel_tree.h"
@@ -25,8 +28,11 @@ struct MeshOptions {
 // the mesh; components that overlap in space stay separate bodies. Every branch is present however
 // thin it is. The volume equals that of the round cones within a few per cent: the surface is moved
 // out by what the flat triangles cut off.
-// Same tree, same options: the same bytes. Throws InputError if the tree is empty or not valid, and
-// Cancelled. Thread safety: any number of calls at once.
-TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& job);
+// A body whose surface meets itself at every size of elements that is tried is told in `warnings`,
+// in words for the user; without `warnings` it is refused by InputError.
+// Same tree, same options: the same bytes. Throws InputError if the tree is empty, not valid, or
+// longer than a million of its radii, and Cancelled. Thread safety: any number of calls at once.
+TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& job,
+                       std::vector<std::string>* warnings = nullptr);
 
 }  // namespace hepatica

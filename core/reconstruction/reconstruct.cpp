@@ -201,7 +201,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                            Job& job) {
     Reconstruction result;
     PatientCase& patient = result.patient;
-    const Volume ct = read_volume(options.ct, job, &warnings);
+    const Volume ct = read_volume(options.ct, job, &warnings, options.series);
     require_plausible_ct(ct, options.ct.string());
     require_seeds_in_image(options, ct.grid);
     patient.source = {options.ct.string(), ct.grid, parameters_of(options).dump()};
@@ -235,7 +235,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     warn_of_loops(patient.tree, warnings);
 
     job.begin_stage("Meshing the vessels");
-    patient.mesh = tetrahedralize(patient.tree, options.mesh, job);
+    patient.mesh = tetrahedralize(patient.tree, options.mesh, job, &warnings);
     job.throw_if_cancelled();
     patient.surface = surface_of(patient.mesh).mesh;
     result.stages = job.stage_times();

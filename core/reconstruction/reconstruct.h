@@ -18,7 +18,8 @@
 namespace hepatica {
 
 struct ReconstructOptions {
-    std::filesystem::path ct;                            // DICOM folder or volume file
+    std::filesystem::path ct;  // DICOM folder or volume file
+    int series = 0;            // of the folder, as list_series numbers them; 0: the best
     std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
                                                          // or a box of its voxels
     std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation is

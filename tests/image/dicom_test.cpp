@@ -1,92 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DICOM series written by the program, then bent in every way that real folders are bent.
-#include <gdcmDataSet.h>
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
-#include <gdcmReader.h>
-#include <gdcmWriter.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <functional>
 
 #include "core/base/parallel.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
-#include "tests/image/image_fixtures.h"
+#include "tests/image/dicom_folder.h"
 
 namespace hepatica {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace testing_support;
-
-// A folder with one series of nine slices, slice_0001.dcm to slice_0009.dcm.
-class DicomFolder {
-  public:
-    explicit DicomFolder(const Volume& volume = patterned_volume(small_grid())) : volume_(volume) {
-        Job job;
-        write_dicom_series(path(), volume_, {}, job);
-    }
-
-    fs::path path() const { return folder_ / "ct"; }
-    fs::path slice(int number) const {
-        char name[32];
-        std::snprintf(name, sizeof name, "slice_%04d.dcm", number);
-        return path() / name;
-    }
-    const Volume& volume() const { return volume_; }
-
-    // Replaces the value of a tag, as text, in one slice.
-    void edit(int number, gdcm::Tag tag, const std::string& value) const {
-        edit_file(slice(number), tag, value);
-    }
-    void edit_all(gdcm::Tag tag, const std::string& value) const {
-        for (int i = 1; i <= volume_.grid.dims[2]; ++i) edit(i, tag, value);
-    }
-    static void edit_file(const fs::path& file, gdcm::Tag tag, std::string value) {
-        if (value.size() % 2 != 0) value += ' ';
-        gdcm::Reader reader;
-        reader.SetFileName(file.c_str());
-        ASSERT_TRUE(reader.Read());
-        gdcm::DataSet& data = reader.GetFile().GetDataSet();
-        gdcm::DataElement element(tag);
-        element.SetVR(data.FindDataElement(tag) ? data.GetDataElement(tag).GetVR()
-                                                : gdcm::VR(gdcm::VR::LO));
-        element.SetByteValue(value.data(), static_cast<std::uint32_t>(value.size()));
-        data.Replace(element);
-        gdcm::Writer writer;
-        writer.CheckFileMetaInformationOff();
-        writer.SetFile(reader.GetFile());
-        writer.SetFileName(file.c_str());
-        ASSERT_TRUE(writer.Write());
-    }
-
-    Volume read(ReadRemarks* remarks = nullptr) const {
-        Job job;
-        return read_volume(path(), job, remarks);
-    }
-    std::string refusal_of_folder() const {
-        return refusal([&] { read(); });
-    }
-
-  private:
-    TemporaryFolder folder_;
-    Volume volume_;
-};
-
-const gdcm::Tag position(0x0020, 0x0032);
-const gdcm::Tag orientation(0x0020, 0x0037);
-const gdcm::Tag pixel_spacing(0x0028, 0x0030);
-const gdcm::Tag series_uid(0x0020, 0x000e);
-const gdcm::Tag study_uid(0x0020, 0x000d);
-const gdcm::Tag series_number(0x0020, 0x0011);
-const gdcm::Tag modality(0x0008, 0x0060);
-const gdcm::Tag image_type(0x0008, 0x0008);
-const gdcm::Tag frames(0x0028, 0x0008);
-const gdcm::Tag slope(0x0028, 0x1053);
-const gdcm::Tag intercept(0x0028, 0x1052);
 
 TEST(Dicom, ComesBackAsItWasWritten) {
     for (const Grid& grid : {small_grid(), turned_grid()}) {
@@ -133,6 +63,37 @@ TEST(Dicom, PassesOverFilesThatAreNoImages) {
     fs::create_symlink("nowhere", folder.path() / "broken link");
     ReadRemarks remarks;
     EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
+    ASSERT_EQ(remarks.size(), 2u);  // the preamble without data, and the link
+    EXPECT_NE((remarks[0] + remarks[1]).find("broken link was passed over (a link to nothing)"),
+              std::string::npos);
+}
+
+// What a scan of the folder could not see is said; the rest is read. Another user's rights are
+// taken for a moment where the test runs as root, whom nothing is forbidden.
+TEST(Dicom, NamesFoldersAndFilesThatMayNotBeRead) {
+    const DicomFolder folder;
+    fs::create_directory(folder.path() / "a locked");
+    write_bytes(folder.path() / "b locked.dcm", "not for you");
+    for (const char* name : {"a locked", "b locked.dcm"})
+        fs::permissions(folder.path() / name, fs::perms::none);
+    const uid_t user = geteuid();
+    if (user == 0) {
+        ASSERT_EQ(seteuid(65534), 0);
+    }
+    ReadRemarks remarks;
+    const Volume read = folder.read(&remarks);
+    if (user == 0) {
+        ASSERT_EQ(seteuid(user), 0);
+    }
+    fs::permissions(folder.path() / "a locked", fs::perms::owner_all);
+    EXPECT_EQ(read.voxels, folder.volume().voxels);
+    ASSERT_EQ(remarks.size(), 2u);
+    EXPECT_NE(remarks[0].find("a locked could not be listed (Permission denied)"),
+              std::string::npos)
+        << remarks[0];
+    EXPECT_NE(remarks[1].find("b locked.dcm was passed over (Permission denied)"),
+              std::string::npos)
+        << remarks[1];
 }
 
 TEST(Dicom, ReadsEverySupportedCompression) {
@@ -196,6 +157,7 @@ TEST(Dicom, TakesTheLargestCtSeriesAndNamesTheOthers) {
     ASSERT_EQ(remarks.size(), 2u);
     const std::string both = remarks[0] + remarks[1];
     EXPECT_NE(both.find("late phase"), std::string::npos);
+    EXPECT_NE(both.find("it covers more of the body"), std::string::npos);
     EXPECT_NE(both.find("not a CT"), std::string::npos);
     // Asked by one of its files, the smaller series is read.
     EXPECT_EQ(read_volume(folder.path() / "deeper" / "late" / "slice_0002.dcm", job).grid.dims[2],
@@ -317,6 +279,14 @@ TEST(BadDicom, WithoutASoundGeometryIsRefused) {
     const DicomFolder flat;
     flat.edit_all(slope, "0");
     EXPECT_NE(flat.refusal_of_folder(), "");
+}
+
+TEST(BadDicom, BeyondTenMetresIsRefusedByValue) {
+    const DicomFolder folder;
+    for (int i = 1; i <= 9; ++i)
+        folder.edit(i, position, "1e21\\17.5\\" + std::to_string(-402.0 + 1.5 * (i - 1)));
+    const std::string message = folder.refusal_of_folder();
+    EXPECT_NE(message.find("1e+21"), std::string::npos) << message;
 }
 
 TEST(BadDicom, CutShortIsRefusedByName) {

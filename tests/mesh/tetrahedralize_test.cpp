@@ -170,6 +170,15 @@ TEST(Tetrahedralize, StopsSoonAfterACancel) {
     EXPECT_THROW(tetrahedralize(tree, options, job), Cancelled);
 }
 
+// Its surface alone would have a thousand million points.
+TEST(Tetrahedralize, RefusesAVesselAMillionTimesLongerThanWide) {
+    VesselTree tree = test::random_tree(1, 1);
+    for (VesselSegment& segment : tree.segments)
+        for (double& radius_mm : segment.radii_mm) radius_mm = 1e-7;
+    Job job;
+    EXPECT_THROW(tetrahedralize(tree, {}, job), InputError);
+}
+
 TEST(Tetrahedralize, RefusesAnEmptyTreeAndSizesThatTearTubes) {
     Job job;
     EXPECT_THROW(tetrahedralize(VesselTree{}, {}, job), InputError);

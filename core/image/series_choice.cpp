@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/series_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <compare>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/image/header_text.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double thickest_good_mm = 3.0;   // between slices; beyond it thin vessels are lost
+constexpr double enough_of_longest = 0.5;  // of the longest series: shorter ones are bolus tracking
+
+bool holds_any(const std::string& text, std::initializer_list<const char*> parts) {
+    return std::ranges::any_of(
+        parts, [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+// Kernels that sharpen for lungs and bones, whose noise drowns vessels of the liver: GE's by name,
+// Siemens' (B70f, Br64) and Canon's (FC52) by number, others by what the series is called.
+bool is_sharp_kernel(const std::string& kernel, const std::string& description) {
+    const std::string name = lower_case(kernel);
+    if (holds_any(name, {"lung", "bone", "edge", "chst", "sharp"})) return true;
+    const std::size_t digit = name.find_first_of("0123456789");
+    if (digit != std::string::npos) {
+        const int number = std::atoi(name.substr(digit, 3).c_str());
+        if (name.starts_with("fc")) return number >= 30;
+        if (holds_any(name.substr(0, 1), {"b", "h", "i", "q"})) return number >= 50;
+    }
+    return holds_any(lower_case(description), {"lung", "pulm", "poumon", "bone", "knochen"});
+}
+
+// Ordered by how well portal and hepatic veins stand out.
+enum class Phase { without_contrast, unknown, arterial, late, portal_venous };
+
+// The words that radiologists name series by.
+Phase phase_of(const std::string& description) {
+    std::string name = lower_case(description);
+    for (const char* way : {"intravenous", "intraven"})  // how the contrast went in, not when
+        if (const std::size_t at = name.find(way); at != std::string::npos)
+            name.erase(at, std::string(way).size());
+    if (holds_any(name, {"portal", "venous", "venos", "venös", "veineux", "porto", "pv phase"}))
+        return Phase::portal_venous;
+    if (holds_any(name, {"non-contrast", "noncontrast", "non contrast", "without", "native",
+                         "nativ", "plain", "unenhanced", "sans inj"}))
+        return Phase::without_contrast;
+    if (holds_any(name, {"delay", "tardif", "equilib", "spät"}) ||
+        std::ranges::count(words(name), "late") > 0)  // not "lateral"
+        return Phase::late;
+    if (holds_any(name, {"arteri", "artériel", "angio", "early"})) return Phase::arterial;
+    return Phase::unknown;
+}
+
+const char* name_of(Phase phase) {
+    switch (phase) {
+        case Phase::portal_venous:
+            return "portal venous phase";
+        case Phase::late:
+            return "late phase";
+        case Phase::arterial:
+            return "arterial phase";
+        case Phase::without_contrast:
+            return "no contrast";
+        case Phase::unknown:
+            break;
+    }
+    return "";
+}
+
+struct Series {
+    std::vector<DicomSlice> slices;
+    double spacing_mm = 0.0;  // between neighbouring slices; 0 where unknown
+    double extent_mm = 0.0;   // from the first to the last
+    bool covers = true;       // about as much as the longest series
+
+    const DicomSlice& first() const { return slices.front(); }
+    bool is_ct() const { return first().modality == "CT" || first().modality.empty(); }
+    bool is_axial() const { return !first().has_geometry || std::abs(first().normal().z()) > 0.9; }
+    bool is_projection() const {
+        return holds_any(lower_case(first().image_type + first().description),
+                         {"mip", "mpr thick", "projection", "screen save", "dose"});
+    }
+    bool is_soft() const { return !is_sharp_kernel(first().kernel, first().description); }
+    Phase phase() const { return phase_of(first().description); }
+    bool is_thin() const { return spacing_mm > 0.0 && spacing_mm <= thickest_good_mm; }
+};
+
+// Bigger is better, the first difference decides.
+constexpr std::size_t criteria = 8;
+using Rank = std::array<double, criteria>;
+
+Rank rank_of(const Series& series) {
+    return {series.is_ct() ? 1.0 : 0.0,
+            series.covers ? 1.0 : 0.0,
+            series.is_axial() && !series.is_projection() ? 1.0 : 0.0,
+            series.is_soft() ? 1.0 : 0.0,
+            static_cast<double>(series.phase()),
+            series.first().contrast_agent ? 1.0 : 0.0,
+            series.is_thin() ? 1.0 : 0.0,
+            static_cast<double>(series.slices.size())};
+}
+
+// Why the better of two was preferred.
+std::string reason(const Series& better, const Series& worse) {
+    static constexpr std::array<const char*, criteria> words{
+        "it is a CT",
+        "it covers more of the body",
+        "its slices are axial and not projected",
+        "its kernel is for soft tissue",
+        "of its phase of the contrast",
+        "it was taken with contrast",
+        "its slices lie closer together",
+        "it has more slices"};
+    const Rank a = rank_of(better), b = rank_of(worse);
+    for (std::size_t i = 0; i < criteria; ++i)
+        if (a[i] > b[i]) return words[i];
+    return "it stands first";
+}
+
+void measure_extent(Series& series) {
+    std::vector<double> places;
+    for (const DicomSlice& slice : series.slices)
+        if (slice.has_geometry) places.push_back(slice.position_mm.dot(series.first().normal()));
+    std::ranges::sort(places);
+    const auto same =
+        std::ranges::unique(places, [](double a, double b) { return std::abs(a - b) < 1e-3; });
+    places.erase(same.begin(), same.end());
+    if (places.size() < 2) return;
+    series.extent_mm = places.back() - places.front();
+    series.spacing_mm = series.extent_mm / static_cast<double>(places.size() - 1);
+}
+
+// Two phases that lost their identifiers lie in the same places; their acquisitions part them.
+bool lie_in_one_place(const std::vector<DicomSlice>& slices) {
+    std::set<std::tuple<double, double, double>> places;
+    for (const DicomSlice& slice : slices) {
+        const Vec3& p = slice.position_mm;
+        if (slice.has_geometry && !places.emplace(p.x(), p.y(), p.z()).second) return true;
+    }
+    return false;
+}
+
+std::map<std::string, std::vector<DicomSlice>> grouped(const std::vector<DicomSlice>& slices) {
+    std::map<std::string, std::vector<DicomSlice>> by_key, parted;
+    for (const DicomSlice& slice : slices)
+        if (!slice.localizer) by_key[slice.series_key].push_back(slice);
+    for (auto& [key, series] : by_key) {
+        const bool split = key.starts_with("no UID") && lie_in_one_place(series);
+        for (DicomSlice& slice : series)
+            parted[split ? key + "/acquisition " + slice.acquisition : key].push_back(slice);
+    }
+    return parted;
+}
+
+// CT first, the best first; equal ones in the order of their keys.
+std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
+    std::vector<Series> all;
+    double longest_mm = 0.0;
+    for (auto& [key, group] : grouped(slices)) {
+        Series& series = all.emplace_back();
+        series.slices = std::move(group);
+        measure_extent(series);
+        if (series.is_ct()) longest_mm = std::max(longest_mm, series.extent_mm);
+    }
+    for (Series& series : all) series.covers = series.extent_mm >= enough_of_longest * longest_mm;
+    std::ranges::stable_sort(
+        all, [](const Series& a, const Series& b) { return rank_of(a) > rank_of(b); });
+    return all;
+}
+
+std::string text_of(const Series& series) {
+    const DicomSlice& first = series.first();
+    std::ostringstream text;
+    text << first.description << " (" << (first.modality.empty() ? "no modality" : first.modality)
+         << ", " << series.slices.size() << " images";
+    if (series.spacing_mm > 0.0) {
+        text.precision(3);
+        text << ", " << series.spacing_mm << " mm apart";
+    }
+    if (!first.kernel.empty()) text << ", kernel " << first.kernel;
+    if (series.phase() != Phase::unknown) text << ", " << name_of(series.phase());
+    text << ")";
+    return text.str();
+}
+
+// The place in the list, or nothing where there is no such series.
+std::optional<std::size_t> wished(const std::vector<Series>& all, const SeriesWish& wish) {
+    const auto number = static_cast<std::size_t>(wish.number);
+    if (wish.number != 0)
+        return wish.number > 0 && number <= all.size() ? std::optional(number - 1) : std::nullopt;
+    for (std::size_t i = 0; !wish.member.empty() && i < all.size(); ++i)
+        if (std::ranges::find(all[i].slices, wish.member, &DicomSlice::file) != all[i].slices.end())
+            return i;
+    return all.empty() ? std::nullopt : std::optional<std::size_t>(0);
+}
+
+void remark_on_choice(const std::vector<Series>& all, std::size_t chosen, bool was_wished,
+                      ReadRemarks& remarks) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i == chosen) continue;
+        if (!all[i].is_ct()) {
+            remarks.push_back("Left out " + text_of(all[i]));
+            continue;
+        }
+        const std::string why =
+            was_wished ? "as asked for" : "because " + reason(all[chosen], all[i]);
+        remarks.push_back("Read " + text_of(all[chosen]) + " and left out " + text_of(all[i]) +
+                          " " + why + ". On the command line --series " + std::to_string(i + 1) +
+                          " reads the other one, and so does naming one of its files");
+    }
+}
+
+}  // namespace
+
+std::vector<SeriesDescription> describe_series(const std::vector<DicomSlice>& slices) {
+    const std::vector<Series> all = ranked(slices);
+    std::vector<SeriesDescription> list;
+    for (const Series& series : all) {
+        const DicomSlice& first = series.first();
+        list.push_back({first.description, first.modality, series.slices.size(), series.spacing_mm,
+                        first.kernel, name_of(series.phase()),
+                        list.empty() ? "" : reason(all.front(), series)});
+    }
+    return list;
+}
+
+std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices, const SeriesWish& wish,
+                                      const fs::path& folder, ReadRemarks& remarks) {
+    const auto scouts = std::ranges::count_if(slices, &DicomSlice::localizer);
+    if (scouts > 0) remarks.push_back("Left out " + std::to_string(scouts) + " scout images");
+    std::vector<Series> all = ranked(slices);
+    const std::optional<std::size_t> chosen = wished(all, wish);
+    if (!chosen && wish.number != 0)
+        throw InputError("holds " + std::to_string(all.size()) + " series and no number " +
+                             std::to_string(wish.number),
+                         folder.string(), "Give a number from 1, which is the best, on");
+    if (!chosen || !all[*chosen].is_ct()) {
+        std::string found;
+        for (const Series& series : all) found += (found.empty() ? ": " : ", ") + text_of(series);
+        throw InputError("holds no CT series" + found, folder.string(),
+                         "Choose the folder of a contrast-enhanced CT");
+    }
+    const bool was_wished = wish.number != 0 || !wish.member.empty();
+    remark_on_choice(all, *chosen, was_wished, remarks);
+    return std::move(all[*chosen].slices);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/manifold_attempts.h"
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+
+namespace hepatica {
+
+ManifoldMesh first_manifold(const std::function<TetMesh(double)>& mesher) {
+    ManifoldMesh last;
+    for (const double scale : {1.0, 0.93, 0.86, 0.8}) {
+        last.mesh = mesher(scale);
+        last.is_manifold = is_closed_manifold(surface_of(last.mesh).mesh);
+        if (last.is_manifold) break;
+    }
+    return last;
+}
+
+void report_unclosed(int unclosed, int all, std::vector<std::string>* warnings) {
+    if (unclosed == 0) return;
+    const std::string problem = "the surface of " + std::to_string(unclosed) + " of " +
+                                std::to_string(all) + (all == 1 ? " body" : " bodies") +
+                                " meets itself along an edge or in a point, whatever the size of "
+                                "the elements (\"closed\" is false)";
+    const std::string remedy =
+        "Branches that touch may be parted (hepatica-cli edit), or give another number of "
+        "tetrahedra";
+    if (warnings == nullptr) throw InputError(problem, "the mesh", remedy);
+    warnings->push_back("The mesh is not sound: " + problem +
+                        ". Forces pass through such places as through a hinge. " + remedy + ".");
+}
+
+}  // namespace hepatica

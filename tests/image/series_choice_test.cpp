@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Folders of several series: which one is read, and how the user hears of it.
+#include <gtest/gtest.h>
+
+#include "tests/image/dicom_folder.h"
+
+namespace hepatica {
+namespace {
+
+using namespace testing_support;
+namespace fs = std::filesystem;
+
+const gdcm::Tag kernel(0x0018, 0x1210);
+const gdcm::Tag study_date(0x0008, 0x0020);
+const gdcm::Tag description(0x0008, 0x103e);
+const gdcm::Tag acquisition(0x0020, 0x0012);
+
+// Several series below one folder, each with voxels of one value.
+class Examination {
+  public:
+    void add(const std::string& name, int slices, std::int16_t value, double spacing_mm = 1.5,
+             const std::string& kernel_name = "") {
+        Grid grid = small_grid();
+        grid.dims[2] = slices;
+        grid.spacing_mm[2] = spacing_mm;
+        DicomSeriesInfo info;
+        info.series_description = name;
+        Job job;
+        write_dicom_series(folder_ / name, Volume(grid, value), info, job);
+        if (!kernel_name.empty()) edit(name, kernel, kernel_name);
+    }
+    void edit(const std::string& name, const gdcm::Tag& tag, const std::string& value) const {
+        for (const auto& entry : fs::directory_iterator(folder_ / name))
+            DicomFolder::edit_file(entry.path(), tag, value);
+    }
+    std::int16_t value_read(ReadRemarks* remarks = nullptr, int series = 0) const {
+        Job job;
+        return read_volume(path(), job, remarks, series).voxels[0];
+    }
+    const fs::path& path() const { return folder_.path(); }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+// The lung kernel has more slices than the soft tissue, as it usually has.
+TEST(SeriesChoice, PrefersSoftTissueToALungKernelAndSaysSo) {
+    for (const auto& [soft, sharp] :
+         {std::pair{"B30f", "B70f"}, std::pair{"STANDARD", "LUNG"}, std::pair{"FC08", "FC52"},
+          std::pair{"Br40d", "Bl64d"}, std::pair{"I31f", "BONEPLUS"}}) {
+        Examination exam;
+        exam.add("abdomen", 12, 60, 1.5, soft);
+        exam.add("thorax", 20, 900, 1.5, sharp);
+        ReadRemarks remarks;
+        EXPECT_EQ(exam.value_read(&remarks), 60) << sharp;
+        ASSERT_EQ(remarks.size(), 1u);
+        for (const char* part :
+             {"abdomen", "thorax", soft, sharp, "its kernel is for soft tissue", "--series 2"})
+            EXPECT_NE(remarks[0].find(part), std::string::npos) << part << ": " << remarks[0];
+        EXPECT_EQ(exam.value_read(&remarks, 2), 900);  // the other is offered
+    }
+}
+
+TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
+    Examination phases;
+    phases.add("native", 16, 10);
+    phases.add("arterial", 16, 20);
+    phases.add("portal venous", 12, 30);
+    phases.add("delayed 5 min", 16, 40);
+    ReadRemarks remarks;
+    EXPECT_EQ(phases.value_read(&remarks), 30);
+    ASSERT_EQ(remarks.size(), 3u);
+    EXPECT_NE(remarks[0].find("because of its phase of the contrast"), std::string::npos);
+
+    Examination thickness;
+    thickness.add("thick", 12, 10, 5.0);
+    thickness.add("thin", 40, 20, 1.5);
+    EXPECT_EQ(thickness.value_read(), 20);
+}
+
+// A few slices at one level, taken to see the contrast arrive, are no examination.
+TEST(SeriesChoice, IgnoresAShortSeriesWhateverItsName) {
+    Examination exam;
+    exam.add("abdomen", 20, 60);
+    exam.add("portal bolus tracking", 3, 90);
+    EXPECT_EQ(exam.value_read(), 60);
+}
+
+TEST(SeriesChoice, IsListedBestFirstWithTheReason) {
+    Examination exam;
+    exam.add("lung", 20, 900, 1.5, "B70f");
+    exam.add("portal", 16, 60, 2.0, "B30f");
+    Job job;
+    const std::vector<SeriesDescription> list = list_series(exam.path(), job);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_NE(list[0].description.find("portal"), std::string::npos);
+    EXPECT_EQ(list[0].slices, 16u);
+    EXPECT_NEAR(list[0].spacing_mm, 2.0, 1e-9);
+    EXPECT_EQ(list[0].kernel, "B30f");
+    EXPECT_EQ(list[0].phase, "portal venous phase");
+    EXPECT_EQ(list[0].why_not_chosen, "");
+    EXPECT_EQ(list[1].why_not_chosen, "its kernel is for soft tissue");
+    EXPECT_EQ(exam.value_read(nullptr, 1), 60);
+    EXPECT_NE(refusal([&] { exam.value_read(nullptr, 3); }).find("no number 3"), std::string::npos);
+}
+
+// Anonymisers blank the UIDs; examinations of two dates were stacked into one.
+TEST(SeriesChoice, TellsExaminationsWithoutIdentifiersApart) {
+    for (const auto& [tag, one, other] :
+         {std::tuple{study_date, "20200101", "20210203"}, std::tuple{series_number, "2", "3"},
+          std::tuple{kernel, "B30f", "B31f"}, std::tuple{acquisition, "1", "2"}}) {
+        Examination exam;
+        exam.add("a", 12, 60);
+        exam.add("b", 14, 70);
+        for (const char* name : {"a", "b"}) {
+            exam.edit(name, series_uid, "");
+            exam.edit(name, study_uid, "");
+            exam.edit(name, gdcm::Tag(0x0020, 0x0052), "");  // frame of reference
+            exam.edit(name, description, "CT");
+        }
+        exam.edit("a", tag, one);
+        exam.edit("b", tag, other);
+        ReadRemarks remarks;
+        EXPECT_EQ(exam.value_read(&remarks), 70) << tag;
+        EXPECT_EQ(remarks.size(), 1u);
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
