@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/patient/patient_case.h"
-#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 
@@ -58,12 +57,27 @@ Json to_json(const Fluid& fluid) {
             {"void_fraction", fluid.void_fraction}};
 }
 
-VesselTree read_any_tree(const std::filesystem::path& place) {
+void TreeFileOptions::add_to(CLI::App& verb) {
+    verb.add_option("--tree-space", space,
+                    "Axes of a tree's file that does not state them: lps or ras")
+        ->check(CLI::IsMember({"lps", "ras"}));
+    verb.add_option("--radius-mm", radius_mm, "Radius of all vessels, for a .vtp without radii")
+        ->check(CLI::Range(0.001, 1000.0));
+}
+
+TreeFileFacts TreeFileOptions::facts() const {
+    TreeFileFacts facts;
+    if (!space.empty()) facts.space = space == "ras" ? PatientSpace::ras : PatientSpace::lps;
+    facts.radius_mm = radius_mm;
+    return facts;
+}
+
+VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptions& options) {
     if (!std::filesystem::exists(place))
         throw InputError("does not exist", place.string(),
                          "Name a case's folder, or a tree in a .vtp, .swc or .json file");
     if (std::filesystem::is_directory(place)) return read_case_without_voxels(place).tree;
-    return read_tree(place);
+    return read_tree(place, options.facts());
 }
 
 TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree) {

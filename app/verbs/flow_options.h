@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "core/flow/pressure_drop.h"
 #include "core/scene/default_injection.h"
+#include "core/tree/files/tree_io.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
@@ -36,8 +37,17 @@ struct FluidOptions {
 
 Json to_json(const Fluid& fluid);
 
+// --tree-space and --radius-mm: what a tree's file of another program leaves open.
+struct TreeFileOptions {
+    std::string space;  // lps, ras, or "" where it is not stated
+    std::optional<double> radius_mm;
+
+    void add_to(CLI::App& verb);
+    TreeFileFacts facts() const;
+};
+
 // A case's folder, or a tree of its own in a file (.vtp, .swc, .json). Throws InputError.
-VesselTree read_any_tree(const std::filesystem::path& place);
+VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptions& options);
 
 // The point of the tree nearest to "X,Y,Z" (mm, LPS) given to `option`.
 TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree);

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <string>
 
+#include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/accuracy/accuracy.h"
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
-#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 
@@ -21,6 +21,7 @@ namespace {
 struct Options {
     std::filesystem::path patient;
     std::filesystem::path truth_tree;
+    TreeFileOptions tree_file;  // of the truth
     std::filesystem::path truth_mask;
 };
 
@@ -74,7 +75,7 @@ std::vector<std::string> doubts(const Options& options, const Accuracy& found) {
 Json run(const Options& options, Job& job) {
     job.expect_stages(2);
     const PatientCase patient = read_case(options.patient);
-    const VesselTree truth_tree = read_tree(options.truth_tree);
+    const VesselTree truth_tree = read_tree(options.truth_tree, options.tree_file.facts());
     const Mask truth_mask = read_mask(options.truth_mask, job);
     require_overlap(box_of(patient.tree), options.patient, box_of(truth_tree), options.truth_tree);
     require_overlap(box_of(patient.tree), options.patient, box_of(truth_mask), options.truth_mask);
@@ -114,6 +115,7 @@ void add_compare(CommandLine& line) {
                     "Centrelines with radii (.vtp, .swc or .json); refused where they lie "
                     "elsewhere, with a warning where half of both trees is 5 mm apart")
         ->required();
+    options->tree_file.add_to(verb);
     verb.add_option("--truth-mask", options->truth_mask, "Vessel voxels (NIfTI ...)")->required();
 }
 

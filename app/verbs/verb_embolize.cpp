@@ -18,6 +18,7 @@ namespace {
 
 struct Options {
     std::filesystem::path place;
+    TreeFileOptions tree_file;
     std::string at_mm;
     std::string beads = "100-300";
     EmbolizationOptions embolization;
@@ -71,7 +72,7 @@ Json run(Options options, Job& job) {
         if (!file->empty()) require_writable(*file);
     job.expect_stages(2);
     job.begin_stage("reading the tree");
-    const VesselTree tree = read_any_tree(options.place);
+    const VesselTree tree = read_any_tree(options.place, options.tree_file);
     FlowNetwork network = network_of(tree);
     const TreePoint point =
         options.at_mm.empty() ? main_root(tree) : parse_point("--at-mm", options.at_mm, tree);
@@ -116,6 +117,7 @@ void add_embolize(CommandLine& line) {
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
+    options->tree_file.add_to(verb);
     verb.add_option("--at-mm", options->at_mm,
                     "X,Y,Z of the catheter's tip; default: the root of the largest system");
     verb.add_option("--beads", options->beads, "100-300, 300-500, 500-700 (um) or gelatin")

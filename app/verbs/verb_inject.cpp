@@ -20,6 +20,7 @@ namespace {
 
 struct Options {
     std::filesystem::path place;
+    TreeFileOptions tree_file;
     InjectionOptions injection;
     FluidOptions fluid;
     std::string at_mm;
@@ -125,7 +126,7 @@ Json run(Options options, Job& job) {
     InjectionOptions& injection = options.injection;
     job.expect_stages(2);
     job.begin_stage("reading the tree");
-    const VesselTree tree = read_any_tree(options.place);
+    const VesselTree tree = read_any_tree(options.place, options.tree_file);
     const TreePoint tip =
         options.at_mm.empty() ? main_root(tree) : parse_point("--at-mm", options.at_mm, tree);
     injection.tip = tip;
@@ -161,6 +162,7 @@ void add_inject(CommandLine& line) {
         [options](Job& job) { return run(*options, job); }, summary_of_injection);
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
+    options->tree_file.add_to(verb);
     verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
         ->capture_default_str();
     verb.add_option("--pressure-pa", injection.inlet_pressure_pa,

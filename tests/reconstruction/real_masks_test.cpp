@@ -53,7 +53,8 @@ TEST_P(OtherPhantom, TreeFromItsMaskAndCtIsTheTruth) {
     const std::string name = GetParam();
     const Mask mask = read_mask(folder / ("mask_" + name + ".nii.gz"), job);
     const Volume ct = read_volume(folder / "phantom_ct_hu.nii.gz", job);
-    const VesselTree truth = read_tree(folder / ("tree_" + name + ".vtp"));
+    const VesselTree truth =
+        read_tree(folder / ("tree_" + name + ".vtp"), {.space = PatientSpace::lps});
     const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
     const VesselTree tree = extract_tree(skeleton, mask, &ct, {}, job);
     AccuracyOptions options;

@@ -101,7 +101,8 @@ Patient vascusynth_patient(Job& job) {
     patient.truth = read_mask(folder / "mask_portal.nii.gz", job);
     for (const char* name : {"artery", "portal", "hvein"}) {
         unite(patient.truth, read_mask(folder / (std::string("mask_") + name + ".nii.gz"), job));
-        const VesselTree tree = read_tree(folder / (std::string("tree_") + name + ".vtp"));
+        const VesselTree tree = read_tree(folder / (std::string("tree_") + name + ".vtp"),
+                                          {.space = PatientSpace::lps});
         patient.tree.segments.insert(patient.tree.segments.end(), tree.segments.begin(),
                                      tree.segments.end());
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tree/files/tree_io.h"
 
+#include <sstream>
+
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/base/text_file.h"
 #include "core/tree/files/tree_files.h"
 
@@ -11,7 +14,29 @@ std::string read_text(const std::filesystem::path& file) {
     return read_text_file(file, "Give a tree in a .vtp, .swc or .json file");
 }
 
+namespace {
+
+// Capillaries, the thinnest vessels there are, have radii of 0.003 mm; the aorta has 15.
+void require_plausible_radius(double radius_mm, const std::string& place) {
+    constexpr double least_mm = 0.001, most_mm = 1000.0;
+    if (radius_mm >= least_mm && radius_mm <= most_mm) return;
+    std::ostringstream problem;
+    problem << "has a vessel of radius " << radius_mm << " mm";
+    throw InputError(problem.str(), place,
+                     "Give radii in millimetres, from 0.001 to 1000, at every point");
+}
+
+}  // namespace
+
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file) {
+    for (const VesselNode& node : tree.nodes)
+        require_in_patient_space(node.position_mm, "a node", file.string());
+    for (const VesselSegment& segment : tree.segments) {
+        for (const Vec3& point : segment.points_mm)
+            require_in_patient_space(point, "a point", file.string());
+        for (const double radius_mm : segment.radii_mm)
+            require_plausible_radius(radius_mm, file.string());
+    }
     try {
         validate(tree);
     } catch (const InputError& error) {
@@ -36,14 +61,14 @@ void write_tree(const std::filesystem::path& file, const VesselTree& tree) {
     refuse_extension(file);
 }
 
-VesselTree read_tree(const std::filesystem::path& file) {
+VesselTree read_tree(const std::filesystem::path& file, const TreeFileFacts& facts) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw InputError("does not exist", file.string(),
                          "Give a tree in a .vtp, .swc or .json file");
     const std::string extension = file.extension().string();
-    if (extension == ".vtp") return read_tree_vtp(file);
-    if (extension == ".swc") return read_tree_swc(file);
+    if (extension == ".vtp") return read_tree_vtp(file, facts);
+    if (extension == ".swc") return read_tree_swc(file, facts);
     if (extension == ".json") return read_tree_json(file);
     refuse_extension(file);
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/extraction/line_graph.h"
 #include "core/tree/files/tree_files.h"
 
@@ -58,9 +59,11 @@ std::vector<Sample> parse_samples(const std::string& text, const std::filesystem
                            take(rest, s.position_mm.x()) && take(rest, s.position_mm.y()) &&
                            take(rest, s.position_mm.z()) && take(rest, s.radius_mm) &&
                            take(rest, s.parent);
-        if (!whole || !s.position_mm.allFinite())
+        if (!whole)
             throw InputError("line " + std::to_string(line_number) + " is not a sample",
                              file.string(), "Give an SWC file: seven numbers per line");
+        require_in_patient_space(s.position_mm, "sample " + std::to_string(s.number),
+                                 file.string());
         s.system = std::max(0, static_cast<int>(std::clamp(type, 0.0, 1e6)) - first_system_type);
         samples.push_back(s);
     }
@@ -95,15 +98,16 @@ void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree) {
     write_text_atomically(file, out.str());
 }
 
-VesselTree read_tree_swc(const std::filesystem::path& file) {
+VesselTree read_tree_swc(const std::filesystem::path& file, const TreeFileFacts& facts) {
     const std::vector<Sample> samples = parse_samples(read_text(file), file);
+    const Vec3 signs = signs_to_lps(facts.space.value_or(PatientSpace::lps));
     std::map<long long, int> index_of;
     std::vector<Vec3> points;
     for (const Sample& s : samples) {
         if (!index_of.try_emplace(s.number, static_cast<int>(points.size())).second)
             throw InputError("sample " + std::to_string(s.number) + " stands there twice",
                              file.string(), "Number the samples differently");
-        points.push_back(s.position_mm);
+        points.push_back(signs.cwiseProduct(s.position_mm));
     }
     std::vector<LineEdge> edges;
     std::vector<int> root_points;

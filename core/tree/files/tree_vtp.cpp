@@ -25,6 +25,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/extraction/line_graph.h"
 #include "core/tree/files/tree_files.h"
 
@@ -172,10 +173,40 @@ vtkSmartPointer<vtkPolyData> read_lines(const std::filesystem::path& file) {
     return lines;
 }
 
-Vec3 point_at(vtkPolyData* lines, vtkIdType id) {
+// What the field data SPACE say: "LPS", "RAS", or 3D Slicer's "SPACE=RAS"; "" where they are
+// missing.
+std::string stated_space(vtkPolyData* lines) {
+    const auto* space =
+        vtkStringArray::SafeDownCast(lines->GetFieldData()->GetAbstractArray("SPACE"));
+    if (space == nullptr || space->GetNumberOfValues() == 0) return "";
+    const std::string text = space->GetValue(0);
+    return text.starts_with("SPACE=") ? text.substr(6) : text;
+}
+
+PatientSpace space_of(vtkPolyData* lines, const TreeFileFacts& facts,
+                      const std::filesystem::path& file) {
+    const std::string stated = stated_space(lines);
+    if (stated.empty()) {
+        if (facts.space) return *facts.space;
+        throw InputError(
+            "does not say which way its axes run (it has no field data SPACE)", file.string(),
+            "State it, --tree-space lps or --tree-space ras, or save the tree from 3D Slicer, "
+            "which writes SPACE");
+    }
+    if (stated != "LPS" && stated != "RAS")
+        throw InputError("has its axes in space \"" + stated + "\"", file.string(),
+                         "Save it in LPS or RAS");
+    const PatientSpace space = stated == "RAS" ? PatientSpace::ras : PatientSpace::lps;
+    if (facts.space && *facts.space != space)
+        throw InputError("says itself that its axes are " + stated, file.string(),
+                         "Leave --tree-space out");
+    return space;
+}
+
+Vec3 point_at(vtkPolyData* lines, vtkIdType id, const Vec3& signs) {
     Vec3 p;
     lines->GetPoint(id, p.data());
-    return p;
+    return signs.cwiseProduct(p);
 }
 
 template <class Visit>
@@ -201,7 +232,7 @@ bool is_own(vtkPolyData* lines) {
            lines->GetPointData()->GetArray("Radius") != nullptr;
 }
 
-VesselTree own_tree(vtkPolyData* lines, const std::filesystem::path& file) {
+VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem::path& file) {
     VesselTree tree;
     vtkDataArray* node_radii = lines->GetFieldData()->GetArray("NodeRadius");
     vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
@@ -223,7 +254,7 @@ VesselTree own_tree(vtkPolyData* lines, const std::filesystem::path& file) {
         segment.proximal_node = value("ProximalNode");
         segment.distal_node = value("DistalNode");
         for (const vtkIdType id : ids) {
-            segment.points_mm.push_back(point_at(lines, id));
+            segment.points_mm.push_back(point_at(lines, id, signs));
             segment.radii_mm.push_back(radii->GetComponent(id, 0));
             segment.bridged.push_back(bridged && bridged->GetComponent(id, 0) != 0.0 ? 1 : 0);
         }
@@ -250,21 +281,46 @@ vtkDataArray* radius_array(vtkFieldData* data) {
     return nullptr;
 }
 
-VesselTree foreign_tree(vtkPolyData* lines) {
+// The radius at a point of a line: from the first array that speaks of one, or as stated.
+class Radii {
+  public:
+    Radii(vtkPolyData* lines, const TreeFileFacts& facts, const std::filesystem::path& file)
+        : at_points_(radius_array(lines->GetPointData())),
+          at_cells_(radius_array(lines->GetCellData())),
+          stated_mm_(facts.radius_mm) {
+        const bool in_file = at_points_ != nullptr || at_cells_ != nullptr;
+        if (!in_file && !stated_mm_)
+            throw InputError(
+                "holds no radii", file.string(),
+                "Give the lines a point or cell array MaximumInscribedSphereRadius or Radius [mm], "
+                "or state one radius for all vessels: --radius-mm");
+        if (in_file && stated_mm_)
+            throw InputError("holds radii of its own", file.string(), "Leave --radius-mm out");
+    }
+    double at(vtkIdType cell, vtkIdType point) const {
+        if (at_points_ != nullptr) return at_points_->GetComponent(point, 0);
+        return at_cells_ != nullptr ? at_cells_->GetComponent(cell, 0) : *stated_mm_;
+    }
+
+  private:
+    vtkDataArray* at_points_;
+    vtkDataArray* at_cells_;
+    std::optional<double> stated_mm_;
+};
+
+VesselTree foreign_tree(vtkPolyData* lines, const Vec3& signs, const TreeFileFacts& facts,
+                        const std::filesystem::path& file) {
     std::vector<Vec3> points(lines->GetNumberOfPoints());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = point_at(lines, static_cast<vtkIdType>(i));
-    vtkDataArray* at_points = radius_array(lines->GetPointData());
-    vtkDataArray* at_cells = radius_array(lines->GetCellData());
-    const auto radius = [&](vtkIdType cell, vtkIdType point) {
-        if (at_points != nullptr) return at_points->GetComponent(point, 0);
-        return at_cells != nullptr ? at_cells->GetComponent(cell, 0) : 1.0;
-    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] = point_at(lines, static_cast<vtkIdType>(i), signs);
+        require_in_patient_space(points[i], "a point", file.string());
+    }
+    const Radii radii(lines, facts, file);
     std::vector<LineEdge> edges;
     for_each_line(lines, [&](vtkIdType cell, const std::vector<vtkIdType>& ids) {
         for (std::size_t i = 1; i < ids.size(); ++i)
             edges.push_back({static_cast<int>(ids[i - 1]), static_cast<int>(ids[i]),
-                             radius(cell, ids[i - 1]), radius(cell, ids[i]), 0});
+                             radii.at(cell, ids[i - 1]), radii.at(cell, ids[i]), 0});
     });
     return directed(graph_of_edges(points, edges).graph);
 }
@@ -287,9 +343,11 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
     });
 }
 
-VesselTree read_tree_vtp(const std::filesystem::path& file) {
+VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts& facts) {
     const vtkSmartPointer<vtkPolyData> lines = read_lines(file);
-    VesselTree tree = is_own(lines) ? own_tree(lines, file) : foreign_tree(lines);
+    const Vec3 signs = signs_to_lps(space_of(lines, facts, file));
+    VesselTree tree =
+        is_own(lines) ? own_tree(lines, signs, file) : foreign_tree(lines, signs, facts, file);
     validate_from_file(tree, file);
     return tree;
 }

@@ -80,13 +80,87 @@ TEST(TreeVtp, TwoWritesGiveTheSameBytes) {
 TEST(TreeVtp, ForeignTreesAreRebuiltFromSharedPoints) {
     const auto folder = shared_data() / "vascusynth";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
-    const VesselTree tree = read_tree_vtp(folder / "tree_portal.vtp");
+    const VesselTree tree = read_tree_vtp(folder / "tree_portal.vtp", {.space = PatientSpace::lps});
     validate(tree);
     ASSERT_EQ(roots(tree).size(), 1u);
     EXPECT_EQ(tree.segments.size(), 519u);
     EXPECT_NEAR(tree.segments[0].radii_mm[0], 5.86407, 1e-5);
     EXPECT_LT((tree.segments[0].points_mm[0] - Vec3(108.0, 91.8, 64.8)).norm(), 1e-3);
     EXPECT_EQ(bifurcation_count(tree) + 1, end_count(tree) - 1);
+}
+
+// One line from (1,2,3) to (1,2,43) as another program writes it.
+std::filesystem::path foreign_vtp(const std::string& space, bool with_radii) {
+    std::ofstream out(scratch("foreign.vtp"));
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\">\n<PolyData>\n";
+    if (!space.empty()) {
+        out << "<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
+               "format=\"ascii\">";
+        for (const char c : space) out << int{c} << ' ';
+        out << "0</Array></FieldData>\n";
+    }
+    out << "<Piece NumberOfPoints=\"2\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "
+           "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>";
+    if (with_radii)
+        out << "<DataArray type=\"Float64\" Name=\"MaximumInscribedSphereRadius\" "
+               "format=\"ascii\">3 2</DataArray>";
+    out << "</PointData>\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+           "format=\"ascii\">1 2 3 1 2 43</DataArray></Points>\n"
+           "<Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1"
+           "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">2"
+           "</DataArray></Lines>\n</Piece></PolyData></VTKFile>\n";
+    return scratch("foreign.vtp");
+}
+
+std::string refusal_of(const std::filesystem::path& file, const TreeFileFacts& facts) {
+    try {
+        read_tree(file, facts);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// A mirrored liver was taken for one in LPS once.
+TEST(TreeVtp, OfAnotherProgramIsTurnedIntoLpsOrMustBeStated) {
+    const auto begin_of = [](const VesselTree& tree) { return tree.segments[0].points_mm[0]; };
+    for (const char* ras : {"RAS", "SPACE=RAS"})
+        EXPECT_EQ(begin_of(read_tree(foreign_vtp(ras, true))), Vec3(-1, -2, 3)) << ras;
+    EXPECT_EQ(begin_of(read_tree(foreign_vtp("LPS", true))), Vec3(1, 2, 3));
+    const std::string message = refusal_of(foreign_vtp("", true), {});
+    EXPECT_NE(message.find("--tree-space"), std::string::npos) << message;
+    EXPECT_EQ(begin_of(read_tree(foreign_vtp("", true), {.space = PatientSpace::ras})),
+              Vec3(-1, -2, 3));
+    EXPECT_EQ(begin_of(read_tree(foreign_vtp("", true), {.space = PatientSpace::lps})),
+              Vec3(1, 2, 3));
+    EXPECT_NE(refusal_of(foreign_vtp("RAS", true), {.space = PatientSpace::lps}), "");
+    EXPECT_NE(refusal_of(foreign_vtp("XYZ", true), {}).find("\"XYZ\""), std::string::npos);
+}
+
+// Its own file as another program saves it again, in RAS: turned as a whole.
+TEST(TreeVtp, OfItsOwnInRasIsTurnedBack) {
+    VesselTree tree = forked_tree();
+    write_tree_vtp(scratch("own.vtp"), tree);
+    std::ifstream in(scratch("own.vtp"), std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::size_t at = text.find("76 80 83 0");  // "LPS" in the field data
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 10, "82 65 83 0");
+    write_text(scratch("ras.vtp"), text);
+    const VesselTree turned = read_tree_vtp(scratch("ras.vtp"));
+    EXPECT_EQ(turned.segments[0].points_mm[0],
+              Vec3(-1, -1, 1).cwiseProduct(tree.segments[0].points_mm[0]));
+    EXPECT_EQ(turned.nodes[0].position_mm, Vec3(-1, -1, 1).cwiseProduct(tree.nodes[0].position_mm));
+}
+
+// Every vessel was given a radius of 1 mm once.
+TEST(TreeVtp, WithoutRadiiIsRefusedUnlessOneIsStated) {
+    const std::string message = refusal_of(foreign_vtp("LPS", false), {});
+    EXPECT_NE(message.find("MaximumInscribedSphereRadius or Radius"), std::string::npos) << message;
+    const VesselTree tree = read_tree(foreign_vtp("LPS", false), {.radius_mm = 2.5});
+    EXPECT_EQ(tree.segments[0].radii_mm, (std::vector<double>{2.5, 2.5}));
+    EXPECT_NE(refusal_of(foreign_vtp("LPS", true), {.radius_mm = 2.5}), "");
 }
 
 TEST(TreeVtp, BadFilesAreRefusedByName) {
@@ -147,6 +221,12 @@ TEST(TreeSwc, ComesBackButForTheRadiusAtForks) {
     }
 }
 
+TEST(TreeSwc, MayBeStatedToBeInRas) {
+    write_text(scratch("ras.swc"), "1 1 1 2 3 1 -1\n2 1 1 2 9 1 1\n");
+    EXPECT_EQ(read_tree(scratch("ras.swc"), {.space = PatientSpace::ras}).segments[0].points_mm[0],
+              Vec3(-1, -2, 3));
+}
+
 TEST(TreeSwc, LoopsAndSystemsComeBack) {
     VesselGraph graph = forked_graph();
     graph.links.push_back(straight_link(graph, 2, 4, 1.0, 1.0));
@@ -171,6 +251,32 @@ TEST(TreeSwc, ReadsFilesOfOtherPrograms) {
     EXPECT_EQ(tree.segments.size(), 3u);
     EXPECT_EQ(tree.segments[0].points_mm.front(), Vec3(0, 0, 0));
     EXPECT_EQ(tree.segments[0].radii_mm.front(), 2.0);
+}
+
+TEST(TreeFiles, OfNoPatientAreRefusedByValue) {
+    const auto says = [](const char* name, const std::string& text) -> std::string {
+        write_text(scratch(name), text);
+        try {
+            read_tree(scratch(name));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string far = says("far.swc", "1 1 0 0 0 1 -1\n2 1 0 1e21 0 1 1\n");
+    EXPECT_NE(far.find("1e+21"), std::string::npos) << far;
+    const std::string hair = says("hair.swc", "1 1 0 0 0 1 -1\n2 1 0 9 0 1e-30 1\n");
+    EXPECT_NE(hair.find("radius 1e-30 mm"), std::string::npos) << hair;
+    VesselTree tree = forked_tree();
+    tree.segments[0].points_mm[1].x() = 3e9;  // 3,000 km
+    write_tree(scratch("far.vtp"), tree);
+    write_tree(scratch("far.json"), tree);
+    for (const char* name : {"far.vtp", "far.json"}) try {
+            read_tree(scratch(name));
+            ADD_FAILURE() << name << " was read";
+        } catch (const InputError& error) {
+            EXPECT_NE(error.problem().find("3e+09"), std::string::npos) << error.what();
+        }
 }
 
 TEST(TreeSwc, BadFilesAreRefused) {
