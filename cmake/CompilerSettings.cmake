@@ -37,6 +37,12 @@ if(HEPATICA_SANITIZE)
     list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-maybe-uninitialized)
 endif()
 
+# Clang words its warnings otherwise than gcc, which every other preset is built with.
+if(HEPATICA_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+    list(REMOVE_ITEM HEPATICA_COMPILE_OPTIONS -Werror)
+endif()
+
 find_program(HEPATICA_CCACHE ccache)
 if(HEPATICA_CCACHE)
     # Precompiled headers are only cached when ccache is told to trust their time stamps.

@@ -135,9 +135,9 @@ void measure_extent(Series& series) {
     for (const DicomSlice& slice : series.slices)
         if (slice.has_geometry) places.push_back(slice.position_mm.dot(series.first().normal()));
     std::ranges::sort(places);
-    const auto same =
-        std::ranges::unique(places, [](double a, double b) { return std::abs(a - b) < 1e-3; });
-    places.erase(same.begin(), same.end());
+    places.erase(std::unique(places.begin(), places.end(),
+                             [](double x, double y) { return std::abs(x - y) < 1e-3; }),
+                 places.end());
     if (places.size() < 2) return;
     series.extent_mm = places.back() - places.front();
     series.spacing_mm = series.extent_mm / static_cast<double>(places.size() - 1);

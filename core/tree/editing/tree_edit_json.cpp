@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
 
@@ -35,6 +36,9 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
         edit.to_mm = vec3_from(value.at("to_mm"));
         if (value.contains("path_mm")) edit.path_mm = path_from(value.at("path_mm"));
     }
+    require_in_patient_space(edit.at_mm, "an edit", place);
+    require_in_patient_space(edit.to_mm, "the end of a link", place);
+    for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a link", place);
     if (edit.kind == TreeEditKind::reassign_system) edit.system = value.at("system").get<int>();
     return edit;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/files/tree_json.h"
 
@@ -28,6 +29,8 @@ std::vector<Bridge> bridges_from_json(const std::string& text, const std::string
             bridge.to_radius_mm = value.at("to_radius_mm").get<double>();
             bridge.built = value.at("built").get<bool>();
             bridge.path_mm = path_from(value.at("path_mm"));
+            for (const Vec3& point : bridge.path_mm)
+                require_in_patient_space(point, "a bridge", place);
             if (bridge.path_mm.size() < 2)
                 throw InputError("a bridge has fewer than two points", place,
                                  "Reconstruct the patient again");

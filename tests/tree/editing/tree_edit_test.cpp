@@ -229,7 +229,8 @@ TEST(TreeEditJson, ComesBackAndGivesTheSameTree) {
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
          {"", "{}", "[1]", "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
-          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]"})
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]",
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,1e21]}]"})
         EXPECT_THROW(edits_from_json(text, "case.json"), InputError) << text;
 }
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/scene_spec.h"
+#include "core/session/recording.h"
+#include "core/session/script.h"
+#include "core/tree/files/tree_io.h"
+#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/readers.h"
+
+namespace hepatica::fuzz {
+
+namespace {
+
+template <class Read>
+void refuse_or(const Read& read) {
+    try {
+        read();
+    } catch (const InputError&) {
+        // Refused in words, as it should be.
+    }
+}
+
+std::string text_of(Bytes bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+void read_json_tree(Bytes bytes) {
+    const auto file = file_of(bytes, "tree.json");
+    refuse_or([&] { validate(read_tree(file)); });
+}
+
+void read_recording_file(Bytes bytes) {
+    const auto file = file_of(bytes, "session.hrec");
+    refuse_or([&] { read_recording(file); });
+}
+
+void read_scene_file(Bytes bytes) {
+    const auto file = file_of(bytes, "scene.json");
+    refuse_or([&] { read_scene(file); });
+}
+
+void read_script_file(Bytes bytes) {
+    const auto file = file_of(bytes, "script.json");
+    refuse_or([&] { read_script(file); });
+}
+
+// The files that it names are missing, but for its own words.
+void read_case_file(Bytes bytes) {
+    const auto file = file_of(bytes, "case.hep/case.json");
+    refuse_or([&] { read_case(file.parent_path()); });
+}
+
+void read_edits(Bytes bytes) {
+    refuse_or([&] { edits_from_json(text_of(bytes), "corrections"); });
+}
+
+void read_bridges(Bytes bytes) {
+    refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
+}
+
+constexpr std::array<Reader, 7> all{{{"tree_json", read_json_tree},
+                                     {"recording", read_recording_file},
+                                     {"scene", read_scene_file},
+                                     {"script", read_script_file},
+                                     {"case", read_case_file},
+                                     {"edits", read_edits},
+                                     {"bridges", read_bridges}}};
+
+}  // namespace
+
+std::span<const Reader> json_readers() {
+    return all;
+}
+
+}  // namespace hepatica::fuzz
