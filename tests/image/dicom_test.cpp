@@ -68,22 +68,35 @@ TEST(Dicom, PassesOverFilesThatAreNoImages) {
               std::string::npos);
 }
 
-// What a scan of the folder could not see is said; the rest is read. Another user's rights are
-// taken for a moment where the test runs as root, whom nothing is forbidden.
+// Another user's rights, where the test runs as root, whom nothing is forbidden.
+class AsNobody {
+  public:
+    AsNobody() : user_(geteuid()) {
+        if (user_ == 0) {
+            EXPECT_EQ(seteuid(65534), 0);
+        }
+    }
+    ~AsNobody() { EXPECT_EQ(seteuid(user_), 0); }
+    AsNobody(const AsNobody&) = delete;
+    AsNobody& operator=(const AsNobody&) = delete;
+
+  private:
+    uid_t user_;
+};
+
+// What a scan of the folder could not see is said; the rest is read.
 TEST(Dicom, NamesFoldersAndFilesThatMayNotBeRead) {
     const DicomFolder folder;
     fs::create_directory(folder.path() / "a locked");
     write_bytes(folder.path() / "b locked.dcm", "not for you");
     for (const char* name : {"a locked", "b locked.dcm"})
         fs::permissions(folder.path() / name, fs::perms::none);
-    const uid_t user = geteuid();
-    if (user == 0) {
-        ASSERT_EQ(seteuid(65534), 0);
-    }
+    fs::permissions(fs::temp_directory_path(), fs::perms::others_exec, fs::perm_options::add);
     ReadRemarks remarks;
-    const Volume read = folder.read(&remarks);
-    if (user == 0) {
-        ASSERT_EQ(seteuid(user), 0);
+    Volume read;
+    {
+        const AsNobody nobody;
+        read = folder.read(&remarks);
     }
     fs::permissions(folder.path() / "a locked", fs::perms::owner_all);
     EXPECT_EQ(read.voxels, folder.volume().voxels);
@@ -300,7 +313,7 @@ TEST(BadDicom, OfOtherKindsIsRefusedWithTheReason) {
     const DicomFolder mr;
     mr.edit_all(modality, "MR");
     EXPECT_NE(mr.refusal_of_folder().find("no CT series"), std::string::npos);
-    EXPECT_NE(mr.refusal_of_folder().find("(MR, 9 images)"), std::string::npos);
+    EXPECT_NE(mr.refusal_of_folder().find("(MR, 9 images, 1.5 mm apart)"), std::string::npos);
 
     const DicomFolder multi;
     for (int i = 2; i <= 9; ++i) fs::remove(multi.slice(i));

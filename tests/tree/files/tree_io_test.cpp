@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <fstream>
 
@@ -140,14 +141,17 @@ TEST(TreeVtp, OfAnotherProgramIsTurnedIntoLpsOrMustBeStated) {
 
 // Its own file as another program saves it again, in RAS: turned as a whole.
 TEST(TreeVtp, OfItsOwnInRasIsTurnedBack) {
-    VesselTree tree = forked_tree();
+    const VesselTree tree = forked_tree();
     write_tree_vtp(scratch("own.vtp"), tree);
-    std::ifstream in(scratch("own.vtp"), std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    const std::size_t at = text.find("76 80 83 0");  // "LPS" in the field data
-    ASSERT_NE(at, std::string::npos);
-    text.replace(at, 10, "82 65 83 0");
-    write_text(scratch("ras.vtp"), text);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(scratch("own.vtp").c_str());
+    reader->Update();
+    vtkStringArray::SafeDownCast(reader->GetOutput()->GetFieldData()->GetAbstractArray("SPACE"))
+        ->SetValue(0, "RAS");
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetFileName(scratch("ras.vtp").c_str());
+    writer->SetInputData(reader->GetOutput());
+    writer->Write();
     const VesselTree turned = read_tree_vtp(scratch("ras.vtp"));
     EXPECT_EQ(turned.segments[0].points_mm[0],
               Vec3(-1, -1, 1).cwiseProduct(tree.segments[0].points_mm[0]));
