@@ -187,8 +187,8 @@ HydraulicSolver::HydraulicSolver(const HydraulicCircuit& circuit) {
         }
     }
     std::ranges::sort(loop_elements_);
-    const auto duplicates = std::ranges::unique(loop_elements_);
-    loop_elements_.erase(duplicates.begin(), duplicates.end());
+    loop_elements_.erase(std::unique(loop_elements_.begin(), loop_elements_.end()),
+                         loop_elements_.end());
     for (int n = 0; n < circuit.node_count; ++n) terminal_first_[n + 1] += terminal_first_[n];
     terminals_.resize(terminal_first_.back());
     std::vector<int> next(terminal_first_.begin(), terminal_first_.end() - 1);

@@ -56,7 +56,7 @@ class Valence {
                 if (object_.contains(p + step) && degree_of(p + step) <= 2)
                     found.push_back(p + step);
         std::ranges::sort(found);
-        found.erase(std::ranges::unique(found).begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         return found;
     }
 

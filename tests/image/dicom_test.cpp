@@ -91,7 +91,8 @@ TEST(Dicom, NamesFoldersAndFilesThatMayNotBeRead) {
     write_bytes(folder.path() / "b locked.dcm", "not for you");
     for (const char* name : {"a locked", "b locked.dcm"})
         fs::permissions(folder.path() / name, fs::perms::none);
-    fs::permissions(fs::temp_directory_path(), fs::perms::others_exec, fs::perm_options::add);
+    for (const fs::path& open : {fs::temp_directory_path(), folder.path()})
+        fs::permissions(open, fs::perms::all & ~fs::perms::group_write & ~fs::perms::others_write);
     ReadRemarks remarks;
     Volume read;
     {
