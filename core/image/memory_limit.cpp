@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/memory_limit.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -14,7 +18,18 @@ namespace {
 
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t available_bytes() {
+// What the process may still map under its own limit (ulimit -v). Beyond it not even the stack
+// grows any more, and the process ends without a word.
+std::uint64_t bytes_below_own_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return most;
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const std::uint64_t mapped = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    return limit.rlim_cur > mapped ? limit.rlim_cur - mapped : 0;
+}
+
+std::uint64_t free_bytes() {
     std::ifstream info("/proc/meminfo");
     std::string name;
     std::uint64_t kilobytes = 0;
@@ -22,6 +37,10 @@ std::uint64_t available_bytes() {
     while (info >> name >> kilobytes >> unit)
         if (name == "MemAvailable:") return kilobytes * 1024;
     return most;
+}
+
+std::uint64_t available_bytes() {
+    return std::min(free_bytes(), bytes_below_own_limit());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ std::uint64_t bytes_of(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::i
 std::string readable_bytes(std::uint64_t bytes);
 
 // Throws InputError, naming `place`, where `bytes` is more than 80 % of the memory that the system
-// says is available now (no limit where it does not say).
+// says is available now, or of what the process may still map under its own limit (ulimit -v).
 void require_memory(std::uint64_t bytes, const std::string& place);
 
 }  // namespace hepatica

@@ -20,7 +20,7 @@ const fs::path corpus = fs::path(HEPATICA_SOURCE_DIR) / "tests/fuzz/corpus";
 
 std::vector<Reader> all_readers() {
     std::vector<Reader> all;
-    for (const auto& list : {voxel_and_tree_readers(), json_readers()})
+    for (const auto& list : {image_readers(), tree_readers(), json_readers()})
         all.insert(all.end(), list.begin(), list.end());
     return all;
 }
@@ -47,13 +47,13 @@ TEST_P(Corpus, IsReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(all_readers()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& reader) { return std::string(reader.param.name); });
 
 // A folder without a reader would never be run.
 TEST(CorpusFolders, AllHaveTheirReader) {
     const std::vector<Reader> readers = all_readers();
     for (const auto& entry : fs::directory_iterator(corpus)) {
-        const std::string name = entry.path().filename();
+        const std::string name = entry.path().filename().string();
         EXPECT_EQ(std::ranges::count(readers, name, &Reader::name), 1) << name;
     }
 }

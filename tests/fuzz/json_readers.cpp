@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/recording.h"
@@ -10,19 +8,11 @@
 #include "core/tree/files/tree_io.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/readers.h"
+#include "tests/fuzz/refuse_or.h"
 
 namespace hepatica::fuzz {
 
 namespace {
-
-template <class Read>
-void refuse_or(const Read& read) {
-    try {
-        read();
-    } catch (const InputError&) {
-        // Refused in words, as it should be.
-    }
-}
 
 std::string text_of(Bytes bytes) {
     return {bytes.begin(), bytes.end()};
@@ -62,13 +52,10 @@ void read_bridges(Bytes bytes) {
     refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
 }
 
-constexpr std::array<Reader, 7> all{{{"tree_json", read_json_tree},
-                                     {"recording", read_recording_file},
-                                     {"scene", read_scene_file},
-                                     {"script", read_script_file},
-                                     {"case", read_case_file},
-                                     {"edits", read_edits},
-                                     {"bridges", read_bridges}}};
+constexpr Reader all[] = {{"tree_json", read_json_tree}, {"recording", read_recording_file},
+                          {"scene", read_scene_file},    {"script", read_script_file},
+                          {"case", read_case_file},      {"edits", read_edits},
+                          {"bridges", read_bridges}};
 
 }  // namespace
 

@@ -18,8 +18,8 @@ struct Reader {
     void (*read)(Bytes);
 };
 
-// Images, trees and meshes; in the second list what is JSON.
-std::span<const Reader> voxel_and_tree_readers();
+std::span<const Reader> image_readers();
+std::span<const Reader> tree_readers();  // trees and meshes
 std::span<const Reader> json_readers();
 
 }  // namespace hepatica::fuzz

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NIfTI, MetaImage and NRRD: what is written comes back, and what is broken is refused.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
 
 #include "core/base/parallel.h"
+#include "core/image/memory_limit.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "tests/image/image_fixtures.h"
@@ -206,6 +210,22 @@ TEST(BadHeader, OfAHundredThousandSlicesIsRefusedBeforeAllocating) {
     const std::string refused = refusal([&] { read_volume(folder / "bomb.nrrd", job); });
     EXPECT_NE(refused.find("512 x 512 x 100000"), std::string::npos) << refused;
     EXPECT_NE(refused.find("cannot hold"), std::string::npos) << refused;
+}
+
+// The machine may have more memory than the process is allowed (ulimit -v).
+TEST(MemoryLimit, IsTheProcessesOwnWhereThatIsLower) {
+    const auto refused_under_limit = [] {
+        std::uint64_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlim_t mapped = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+        constexpr rlim_t room = 200'000'000;
+        const rlimit limit{mapped + room, mapped + room};
+        if (setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+        require_memory(room / 2, "small.nii");
+        const std::string message = refusal([] { require_memory(2 * room, "large.nii"); });
+        std::_Exit(message.find("large.nii") == std::string::npos ? 1 : 0);
+    };
+    EXPECT_EXIT(refused_under_limit(), testing::ExitedWithCode(0), "");
 }
 
 // Deflate turns one byte into 1032 at most: a small file cannot honour a large claim.

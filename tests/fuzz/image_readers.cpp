@@ -1,38 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/image/byte_stream.h"
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_rle.h"
 #include "core/image/volume_reader.h"
-#include "core/mesh/mesh_io.h"
-#include "core/mesh/surface.h"
-#include "core/tree/files/tree_io.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/readers.h"
+#include "tests/fuzz/refuse_or.h"
 
 namespace hepatica::fuzz {
 
 namespace {
-
-void promise(bool kept, const char* what) {
-    if (!kept) throw std::logic_error(what);
-}
-
-template <class Read>
-void refuse_or(const Read& read) {
-    try {
-        read();
-    } catch (const InputError&) {
-        // Refused in words, as it should be.
-    }
-}
 
 void read_dicom_header_bytes(Bytes bytes) {
     std::istringstream in(std::string(bytes.begin(), bytes.end()));
@@ -113,49 +96,17 @@ void read_deflated(Bytes bytes) {
         });
 }
 
-void read_tree_of(Bytes bytes, const char* name) {
-    const auto file = file_of(bytes, name);
-    for (const TreeFileFacts& facts : {TreeFileFacts{}, TreeFileFacts{PatientSpace::ras, 2.0}})
-        refuse_or([&] {
-            const VesselTree tree = read_tree(file, facts);
-            validate(tree);
-            for (const VesselSegment& segment : tree.segments)
-                for (const Vec3& point : segment.points_mm)
-                    promise(is_in_patient_space(point), "points in the room");
-        });
-}
-
-void read_vtp_tree(Bytes bytes) {
-    read_tree_of(bytes, "tree.vtp");
-}
-void read_swc(Bytes bytes) {
-    read_tree_of(bytes, "tree.swc");
-}
-
-void read_mesh(Bytes bytes) {
-    const auto file = file_of(bytes, "mesh.vtu");
-    refuse_or([&] { validate(read_vtu(file)); });
-}
-void read_surface(Bytes bytes) {
-    const auto file = file_of(bytes, "surface.vtp");
-    refuse_or([&] { validate_closed(read_vtp(file)); });
-}
-
-constexpr std::array<Reader, 11> all{{{"dicom_header", read_dicom_header_bytes},
-                                      {"dicom", read_dicom_slices},
-                                      {"rle", read_rle},
-                                      {"nifti", read_nifti},
-                                      {"meta", read_meta},
-                                      {"nrrd", read_nrrd},
-                                      {"deflated", read_deflated},
-                                      {"tree_vtp", read_vtp_tree},
-                                      {"tree_swc", read_swc},
-                                      {"mesh_vtu", read_mesh},
-                                      {"surface_vtp", read_surface}}};
+constexpr Reader all[] = {{"dicom_header", read_dicom_header_bytes},
+                          {"dicom", read_dicom_slices},
+                          {"rle", read_rle},
+                          {"nifti", read_nifti},
+                          {"meta", read_meta},
+                          {"nrrd", read_nrrd},
+                          {"deflated", read_deflated}};
 
 }  // namespace
 
-std::span<const Reader> voxel_and_tree_readers() {
+std::span<const Reader> image_readers() {
     return all;
 }
 
