@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/as_published.h"
 #include "app/chart_file.h"
 #include "app/output_place.h"
 #include "app/verbs/flow_options.h"
@@ -27,6 +28,7 @@ struct Options {
     std::vector<std::string> territories_mm;
     std::vector<std::string> tears_mm;
     bool free_tip = false;
+    bool as_published = false;
     std::string shape = "one-cone";
     std::filesystem::path csv;
     std::filesystem::path lengths_csv;
@@ -134,6 +136,7 @@ Json run(Options options, Job& job) {
         injection.territories.push_back(parse_point("--territory-mm", point, tree));
     for (const std::string& point : options.tears_mm)
         injection.tears.push_back(parse_point("--tear-mm", point, tree));
+    if (options.as_published) options.fluid.model = published_pressure_model;
     injection.wedged = !options.free_tip;
     injection.law = options.fluid.law();
     injection.liquid = options.fluid.liquid();
@@ -201,6 +204,11 @@ void add_inject(CommandLine& line) {
     verb.add_option("--svzerod", options->svzerod, "The network for svZeroDSolver");
     verb.add_option("--plot", options->plot, "Curves over time: .png or .csv");
     options->fluid.add_to(verb);
+    CLI::Option* as_published =
+        verb.add_flag("--as-published", options->as_published,
+                      "As the paper has it: --model published, gas at a void fraction of 0.40");
+    for (const char* other : {"--model", "--void-fraction", "--phase"})
+        as_published->excludes(verb.get_option(other));
 }
 
 }  // namespace hepatica

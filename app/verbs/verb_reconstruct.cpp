@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "app/as_published.h"
 #include "app/output_place.h"
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
@@ -27,6 +28,7 @@ struct Options {
     std::vector<std::string> seeds;
     std::string method = "coherent";
     std::string thinning = "queue";
+    bool as_published = false;
 };
 
 // "X,Y,Z" or "X,Y,Z,SYSTEM".
@@ -63,6 +65,7 @@ void parse(Options& options) {
     for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
     reconstruct.method = methods.at(options.method);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
+    if (options.as_published) use_as_published(reconstruct);
 }
 
 Json to_json(const VoxelCounts& counts) {
@@ -149,6 +152,11 @@ void add_reconstruct(CommandLine& line) {
                     "About so many tetrahedra; 0 lets the radii decide")
         ->check(CLI::Range(0, 2'000'000))
         ->capture_default_str();
+    CLI::Option* as_published =
+        verb.add_flag("--as-published", options->as_published,
+                      "As the paper has it: --method multi-layer --refine 1 --thinning parallel");
+    for (const char* other : {"--method", "--refine", "--thinning"})
+        as_published->excludes(verb.get_option(other));
 }
 
 }  // namespace hepatica

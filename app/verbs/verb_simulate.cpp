@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/as_published.h"
 #include "app/output_place.h"
 #include "app/step_times.h"
 #include "app/verbs/verbs.h"
@@ -31,6 +32,7 @@ struct Options {
     double dt_s = 0.0;
     double quality = -1.0;
     bool automatic = false;
+    bool as_published = false;
     bool fit_velocity_error = false;
     std::string backend = "cpu";
 };
@@ -116,6 +118,7 @@ SceneSpec scene_of(const Options& options, const Script& script) {
     SceneSpec spec = script.scene.value_or(default_scene());
     if (options.dt_s > 0.0) spec.dt_s = options.dt_s;
     if (options.quality >= 0.0 && spec.deform) spec.deform->quality = options.quality;
+    if (options.as_published) use_as_published(spec);
     return spec;
 }
 
@@ -134,8 +137,9 @@ Json run(const Options& options, Job& job) {
     session.keep_recording(!options.record.empty());
     job.begin_stage("Simulating");
     if (options.automatic) session.post(SetAutomaticQuality{true});
-    const Play played = play(session, schedule(script, patient->tree, spec.dt_s, options.steps),
-                             options.fit_velocity_error, job);
+    auto commands = schedule(script, patient->tree, spec.dt_s, options.steps);
+    if (options.as_published) use_as_published(commands);
+    const Play played = play(session, commands, options.fit_velocity_error, job);
     if (!options.record.empty()) keep(session, options);
     FlowPart* flow = session.world().flow();
     session.update_frame();
@@ -197,6 +201,11 @@ void add_simulate(CommandLine& line) {
     verb.add_option("--threads", options->threads, "At most so many threads")
         ->check(CLI::Range(1, 1024));
     verb.add_option("--record", options->record, "Recording to write, NAME.hrec");
+    CLI::Option* as_published = verb.add_flag(
+        "--as-published", options->as_published,
+        "As the paper has it: springs, eq. (12) taken whole, the published pressure law");
+    for (const char* other : {"--quality", "--automatic"})
+        as_published->excludes(verb.get_option(other));
 }
 
 }  // namespace hepatica
