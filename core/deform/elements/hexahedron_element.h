@@ -30,6 +30,12 @@ HEPATICA_HOST_DEVICE void hexahedron_corner(int a, int* sign) {
     sign[2] = a < 4 ? -1 : 1;
 }
 
+// 1/sqrt(3): the integration points of the parent cube are at this share of its corners.
+template <class T>
+HEPATICA_HOST_DEVICE T gauss_coordinate() {
+    return T(0.57735026918962576451);
+}
+
 // Derivatives by the parent coordinates of the eight shape functions at xi.
 template <class T>
 HEPATICA_HOST_DEVICE void parent_gradients(const T* xi, Vector3<T>* d) {
@@ -71,19 +77,20 @@ HEPATICA_HOST_DEVICE void condense_modes(T (*k)[33]) {
 
 }  // namespace detail
 
-// Least Jacobian determinant over the integration points and corners, in mm3 of the parent cube:
-// not positive where the element is folded and must be refused.
+// Least Jacobian determinant over the corners and the integration points, in mm3 of the parent
+// cube: not positive where the element is folded and must be refused.
 template <class T>
 HEPATICA_HOST_DEVICE T least_jacobian(const Vector3<T>* x) {
     T least = T(0);
-    for (int a = 0; a < 8; ++a) {
+    for (int point = 0; point < 16; ++point) {
         int s[3];
-        detail::hexahedron_corner(a, s);
-        const T xi[3] = {T(s[0]), T(s[1]), T(s[2])};
+        detail::hexahedron_corner(point % 8, s);
+        const T reach = point < 8 ? T(1) : detail::gauss_coordinate<T>();
+        const T xi[3] = {reach * T(s[0]), reach * T(s[1]), reach * T(s[2])};
         Vector3<T> d[8];
         detail::parent_gradients(xi, d);
         const T det = determinant(detail::jacobian(x, d));
-        least = a == 0 ? det : detail::smaller(least, det);
+        least = point == 0 ? det : detail::smaller(least, det);
     }
     return least;
 }
@@ -112,7 +119,7 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         int s[3];
         hexahedron_corner(q, s);
         T xi[3];
-        for (int i = 0; i < 3; ++i) xi[i] = T(s[i]) * T(0.57735026918962576451);
+        for (int i = 0; i < 3; ++i) xi[i] = T(s[i]) * gauss_coordinate<T>();
         parent_gradients(xi, d);
         const Matrix3<T> j = jacobian(relative, d);
         const T det = determinant(j);
@@ -152,8 +159,11 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
                                    bulk * rest.gradient[i / 3][i % 3] * rest.gradient[j / 3][j % 3];
 }
 
-// As evaluate_tetrahedron, with the `rotated` stiffness. The force is the exact gradient of the
-// energy 1/2 d^T K d, d = R^T x - X, including the turn of R with x.
+// As evaluate_tetrahedron, with the `rotated` stiffness. The energy is 1/2 d^T K d, d = R^T x - X,
+// and below three tenths of the volume guard/2 V (det F - 0.3)^2 beside it; the force is the exact
+// gradient of both, including the turn of R with x. The rotation is not unique, and the energy not
+// smooth, where the two smaller singular values of F (the smallest negative where F is inverted)
+// add up to zero.
 template <class T>
 HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const Vector3<T>* x,
                                            Vector3<T>* force, Matrix3<T>* blocks) {
@@ -177,9 +187,8 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
         energy += T(0.5) * dot(d[a], pull[a]);
         torque = torque + cross(y[a], pull[a]);
     }
-    // The rotated frame alone cannot tell a face turned over from one in place: below three tenths
-    // of its volume the element also resists as a whole.
-    const Matrix3<T> cofactors = cofactor(f);
+    // The guard: the rotated frame alone cannot tell a face turned over from one in place.
+    const Matrix3<T> cofactors = cofactor(f);  // the derivative of det F by F
     const T crushed = detail::smaller(determinant(f) - T(0.3), T(0));
     energy += T(0.5) * rest.guard * rest.volume * crushed * crushed;
     if (force) {
@@ -190,6 +199,9 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
         Vector3<T> w{{T(0), T(0), T(0)}};
         if (det > T(1e-6) * size * size * size) w = (T(1) / det) * (cofactor(turn) * torque);
         for (int a = 0; a < 8; ++a) force[a] = T(-1) * (r * (pull[a] - cross(w, rest.gradient[a])));
+        const T push = rest.guard * rest.volume * crushed;
+        for (int a = 0; a < 8 && crushed < T(0); ++a)
+            force[a] = force[a] - push * (cofactors * rest.gradient[a]);
     }
     if (blocks) {
         for (int a = 0; a < 8; ++a)
