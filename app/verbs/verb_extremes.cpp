@@ -15,7 +15,9 @@ Json json_of(const ExtremeRow& row) {
               {"survived", row.survived},
               {"refused", row.refused},
               {"energy_made", row.energy_made},
-              {"degraded_steps", row.degraded_steps}};
+              {"degraded_steps", row.degraded_steps},
+              {"audit_gap", row.audit_gap},
+              {"unresolved_steps", row.unresolved_steps}};
     if (!row.reference.empty()) {
         json["error"] = row.error;
         json["reference"] = row.reference;

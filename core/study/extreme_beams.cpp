@@ -54,7 +54,8 @@ ExtremeRow run_beam(const BeamRow& what) {
     const BeamSpec spec = spec_of(what, d);
     const BodyDescription body = clamped_beam(spec, d);
     const auto stepper = make_cpu_stepper(
-        body, {.model = d.model, .order = d.order, .newton_iterations = what.newton});
+        body,
+        {.model = d.model, .order = d.order, .newton_iterations = what.newton, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     Trial trial(*stepper, row);
     const double period = first_period_s(spec), dt = what.dt_s;
@@ -69,7 +70,7 @@ ExtremeRow run_beam(const BeamRow& what) {
     else
         trial.require(tip > -0.1 * theory && tip < 2.2 * theory, "the tip swings too far");
     trial.require(tip < spec.length_mm + spec.section_mm, "the tip left the beam's reach");
-    trial.require_positive_volumes(body.mesh.tetrahedra);
+    trial.require_positive_volumes(body, d.model, d.order);
     stepper->set_gravity(Vec3::Zero());
     if (trial.run(60, std::max(dt, period / 10.0)))
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);

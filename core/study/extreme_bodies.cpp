@@ -23,7 +23,8 @@ BodyDescription small_body() {
 StepperOptions awake() {
     return {.solver = LinearSolverKind::block_jacobi,
             .linear = {.energy_tolerance = 1e-10},
-            .sleeping = false};
+            .sleeping = false,
+            .audit = true};
 }
 
 Vec3 momentum(const Stepper& stepper, std::span<const double> mass) {
@@ -100,7 +101,8 @@ ExtremeRow spin_for_long(double dt, double omega) {
 
 ExtremeRow fall(const BodyDescription& body, std::size_t first_free) {
     ExtremeRow row;
-    const auto stepper = make_cpu_stepper(body, {.linear = {.energy_tolerance = 1e-10}});
+    const auto stepper =
+        make_cpu_stepper(body, {.linear = {.energy_tolerance = 1e-10}, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -9810));
     Trial trial(*stepper, row);
     if (!trial.run(60, 1.0 / 60.0)) return row;
@@ -138,7 +140,7 @@ ExtremeRow everything_fixed() {
     ExtremeRow row;
     BodyDescription body = small_body();
     body.fixed.assign(body.mesh.vertices_mm.size(), 1);
-    const auto stepper = make_cpu_stepper(body, {});
+    const auto stepper = make_cpu_stepper(body, {.audit = true});
     stepper->set_gravity(Vec3(0, 0, -9810));
     Trial trial(*stepper, row);
     if (trial.run(100, 1.0 / 60.0)) trial.require_back_at(body.mesh.vertices_mm, 0.0);

@@ -64,8 +64,8 @@ ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, dou
     }
     body.material.damping_low_hz = 0.5;
     body.material.damping_high_hz = 20.0;
-    const auto stepper =
-        make_cpu_stepper(body, {.model = d.model, .order = d.order, .solver = solver});
+    const auto stepper = make_cpu_stepper(
+        body, {.model = d.model, .order = d.order, .solver = solver, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     // Rounding errors of a stiff tip's forces do work in proportion to the motion that a soft clamp
     // allows; the energies fall with its square.
@@ -74,7 +74,7 @@ ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, dou
     if (!trial.run(static_cast<int>(std::max(150.0, 20.0 / dt)), dt)) return row;
     trial.require_close(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()),
                         beam_tip_mm(spec, stiffness, weight), 0.06, "Timoshenko, piecewise");
-    trial.require_positive_volumes(body.mesh.tetrahedra);
+    trial.require_positive_volumes(body, d.model, d.order);
     stepper->set_gravity(Vec3::Zero());
     if (trial.run(300, std::max(dt, 0.1)))
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
@@ -122,7 +122,8 @@ ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt) {
         const int plane = static_cast<int>(std::lround(x[0] / spec.length_mm * 11.0));
         x[0] = plane <= 5 ? 20.0 * plane : plane == 6 ? 100.0 + thin : 20.0 * (plane - 1);
     }
-    const auto stepper = make_cpu_stepper(body, {.model = d.model, .order = d.order});
+    const auto stepper =
+        make_cpu_stepper(body, {.model = d.model, .order = d.order, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     Trial trial(*stepper, row);
     if (!trial.run(150, dt)) return row;
@@ -132,7 +133,7 @@ ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt) {
     else
         trial.require(tip > 0.0 && tip < 1.02 * timoshenko_tip_mm(spec),
                       "the tip does not rest where a beam can");
-    trial.require_positive_volumes(body.mesh.tetrahedra);
+    trial.require_positive_volumes(body, d.model, d.order);
     stepper->set_gravity(Vec3::Zero());
     if (trial.run(100, std::max(dt, 0.05)))
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
@@ -154,7 +155,8 @@ ExtremeRow run_broken_start(const std::string& element, double dt, const Deform&
     spec.cells = d.order == ElementOrder::quadratic ? Index3{4, 2, 2} : Index3{6, 3, 3};
     spec.material.damping_ratio = 1.0;
     const BodyDescription body = clamped_beam(spec, d);
-    const auto stepper = make_cpu_stepper(body, {.model = d.model, .order = d.order});
+    const auto stepper =
+        make_cpu_stepper(body, {.model = d.model, .order = d.order, .audit = true});
     std::vector<Vec3> start = body.mesh.vertices_mm;
     std::mt19937_64 random(5);
     for (std::size_t v = 0; v < start.size(); ++v)
@@ -162,7 +164,7 @@ ExtremeRow run_broken_start(const std::string& element, double dt, const Deform&
     stepper->set_state(start, std::vector<Vec3>(start.size(), Vec3::Zero()));
     Trial trial(*stepper, row);
     if (trial.run(300, dt) && trial.run(100, std::max(dt, 0.05))) {
-        trial.require_positive_volumes(body.mesh.tetrahedra);
+        trial.require_positive_volumes(body, d.model, d.order);
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
     }
     return row;

@@ -24,8 +24,8 @@ ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un
     const Discretisation d = discretisation_of(element);
     const BeamSpec spec = short_beam(d);
     const BodyDescription body = clamped_beam(spec, d);
-    const auto stepper =
-        make_cpu_stepper(body, {.model = d.model, .order = d.order, .newton_iterations = newton});
+    const auto stepper = make_cpu_stepper(
+        body, {.model = d.model, .order = d.order, .newton_iterations = newton, .audit = true});
     Trial trial(*stepper, row);
     Grab grab;
     grab.vertices[0] = static_cast<int>(body.mesh.vertices_mm.size()) - 1;
@@ -40,7 +40,7 @@ ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un
     }
     stepper->set_grabs({});
     if (trial.run(200, std::max(dt, 0.02))) {
-        trial.require_positive_volumes(body.mesh.tetrahedra);
+        trial.require_positive_volumes(body, d.model, d.order);
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
     }
     return row;
@@ -51,13 +51,14 @@ ExtremeRow run_heavy(const std::string& element, double dt, const Vec3& directio
     const Discretisation d = discretisation_of(element);
     const BeamSpec spec = short_beam(d);
     const BodyDescription body = clamped_beam(spec, d);
-    const auto stepper = make_cpu_stepper(body, {.model = d.model, .order = d.order});
+    const auto stepper =
+        make_cpu_stepper(body, {.model = d.model, .order = d.order, .audit = true});
     stepper->set_gravity(1000.0 * 9810.0 * direction);
     Trial trial(*stepper, row);
     if (!trial.run(60, dt)) return row;
     stepper->set_gravity(Vec3::Zero());
     if (trial.run(200, std::max(dt, 0.02))) {
-        trial.require_positive_volumes(body.mesh.tetrahedra);
+        trial.require_positive_volumes(body, d.model, d.order);
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
     }
     return row;

@@ -21,6 +21,11 @@ struct ExtremeRow {
     std::string note;          // what went wrong, or the words of the refusal
     double energy_made = 0.0;  // largest of any step, relative to what it handled
     int degraded_steps = 0;    // steps that the stepper itself shortened or braked, and said so
+    // Where energies and forces were audited against each other (see energy_ledger.h): the largest
+    // gap of any step, relative to what it handled; and steps whose way crossed so many inverted
+    // elements that the work of the forces could not be told to 1e-3.
+    double audit_gap = 0.0;
+    int unresolved_steps = 0;
     double error = std::numeric_limits<double>::quiet_NaN();  // relative to the reference
     std::string reference;  // what the error is measured against; empty: nothing independent
 };

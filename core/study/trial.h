@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/deform/body/body.h"
 #include "core/deform/stepper/stepper.h"
 #include "core/study/extremes.h"
 
@@ -25,14 +26,18 @@ class Trial {
     // Books the error and fails the row where it is larger than allowed or not a number.
     bool require_close(double value, double expected, double allowed, const std::string& reference);
 
-    // No element of the mesh turned inside out.
-    bool require_positive_volumes(const std::vector<std::array<int, 4>>& tetrahedra);
+    // No element of the body, tetrahedron or hexahedron, is flat or inside out at a corner or an
+    // integration point. Body, model and order are those the stepper was made with.
+    bool require_positive_volumes(const BodyDescription& body, ElementModel model,
+                                  ElementOrder order);
     // No vertex further from its place than allowed.
     bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
 
   private:
-    // Nothing more is stored than before and put in, and the ledger says where the rest went.
-    bool check_energy(const EnergyLedger& e);
+    // Nothing more is stored than before and put in, the ledger says where the rest went, and what
+    // is stored fell by the work of the forces.
+    bool check_energy(const StepReport& report);
+    bool check_audit(const StepReport& report, double in_step);
 
     Stepper& stepper_;
     ExtremeRow& row_;

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/deform/solvers/elimination_order.h"
+#include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
 
@@ -24,12 +25,6 @@ constexpr double per_matrix_entry = 4.0;
 
 // What was too much change to iterate over is raised by this much with each factorisation.
 constexpr double forgetting = 1.02;
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-}
 
 }  // namespace
 

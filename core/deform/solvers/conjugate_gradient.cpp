@@ -5,21 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
 
 namespace {
-
-constexpr std::size_t rows_per_block = 2048;
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    return parallel_sum(a.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-        double sum = 0.0;
-        for (std::size_t i = begin; i < end; ++i) sum += a[i].dot(b[i]);
-        return sum;
-    });
-}
 
 // Whether the Lanczos matrix of the iteration so far, less `shift`, is positive definite.
 bool all_above(double shift, std::span<const double> steps, std::span<const double> ratios) {
@@ -167,7 +157,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
         if (!(curvature > 0.0) || !std::isfinite(curvature)) break;
         const double step = work / curvature;
         residual_squared =
-            parallel_sum(x.size(), rows_per_block, [&](std::size_t b, std::size_t e) {
+            parallel_sum(x.size(), nodes_per_block, [&](std::size_t b, std::size_t e) {
                 double sum = 0.0;
                 for (std::size_t i = b; i < e; ++i) {
                     x[i] += step * direction_[i];
@@ -184,7 +174,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
         work = new_work;
         error_squared = bound.after(step, ratio) * work;
         ++report.iterations;
-        parallel_blocks(x.size(), rows_per_block, [&](std::size_t b, std::size_t e) {
+        parallel_blocks(x.size(), nodes_per_block, [&](std::size_t b, std::size_t e) {
             for (std::size_t i = b; i < e; ++i) {
                 direction_[i] = preconditioned_[i] + ratio * direction_[i];
             }

@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/assembly.h"
 
 namespace hepatica {
 namespace {
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-}
 
 std::vector<Vec3> difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     std::vector<Vec3> d(a.size());

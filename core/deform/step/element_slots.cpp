@@ -2,10 +2,8 @@
 #include "core/deform/step/element_slots.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/deform/elements/element_dispatch.h"
 
@@ -46,49 +44,30 @@ double sum_of(const Wide& values, int count) {
 
 }  // namespace
 
-ElementSlots::ElementSlots(const Body& body, Tangent tangent) : body_(body), tangent_(tangent) {
-    std::size_t forces = 0, blocks = 0;
+ElementSlots::ElementSlots(const Body& body, Tangent tangent,
+                           std::shared_ptr<const AssemblyPlan> plan)
+    : body_(body), tangent_(tangent), plan_(std::move(plan)) {
     bool factors = false;
-    for (const ElementGroup& group : body.groups) {
-        Group own;
-        own.in_lanes =
-            body.model == ElementModel::corotated && tangent == Tangent::rotated &&
-            (group.kind == Kind::linear_tetrahedron || group.kind == Kind::quadratic_tetrahedron);
-        own.in_factors = own.in_lanes && group.kind == Kind::linear_tetrahedron && one_ratio(group);
-        own.first_force = forces;
-        own.first_block = blocks;
-        for (std::size_t p = 0; own.in_lanes && p < packs_of(group); ++p)
-            own.tetrahedra.push_back(gather_rest(group.tetrahedra, p * lanes));
-        forces += group.connectivity.size();
-        if (!own.in_factors)
-            blocks +=
-                static_cast<std::size_t>(group.size()) * static_cast<std::size_t>(group.pairs());
-        factors = factors || own.in_factors;
-        groups_.push_back(std::move(own));
+    for (std::size_t g = 0; g < body.groups.size(); ++g) {
+        const ElementGroup& group = body.groups[g];
+        const GroupSlots& slots = plan_->groups[g];
+        auto& rest = rest_of_four_.emplace_back();
+        for (std::size_t p = 0; slots.four_at_a_time && p < packs_of(group); ++p)
+            rest.push_back(gather_rest(group.tetrahedra, p * lanes));
+        energy_.emplace_back(group.size(), 0.0);
+        factors = factors || slots.in_factors;
     }
-    if (std::max(forces, blocks) > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw InputError("the body has too many elements", "elements", "Use a coarser mesh");
-    force_.assign(forces, Wide(0.0));
-    if (factors) turned_gradient_.assign(forces, Wide(0.0));
-    block_.resize(blocks);
+    force_.assign(plan_->force_slots, Wide(0.0));
+    if (factors) turned_gradient_.assign(plan_->force_slots, Wide(0.0));
+    block_.resize(plan_->block_slots);
 }
 
-// Elements of one Poisson's ratio, whatever their modulus.
-bool ElementSlots::one_ratio(const ElementGroup& group) {
-    for (const auto& rest : group.tetrahedra) {
-        if (lambda_over_mu_ == 0.0) lambda_over_mu_ = rest.lambda / rest.mu;
-        if (std::abs(rest.lambda / rest.mu - lambda_over_mu_) > 1e-12 * lambda_over_mu_)
-            return false;
-    }
-    return true;
+int ElementSlots::force_slot(const Pack& pack) const {
+    return plan_->force_slot(pack.group, pack.first, body_.groups[pack.group].nodes_per_element);
 }
 
-int ElementSlots::force_slot(std::size_t g, int e) const {
-    return static_cast<int>(groups_[g].first_force) + e * body_.groups[g].nodes_per_element;
-}
-
-int ElementSlots::block_slot(std::size_t g, int e, int pair) const {
-    return static_cast<int>(groups_[g].first_block) + e * body_.groups[g].pairs() + pair;
+int ElementSlots::block_slot(std::size_t group, int element) const {
+    return plan_->block_slot(group, element, body_.groups[group].pairs());
 }
 
 template <class Visit>
@@ -134,28 +113,35 @@ void ElementSlots::load(const Pack& pack, std::span<const Vec3> values,
 void ElementSlots::store(const Pack& pack, const small::Vector3<Wide>* values,
                          std::vector<Wide>& slots) {
     const int n = body_.groups[pack.group].nodes_per_element;
-    Wide* target = slots.data() + force_slot(pack.group, pack.first);
+    Wide* target = slots.data() + force_slot(pack);
     for (int lane = 0; lane < pack.count; ++lane)
         for (int a = 0; a < n; ++a)
             target[lane * n + a] =
                 Wide::Vector{values[a][0][lane], values[a][1][lane], values[a][2][lane], 0.0};
 }
 
+// Keeps the energy of each element; returns their sum, in order.
+double ElementSlots::keep(const Pack& pack, const Wide& energy) {
+    for (int lane = 0; lane < pack.count; ++lane)
+        energy_[pack.group][pack.first + lane] = energy[lane];
+    return sum_of(energy, pack.count);
+}
+
 double ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm) {
     small::Vector3<Wide> x[4], force[4], turned[4];
     load(pack, positions_mm, x);
-    const auto& rest = groups_[pack.group].tetrahedra[static_cast<std::size_t>(pack.first / lanes)];
+    const auto& rest = rest_of_four_[pack.group][static_cast<std::size_t>(pack.first / lanes)];
     const Wide energy = small::evaluate_turned_gradients(rest, x, force, turned);
     store(pack, force, force_);
     store(pack, turned, turned_gradient_);
-    return sum_of(energy, pack.count);
+    return keep(pack, energy);
 }
 
 double ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm) {
     small::Vector3<Wide> x[10], force[10];
     small::Matrix3<Wide> blocks[45];
     load(pack, positions_mm, x);
-    const auto& rest = groups_[pack.group].tetrahedra[static_cast<std::size_t>(pack.first / lanes)];
+    const auto& rest = rest_of_four_[pack.group][static_cast<std::size_t>(pack.first / lanes)];
     const bool linear = body_.groups[pack.group].kind == Kind::linear_tetrahedron;
     const Wide energy =
         linear ? small::evaluate_tetrahedron<4, Tangent::rotated, small::CorotatedLaw>(
@@ -164,13 +150,12 @@ double ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> posi
                      rest, x, force, blocks);
     store(pack, force, force_);
     for (int lane = 0; lane < pack.count; ++lane) {
-        small::Matrix3<double>* target =
-            block_.data() + block_slot(pack.group, pack.first + lane, 0);
+        small::Matrix3<double>* target = block_.data() + block_slot(pack.group, pack.first + lane);
         for (int k = 0; k < body_.groups[pack.group].pairs(); ++k)
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) target[k](i, j) = blocks[k](i, j)[lane];
     }
-    return sum_of(energy, pack.count);
+    return keep(pack, energy);
 }
 
 template <Tangent tangent>
@@ -178,10 +163,14 @@ double ElementSlots::evaluate_singly(const Pack& pack, std::span<const Vec3> pos
     double sum = 0.0;
     for (int e = pack.first; e < pack.first + pack.count; ++e) {
         small::Vector3<double> force[10];
-        sum += evaluate_element<tangent>(body_.groups[pack.group], body_.model, e, positions_mm,
-                                         force, block_.data() + block_slot(pack.group, e, 0));
-        Wide* target = force_.data() + force_slot(pack.group, e);
-        for (int a = 0; a < body_.groups[pack.group].nodes_per_element; ++a)
+        const double energy =
+            evaluate_element<tangent>(body_.groups[pack.group], body_.model, e, positions_mm, force,
+                                      block_.data() + block_slot(pack.group, e));
+        energy_[pack.group][e] = energy;
+        sum += energy;
+        const int n = body_.groups[pack.group].nodes_per_element;
+        Wide* target = force_.data() + force_slot(pack) + (e - pack.first) * n;
+        for (int a = 0; a < n; ++a)
             target[a] = Wide::Vector{force[a][0], force[a][1], force[a][2], 0.0};
     }
     return sum;
@@ -189,8 +178,8 @@ double ElementSlots::evaluate_singly(const Pack& pack, std::span<const Vec3> pos
 
 double ElementSlots::evaluate(std::span<const Vec3> positions_mm) {
     return sum_over_packs([&](const Pack& pack) {
-        if (groups_[pack.group].in_factors) return evaluate_factors(pack, positions_mm);
-        if (groups_[pack.group].in_lanes) return evaluate_lanes(pack, positions_mm);
+        if (plan_->groups[pack.group].in_factors) return evaluate_factors(pack, positions_mm);
+        if (plan_->groups[pack.group].four_at_a_time) return evaluate_lanes(pack, positions_mm);
         if (tangent_ == Tangent::rotated)
             return evaluate_singly<Tangent::rotated>(pack, positions_mm);
         return evaluate_singly<Tangent::projected>(pack, positions_mm);
@@ -208,15 +197,25 @@ double ElementSlots::energy(std::span<const Vec3> positions_mm) const {
     });
 }
 
+void ElementSlots::add_energy_by_piece(std::span<const int> piece_of_node,
+                                       std::span<double> energy_nj) const {
+    for (std::size_t g = 0; g < body_.groups.size(); ++g) {
+        const ElementGroup& group = body_.groups[g];
+        for (int e = 0; e < group.size(); ++e)
+            energy_nj[piece_of_node[group.connectivity[e * group.nodes_per_element]]] +=
+                energy_[g][e];
+    }
+}
+
 double ElementSlots::factored_form(const Pack& pack, std::span<const Vec3> d) const {
     small::Vector3<Wide> u[4], turned[4];
     load(pack, d, u);
-    const Wide* slots = turned_gradient_.data() + force_slot(pack.group, pack.first);
+    const Wide* slots = turned_gradient_.data() + force_slot(pack);
     for (int a = 0; a < 4; ++a)
         for (int i = 0; i < 3; ++i)
             for (int lane = 0; lane < lanes; ++lane)
                 turned[a][i].set(lane, slots[4 * std::min(lane, pack.count - 1) + a][i]);
-    return sum_of(small::quadratic_form(turned, Wide(lambda_over_mu_), u), pack.count);
+    return sum_of(small::quadratic_form(turned, Wide(plan_->lambda_over_mu), u), pack.count);
 }
 
 double ElementSlots::block_form(const ElementGroup& group, int slot, int e,
@@ -236,10 +235,10 @@ double ElementSlots::block_form(const ElementGroup& group, int slot, int e,
 
 double ElementSlots::quadratic_form(std::span<const Vec3> d) const {
     return sum_over_packs([&](const Pack& pack) {
-        if (groups_[pack.group].in_factors) return factored_form(pack, d);
+        if (plan_->groups[pack.group].in_factors) return factored_form(pack, d);
         double sum = 0.0;
         for (int e = pack.first; e < pack.first + pack.count; ++e)
-            sum += block_form(body_.groups[pack.group], block_slot(pack.group, e, 0), e, d);
+            sum += block_form(body_.groups[pack.group], block_slot(pack.group, e), e, d);
         return sum;
     });
 }

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/vector.h"
 #include "core/deform/body/body.h"
 #include "core/deform/elements/lanes.h"
+#include "core/deform/step/assembly_plan.h"
 
 namespace hepatica {
 
@@ -19,40 +21,29 @@ namespace hepatica {
 // bits for any number of threads.
 class ElementSlots {
   public:
-    // `tangent` is the stiffness that is written, not Tangent::none.
-    ElementSlots(const Body& body, small::Tangent tangent);
+    // `tangent` is the stiffness that is written, that of the plan.
+    ElementSlots(const Body& body, small::Tangent tangent,
+                 std::shared_ptr<const AssemblyPlan> plan);
 
     // Evaluates all elements at the positions; returns the elastic energy [nJ].
     double evaluate(std::span<const Vec3> positions_mm);
     // The elastic energy alone; leaves the slots as they are.
     double energy(std::span<const Vec3> positions_mm) const;
+    // Adds the energy of every element at the last evaluate to the piece of its first node.
+    void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
     // d^T K d over the slots and differences of d, independent of any matrix.
     double quadratic_form(std::span<const Vec3> d) const;
 
     // Three entries, the fourth 0.
     using Wide = small::Lanes<double, 4>;
 
-    // Elastic force [uN] on node a of element e is force()[force_slot(g, e) + a].
-    int force_slot(std::size_t g, int e) const;
+    // By the plan's slots: elastic forces [uN], turned gradients beside them (see
+    // evaluate_turned_gradients), and stiffness blocks [uN/mm].
     const Wide* force() const { return force_.data(); }
-
-    // Whether the elements of group g write their stiffness in factors: turned gradients, which
-    // stand where the forces do. Otherwise as blocks [uN/mm], row-major.
-    bool in_factors(std::size_t g) const { return groups_[g].in_factors; }
     const Wide* turned_gradient() const { return turned_gradient_.data(); }
-    // lambda / mu of all groups in factors.
-    double lambda_over_mu() const { return lambda_over_mu_; }
-    int block_slot(std::size_t g, int e, int pair) const;
     const small::Matrix3<double>& block(int slot) const { return block_[slot]; }
 
   private:
-    struct Group {
-        bool in_lanes = false;
-        bool in_factors = false;
-        std::size_t first_force = 0;
-        std::size_t first_block = 0;
-        std::vector<small::TetrahedronRest<Wide>> tetrahedra;  // four elements each
-    };
     // Up to four elements; lanes without one repeat the last.
     struct Pack {
         std::size_t group;
@@ -60,12 +51,14 @@ class ElementSlots {
         int count;
     };
 
-    bool one_ratio(const ElementGroup& group);
+    int force_slot(const Pack& pack) const;
+    int block_slot(std::size_t group, int element) const;
     const int* nodes(const Pack& pack, int lane) const;
     void load(const Pack& pack, std::span<const Vec3> values, small::Vector3<Wide>* x) const;
     void store(const Pack& pack, const small::Vector3<Wide>* values, std::vector<Wide>& slots);
     template <class Visit>
     double sum_over_packs(const Visit& visit) const;
+    double keep(const Pack& pack, const Wide& energy);
     double evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm);
     double evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm);
     template <small::Tangent tangent>
@@ -75,8 +68,10 @@ class ElementSlots {
 
     const Body& body_;
     small::Tangent tangent_;
-    double lambda_over_mu_ = 0.0;
-    std::vector<Group> groups_;
+    std::shared_ptr<const AssemblyPlan> plan_;
+    // Rest shapes of four elements each, of every group that is evaluated so.
+    std::vector<std::vector<small::TetrahedronRest<Wide>>> rest_of_four_;
+    std::vector<std::vector<double>> energy_;  // of every element of every group
     std::vector<Wide> force_;
     std::vector<Wide> turned_gradient_;
     std::vector<small::Matrix3<double>> block_;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/deform/potentials/external_forces.h"
+#include "core/deform/potentials/potential_list.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/energy_ledger.h"
 #include "core/deform/step/inversion_recovery.h"
@@ -50,7 +50,8 @@ NewtonSettings newton_of(const StepperOptions& options) {
             .tolerance = options.newton_tolerance,
             .line_search = !options.published,
             .velocity_error = options.velocity_error,
-            .linear = options.linear};
+            .linear = options.linear,
+            .audit = options.audit};
 }
 
 class CpuStepper final : public Stepper {
@@ -58,7 +59,7 @@ class CpuStepper final : public Stepper {
     CpuStepper(const BodyDescription& description, const StepperOptions& options)
         : options_(validated(options)),
           body_(build_body(description, options.model, options.order)),
-          forces_(body_),
+          potentials_(body_),
           unfolding_(body_),
           integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
         state_.positions_mm = body_.rest_positions_mm;
@@ -66,14 +67,15 @@ class CpuStepper final : public Stepper {
     }
 
     void set_grabs(std::span<const Grab> grabs) override {
-        const double before = forces_.energy(state_.positions_mm);
-        forces_.set_grabs(grabs);
-        tool_work_ += forces_.energy(state_.positions_mm) - before;
+        const std::vector<Vec3>& x = state_.positions_mm;
+        const double before = potentials_.energy(x, x);
+        potentials_.set_grabs(grabs);
+        tool_work_ += potentials_.energy(x, x) - before;
         wake();
     }
 
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
-        forces_.set_gravity(gravity_mm_per_s2);
+        potentials_.set_gravity(gravity_mm_per_s2);
         wake();
     }
 
@@ -101,7 +103,7 @@ class CpuStepper final : public Stepper {
         EnergyLedger now;
         now.kinetic = kinetic_energy(body_, state_.velocities_mm_per_s);
         now.elastic = integrator_.elastic_energy(state_.positions_mm);
-        now.grab = forces_.energy(state_.positions_mm);
+        potentials_.book(state_.positions_mm, state_.positions_mm, now);
         now.tool_work = tool_work_;
         return now;
     }
@@ -121,7 +123,7 @@ class CpuStepper final : public Stepper {
 
     StepperOptions options_;
     Body body_;
-    ExternalForces forces_;
+    PotentialList potentials_;
     Unfolding unfolding_;
     BackwardEuler integrator_;
     BodyState state_;
@@ -140,10 +142,11 @@ StepReport CpuStepper::step(double dt_s) {
         report.energy.kinetic = resting_.kinetic;
         report.energy.elastic = resting_.elastic;
         report.energy.grab = resting_.grab;
+        report.energy.tether = resting_.tether;
         return report;
     }
     for (int s = 0; s < options_.substeps; ++s) {
-        const StepReport part = integrator_.advance(state_, dt_s / options_.substeps, forces_);
+        const StepReport part = integrator_.advance(state_, dt_s / options_.substeps, potentials_);
         report = s == 0 ? part : in_sequence(report, part);
     }
     report.energy.tool_work = tool_work_;
@@ -167,19 +170,21 @@ void CpuStepper::unfold(double dt_s, StepReport& report) {
     settled_s_ = settled ? settled_s_ + dt_s : 0.0;
     if (before >= settled_after_s || settled_s_ < settled_after_s) return;
     const auto energy = [&](std::span<const Vec3> x) {
-        return integrator_.potential_energy(x, forces_);
+        return integrator_.potential_energy(x, potentials_);
     };
     const auto unfolded = unfolding_.unfold(state_.positions_mm, energy);
     if (!unfolded) return;
     EnergyLedger& ledger = report.energy;
-    ledger.unfolding_loss = ledger.kinetic + energy(state_.positions_mm) - energy(*unfolded);
-    for (int i = 0; i < body_.node_count(); ++i)
-        ledger.gravity_work += body_.mass_g[i] * forces_.gravity_mm_per_s2().dot(
-                                                     (*unfolded)[i] - state_.positions_mm[i]);
+    ledger.inversion_recovery_loss =
+        ledger.kinetic + energy(state_.positions_mm) - energy(*unfolded);
+    EnergyLedger after;
+    potentials_.book(*unfolded, state_.positions_mm, after);
+    ledger.gravity_work += after.gravity_work;
+    ledger.grab = after.grab;
+    ledger.tether = after.tether;
     state_.positions_mm = *unfolded;
     std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
     ledger.kinetic = 0.0;
-    ledger.grab = forces_.energy(state_.positions_mm);
     ledger.elastic = integrator_.elastic_energy(state_.positions_mm);
     integrator_.forget();
     report.degraded = true;
@@ -209,14 +214,15 @@ void CpuStepper::set_state(std::span<const Vec3> positions_mm,
 
 StepperCheckpoint CpuStepper::checkpoint() const {
     return {.nodes = state_,
-            .grabs = forces_.grabs(),
-            .gravity_mm_per_s2 = forces_.gravity_mm_per_s2(),
+            .grabs = potentials_.grabs(),
+            .gravity_mm_per_s2 = potentials_.gravity_mm_per_s2(),
             .unreported_tool_work = tool_work_,
             .still_s = still_s_,
             .settled_s = settled_s_,
             .last_kinetic = resting_.kinetic,
             .last_elastic = resting_.elastic,
             .last_grab = resting_.grab,
+            .last_tether = resting_.tether,
             .solver = integrator_.checkpoint(),
             .region = {},
             .part = {}};
@@ -229,8 +235,8 @@ void CpuStepper::restore(const StepperCheckpoint& checkpoint) {
                          "Make a stepper of that kind");
     integrator_.restore(checkpoint.solver);
     state_ = checkpoint.nodes;
-    forces_.set_grabs(checkpoint.grabs);
-    forces_.set_gravity(checkpoint.gravity_mm_per_s2);
+    potentials_.set_grabs(checkpoint.grabs);
+    potentials_.set_gravity(checkpoint.gravity_mm_per_s2);
     tool_work_ = checkpoint.unreported_tool_work;
     still_s_ = checkpoint.still_s;
     settled_s_ = checkpoint.settled_s;
@@ -238,6 +244,7 @@ void CpuStepper::restore(const StepperCheckpoint& checkpoint) {
     resting_.kinetic = checkpoint.last_kinetic;
     resting_.elastic = checkpoint.last_elastic;
     resting_.grab = checkpoint.last_grab;
+    resting_.tether = checkpoint.last_tether;
 }
 
 }  // namespace

@@ -190,7 +190,7 @@ class PartStepper final : public LiveStepper {
     EnergyLedger energies() const override {
         EnergyLedger now = stepper_ ? stepper_->energies() : EnergyLedger{};
         now.elastic += frozen_.elastic;
-        now.grab += frozen_.grab;
+        now.tether += frozen_.tether;
         now.tool_work += booked_.tool_work;
         return now;
     }
@@ -209,7 +209,7 @@ class PartStepper final : public LiveStepper {
     std::unique_ptr<Stepper> stepper_;  // of the part; none where nothing is live
     std::vector<Vec3> positions_mm_, velocities_mm_per_s_;
     std::vector<Grab> grabs_;
-    EnergyLedger frozen_;  // elastic and grab (the tether's) of what is frozen
+    EnergyLedger frozen_;  // elastic and tether of what is frozen
     EnergyLedger booked_;  // tool_work and integrator_loss that no report has named yet
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
 };
@@ -231,7 +231,7 @@ void PartStepper::change_region() {
     frozen_ = {};
     if (region_.live_count() < body_.skeleton.size()) {
         frozen_.elastic = before.elastic - part.elastic;
-        frozen_.grab = before.grab - part.grab;
+        frozen_.tether = before.tether - part.tether;
     }
     booked_.integrator_loss += before.kinetic - part.kinetic;
 }
@@ -263,7 +263,7 @@ StepperCheckpoint PartStepper::checkpoint() const {
     kept.gravity_mm_per_s2 = gravity_mm_per_s2_;
     kept.region = region_.checkpoint();
     kept.region->frozen_elastic = frozen_.elastic;
-    kept.region->frozen_grab = frozen_.grab;
+    kept.region->frozen_tether = frozen_.tether;
     kept.region->unreported_tool_work = booked_.tool_work;
     kept.region->unreported_loss = booked_.integrator_loss;
     if (stepper_) kept.part.push_back(stepper_->checkpoint());
@@ -297,7 +297,7 @@ void PartStepper::restore(const StepperCheckpoint& checkpoint) {
     gravity_mm_per_s2_ = checkpoint.gravity_mm_per_s2;
     frozen_ = {};
     frozen_.elastic = checkpoint.region->frozen_elastic;
-    frozen_.grab = checkpoint.region->frozen_grab;
+    frozen_.tether = checkpoint.region->frozen_tether;
     booked_ = {};
     booked_.tool_work = checkpoint.region->unreported_tool_work;
     booked_.integrator_loss = checkpoint.region->unreported_loss;
@@ -322,7 +322,7 @@ StepReport PartStepper::step(double dt_s) {
         copy_from_part();
     }
     report.energy.elastic += frozen_.elastic;
-    report.energy.grab += frozen_.grab;
+    report.energy.tether += frozen_.tether;
     report.energy.tool_work += std::exchange(booked_.tool_work, 0.0);
     const bool moved = stepper_ && !whole_;
     if (moved && region_.watch(positions_mm_, velocities_mm_per_s_, dt_s)) {

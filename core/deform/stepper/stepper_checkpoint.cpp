@@ -51,7 +51,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.held);
     visit(value.reference_mm);
     visit(value.frozen_elastic);
-    visit(value.frozen_grab);
+    visit(value.frozen_tether);
     visit(value.unreported_tool_work);
     visit(value.unreported_loss);
 }
@@ -71,6 +71,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.last_kinetic);
     visit(value.last_elastic);
     visit(value.last_grab);
+    visit(value.last_tether);
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);

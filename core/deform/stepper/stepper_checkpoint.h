@@ -44,7 +44,7 @@ struct RegionCheckpoint {
     std::vector<int> held;  // skeleton nodes
     std::vector<Vec3> reference_mm;
     double frozen_elastic = 0.0;
-    double frozen_grab = 0.0;
+    double frozen_tether = 0.0;
     double unreported_tool_work = 0.0;
     double unreported_loss = 0.0;
 };
@@ -59,6 +59,7 @@ struct StepperCheckpoint {
     double last_kinetic = 0.0;          // of the last step [nJ]: what a sleeping body reports
     double last_elastic = 0.0;
     double last_grab = 0.0;
+    double last_tether = 0.0;
     SolverCheckpoint solver;
     std::optional<RegionCheckpoint> region;  // where a part is computed
     std::vector<StepperCheckpoint> part;     // of the part that is computed: none or one

@@ -27,6 +27,10 @@ struct StepperOptions {
     // Skip the steps of a body that has not moved faster than 1e-5 mean edges a second for half a
     // second of its time, until something changes.
     bool sleeping = true;
+    // Each step's nonlinear_loss is computed from the forces on its way, so that a force that is no
+    // gradient of its energy shows up as imbalance (see energy_ledger.h). For studies and tests: it
+    // evaluates all elements five times more a step, and up to some hundred times.
+    bool audit = false;
 };
 
 }  // namespace hepatica

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/deform/solvers/node_loops.h"
 #include "tests/deform/support/test_bodies.h"
 
 namespace hepatica {
@@ -46,12 +47,6 @@ std::vector<Vec3> random_vectors(std::size_t count, unsigned seed) {
         for (int a = 0; a < 3; ++a) value[a] = static_cast<double>(random()) / 2147483648.0 - 1.0;
     }
     return values;
-}
-
-double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
 }
 
 Eigen::MatrixXd dense(const BlockMatrix& matrix) {

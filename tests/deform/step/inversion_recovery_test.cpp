@@ -102,9 +102,9 @@ TEST(Unfolding, ABodyTurnedThroughItsClampComesBack) {
     double stored = INFINITY, handled = 0.0;
     for (int i = 0; i < 600; ++i) {
         const EnergyLedger e = stepper->step(i < 300 ? 1e-3 : 0.05).energy;
-        EXPECT_GE(e.unfolding_loss, 0.0);
+        EXPECT_GE(e.inversion_recovery_loss, 0.0);
         EXPECT_LE(e.kinetic + e.elastic, stored * (1.0 + 1e-9) + 1e-9);
-        handled = std::max(handled, e.kinetic + e.elastic + e.unfolding_loss);
+        handled = std::max(handled, e.kinetic + e.elastic + e.inversion_recovery_loss);
         EXPECT_LE(std::abs(e.imbalance), 1e-10 * handled);
         stored = e.kinetic + e.elastic;
     }

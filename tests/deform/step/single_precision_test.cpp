@@ -151,19 +151,18 @@ EnergyLedger SingleBody::step() {
     const Field change = solve(rhs);
     const Field unbalanced = sum_of(system_times(change), -1.0F, rhs);
     const Field next = sum_of(v_, 1.0F, change);
-    const double elastic_work =
-        dt_s * (dot(f_, next) - static_cast<double>(dt_s) * dot(next, stiffness_times(next)));
+    const double start_work = dt_s * dot(f_, next);
+    const double curvature = static_cast<double>(dt_s) * dt_s * dot(next, stiffness_times(next));
     ledger.gravity_work = dt_s * dot(weight, next);
     ledger.solver_work = dot(next, unbalanced);
-    ledger.integrator_loss = 0.5 * dot(change, weighted(change));
+    ledger.integrator_loss = 0.5 * (dot(change, weighted(change)) + curvature);
     v_ = next;
     x_ = sum_of(x_, dt_s, v_);
     evaluate();
-    ledger.integrator_loss += elastic_before - elastic_ - elastic_work;
+    ledger.nonlinear_loss = elastic_before - elastic_ - start_work + 0.5 * curvature;
     ledger.kinetic = kinetic();
     ledger.elastic = elastic_;
-    ledger.imbalance = ledger.kinetic + ledger.elastic - before - ledger.gravity_work +
-                       ledger.integrator_loss - ledger.solver_work;
+    ledger.imbalance = stored_energy(ledger) - before - explained_change(ledger);
     return ledger;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops over the nodes of a body that several threads share, with the same bits for any number of
-// them. The blocks are so large that a small body never pays for waking a thread.
+// Loops over the nodes of a body that several threads share, and the dot product of two fields over
+// them, with the same bits for any number of threads. The blocks are so large that a small body
+// never pays for waking a thread.
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "core/base/parallel.h"
+#include "core/base/vector.h"
 
 namespace hepatica {
 
@@ -27,6 +30,11 @@ double sum_over_nodes(std::size_t count, const Term& term) {
         for (std::size_t i = begin; i < end; ++i) sum += term(i);
         return sum;
     });
+}
+
+// Sum of a[i] . b[i]; sizes alike.
+inline double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
+    return sum_over_nodes(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
 }
 
 }  // namespace hepatica

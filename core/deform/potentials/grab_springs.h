@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tools' grabs as potentials. A grab stretched by s beyond s_limit = limit / k stores
+// limit s - limit^2 / (2 k), whose force is the limit; within it k s^2 / 2. Their term of the
+// ledger is `grab`.
+#pragma once
+
+#include <vector>
+
+#include "core/deform/potentials/grab.h"
+#include "core/deform/potentials/potential.h"
+
+namespace hepatica {
+
+class GrabSprings final : public Potential {
+  public:
+    // As validate_grabs demands.
+    void set(std::span<const Grab> grabs) { grabs_.assign(grabs.begin(), grabs.end()); }
+    const std::vector<Grab>& all() const { return grabs_; }
+
+    double energy(std::span<const Vec3> positions_mm,
+                  std::span<const Vec3> reference_mm) const override;
+    void add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
+                             std::span<const int> piece_of_node,
+                             std::span<double> energy_nj) const override;
+    void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;
+    void add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                       BlockMatrix& matrix) const override;
+    double quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
+                          const BlockMatrix& pattern) const override;
+    void mark_held(std::span<char> held) const override;
+    void join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const override;
+    void book(double energy_nj, EnergyLedger& ledger) const override { ledger.grab = energy_nj; }
+
+  private:
+    // Calls visit(i, j, block) for every nonzero block of the stiffness of one grab.
+    template <class Visit>
+    void for_each_block(const Grab& grab, std::span<const Vec3> positions_mm,
+                        const BlockMatrix& pattern, const Visit& visit) const;
+
+    std::vector<Grab> grabs_;
+};
+
+}  // namespace hepatica

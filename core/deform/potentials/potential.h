@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What acts on a body from outside, as one of a list of potentials that enter the implicit step:
+// each gives its energy, its force (minus the gradient), its stiffness and its term of the ledger.
+// One virtual call a step and potential; loops over nodes lie inside.
+#pragma once
+
+#include <span>
+
+#include "core/base/vector.h"
+#include "core/deform/solvers/block_matrix.h"
+#include "core/deform/step/energy_ledger.h"
+
+namespace hepatica {
+
+// All positions are in mm, one per node of the body. Const access from one thread at a time; loops
+// inside run in parallel and give the same bits for any number of threads.
+class Potential {
+  public:
+    Potential() = default;
+    Potential(const Potential&) = delete;
+    Potential& operator=(const Potential&) = delete;
+    virtual ~Potential() = default;
+
+    // Energy at the positions [nJ]. A potential without a zero of its own, such as weight, counts
+    // from `reference_mm`, and so loses no digits where the two are near each other.
+    virtual double energy(std::span<const Vec3> positions_mm,
+                          std::span<const Vec3> reference_mm) const = 0;
+
+    // Adds that energy of every node to the piece of the body it belongs to, piece_of_node[i]. What
+    // spans several nodes counts for the piece of its first: see join_pieces.
+    virtual void add_energy_by_piece(std::span<const Vec3> positions_mm,
+                                     std::span<const Vec3> reference_mm,
+                                     std::span<const int> piece_of_node,
+                                     std::span<double> energy_nj) const = 0;
+
+    // Adds the forces [uN].
+    virtual void add_forces(std::span<const Vec3> positions_mm,
+                            std::span<Vec3> forces_un) const = 0;
+
+    // Adds factor * stiffness [uN/mm], positive semidefinite. Pairs of nodes that have no block in
+    // the matrix are lumped on the diagonal: stiffer in the step, the same at rest.
+    virtual void add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                               BlockMatrix& matrix) const = 0;
+
+    // d^T (stiffness at the positions) d, lumped as in a matrix of this pattern.
+    virtual double quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
+                                  const BlockMatrix& pattern) const = 0;
+
+    // Sets held[i] for the nodes that it ties to a place, so that the body's momentum is not its
+    // own. Weight ties none.
+    virtual void mark_held(std::span<char> /*held*/) const {}
+
+    // Where it joins nodes of several pieces: joined[piece] of all of them becomes the least.
+    virtual void join_pieces(std::span<const int> /*piece_of_node*/,
+                             std::span<int> /*joined*/) const {}
+
+    // Writes `energy_nj` (with the start of the step as reference) into its term of the ledger.
+    virtual void book(double energy_nj, EnergyLedger& ledger) const = 0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/step/energy_limiter.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hepatica {
+namespace {
+
+constexpr double rounding = 1e-9;  // an excess below this share of the energies means nothing
+
+double scale_without(double energy, double kinetic) {
+    return kinetic > 0.0 ? std::sqrt(std::max(0.0, kinetic - energy) / kinetic) : 1.0;
+}
+
+// The rigid motion of linear and angular momentum of some nodes, about their centre of mass.
+struct RigidMotion {
+    Vec3 centre_mm, velocity_mm_per_s, spin_per_s;
+    double spin_energy_nj, flight_energy_nj;
+    Vec3 of_spin(const Vec3& x) const { return spin_per_s.cross(Vec3(x - centre_mm)); }
+    Vec3 operator()(const Vec3& x) const { return velocity_mm_per_s + of_spin(x); }
+};
+
+// I^-1 L; no spin about an axis without inertia (nodes in a line).
+Vec3 spin_of(const Mat3& inertia, const Vec3& angular_momentum) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
+    Vec3 spin = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const double moment = axes.eigenvalues()[k];
+        if (!(moment > 1e-12 * axes.eigenvalues()[2])) continue;
+        const Vec3 axis = axes.eigenvectors().col(k);
+        spin += axis.dot(angular_momentum) / moment * axis;
+    }
+    return spin;
+}
+
+RigidMotion rigid_motion(std::span<const int> nodes, std::span<const double> mass,
+                         std::span<const Vec3> x, std::span<const Vec3> v) {
+    double total = 0.0;
+    Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero(), angular = Vec3::Zero();
+    const Vec3 origin = x[nodes[0]];  // no digits are lost far from the origin
+    for (const int i : nodes) {
+        total += mass[i];
+        centre += mass[i] * (x[i] - origin);
+        momentum += mass[i] * v[i];
+    }
+    RigidMotion motion;
+    motion.centre_mm = origin + centre / total;
+    motion.velocity_mm_per_s = momentum / total;
+    Mat3 inertia = Mat3::Zero();
+    for (const int i : nodes) {
+        const Vec3 r = x[i] - motion.centre_mm;
+        angular += mass[i] * r.cross(Vec3(v[i] - motion.velocity_mm_per_s));
+        inertia += mass[i] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+    }
+    motion.spin_per_s = spin_of(inertia, angular);
+    motion.spin_energy_nj = 0.5 * motion.spin_per_s.dot(inertia * motion.spin_per_s);
+    motion.flight_energy_nj = 0.5 * total * motion.velocity_mm_per_s.squaredNorm();
+    return motion;
+}
+
+MomentumLost take_from_free(std::span<const int> nodes, std::span<const double> mass,
+                            std::span<const Vec3> x, double energy, std::vector<Vec3>& v) {
+    const RigidMotion rigid = rigid_motion(nodes, mass, x, v);
+    double deforming = 0.0;
+    for (const int i : nodes) deforming += 0.5 * mass[i] * (v[i] - rigid(x[i])).squaredNorm();
+    const double drop = 1.0 - scale_without(energy, deforming);
+    for (const int i : nodes) v[i] -= drop * (v[i] - rigid(x[i]));
+    energy -= deforming;
+    if (!(energy > 0.0)) return MomentumLost::none;
+    const double spin_drop = 1.0 - scale_without(energy, rigid.spin_energy_nj);
+    for (const int i : nodes) v[i] -= spin_drop * rigid.of_spin(x[i]);
+    energy -= rigid.spin_energy_nj;
+    if (!(energy > 0.0)) return MomentumLost::angular;
+    const double flight = scale_without(energy, rigid.flight_energy_nj);
+    for (const int i : nodes) v[i] *= flight;
+    return MomentumLost::linear;
+}
+
+}  // namespace
+
+MomentumLost take_kinetic_energy(std::span<const int> nodes, std::span<const double> mass_g,
+                                 std::span<const Vec3> positions_mm, bool held, double energy_nj,
+                                 std::vector<Vec3>& velocities_mm_per_s) {
+    if (!held) return take_from_free(nodes, mass_g, positions_mm, energy_nj, velocities_mm_per_s);
+    double kinetic = 0.0;
+    for (const int i : nodes) kinetic += 0.5 * mass_g[i] * velocities_mm_per_s[i].squaredNorm();
+    const double scale = scale_without(energy_nj, kinetic);
+    for (const int i : nodes) velocities_mm_per_s[i] *= scale;
+    return MomentumLost::none;
+}
+
+EnergyLimiter::EnergyLimiter(const Body& body, const AssemblyPlan& plan)
+    : body_(body), piece_of_node_(connected_pieces(plan)) {
+    for (std::size_t i = 0; i < piece_of_node_.size(); ++i) {
+        nodes_.resize(std::max(nodes_.size(), static_cast<std::size_t>(piece_of_node_[i]) + 1));
+        nodes_[piece_of_node_[i]].push_back(static_cast<int>(i));
+    }
+}
+
+std::vector<EnergyLimiter::Balance> EnergyLimiter::balance(
+    const StepUnderway& step, std::span<const Vec3> positions_mm,
+    std::span<const Vec3> velocities_mm_per_s, const Assembly& assembly) const {
+    std::vector<double> energy(nodes_.size(), 0.0);
+    assembly.add_energy_by_piece(piece_of_node_, energy);
+    for (const auto& potential : step.potentials.all())
+        potential->add_energy_by_piece(positions_mm, step.start.positions_mm, piece_of_node_,
+                                       energy);
+    std::vector<Balance> sums(nodes_.size());
+    for (std::size_t i = 0; i < piece_of_node_.size(); ++i)
+        sums[piece_of_node_[i]].kinetic +=
+            0.5 * body_.mass_g[i] * velocities_mm_per_s[i].squaredNorm();
+    for (std::size_t p = 0; p < sums.size(); ++p) sums[p].energy = sums[p].kinetic + energy[p];
+    return sums;
+}
+
+void EnergyLimiter::begin(const StepUnderway& step, const Assembly& assembly) {
+    before_ = pieces() == 1 ? std::vector<Balance>{{stored_energy(step.before), 0.0}}
+                            : balance(step, step.start.positions_mm, step.start.velocities_mm_per_s,
+                                      assembly);
+}
+
+EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const EnergyLedger& after,
+                                            const Assembly& assembly,
+                                            std::vector<Vec3>& velocities_mm_per_s) const {
+    const std::vector<Balance> now =
+        pieces() == 1
+            ? std::vector<Balance>{{stored_energy(after) - after.gravity_work, after.kinetic}}
+            : balance(step, step.positions, velocities_mm_per_s, assembly);
+    std::vector<int> joined(nodes_.size());
+    std::iota(joined.begin(), joined.end(), 0);
+    for (const auto& potential : step.potentials.all())
+        potential->join_pieces(piece_of_node_, joined);
+    Outcome outcome;
+    for (int first = 0; first < pieces(); ++first) {
+        double excess = 0.0, size = 0.0, kinetic = 0.0;
+        for (int p = first; p < pieces(); ++p) {
+            if (joined[p] != first) continue;
+            excess += now[p].energy - before_[p].energy;
+            size += std::abs(before_[p].energy) + std::abs(now[p].energy) + now[p].kinetic;
+            kinetic += now[p].kinetic;
+        }
+        // At rest the energies are rounding errors, of either sign.
+        if (!(kinetic > 0.0) || !(excess > rounding * size)) continue;
+        std::vector<char> marked(body_.fixed.begin(), body_.fixed.end());
+        for (const auto& potential : step.potentials.all()) potential->mark_held(marked);
+        std::vector<int> nodes;
+        for (int p = first; p < pieces(); ++p)
+            if (joined[p] == first) nodes.insert(nodes.end(), nodes_[p].begin(), nodes_[p].end());
+        const bool held = std::ranges::any_of(nodes, [&](int i) { return marked[i] != 0; });
+        const MomentumLost lost = take_kinetic_energy(nodes, body_.mass_g, step.positions, held,
+                                                      excess, velocities_mm_per_s);
+        outcome.limited = true;
+        outcome.lost = std::max(outcome.lost, lost);
+    }
+    return outcome;
+}
+
+}  // namespace hepatica

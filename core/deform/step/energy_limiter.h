@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Removes spurious energy by scaling velocities, one connected piece of the body at a time: a
+// linearised step may make energy where elements turn far. A piece that nothing holds keeps its
+// linear and angular momentum: only its motion relative to the rigid one about its centre of mass
+// is scaled. A piece that is held (fixed vertices, tissue, a grab) has no momentum of its own and
+// is scaled as a whole. Pieces that share no grab do not feel each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/body/body.h"
+#include "core/deform/body/body_state.h"
+#include "core/deform/step/assembly.h"
+#include "core/deform/step/step_underway.h"
+
+namespace hepatica {
+
+// What was left to give where a piece's deforming motion had less energy than was asked for.
+enum class MomentumLost { none, angular, linear };
+
+// Takes `energy_nj` >= 0 of kinetic energy from the nodes of one piece: of its deforming motion
+// first; if that is not enough, of its spin; at last of its flight, since no energy may be made.
+// Momentum is exact to rounding where the answer is `none`. A held piece is scaled about rest and
+// answers `none`.
+MomentumLost take_kinetic_energy(std::span<const int> nodes, std::span<const double> mass_g,
+                                 std::span<const Vec3> positions_mm, bool held, double energy_nj,
+                                 std::vector<Vec3>& velocities_mm_per_s);
+
+// Keeps a reference to the body. Not thread-safe. Energies by piece are summed up only where the
+// body has several.
+class EnergyLimiter {
+  public:
+    EnergyLimiter(const Body& body, const AssemblyPlan& plan);
+
+    // Takes down the energies at the start of a step; the assembly's slots are of that state.
+    void begin(const StepUnderway& step, const Assembly& assembly);
+
+    struct Outcome {
+        bool limited = false;
+        MomentumLost lost = MomentumLost::none;
+    };
+    // Limits `velocities`, those at the end of the step, so that no piece has more energy than it
+    // began with and weight gave it. `after` are the body's energies at the end; the assembly's
+    // slots are of that state.
+    Outcome limit(const StepUnderway& step, const EnergyLedger& after, const Assembly& assembly,
+                  std::vector<Vec3>& velocities_mm_per_s) const;
+
+    int pieces() const { return static_cast<int>(nodes_.size()); }
+
+  private:
+    struct Balance {
+        double energy = 0.0;   // of all kinds
+        double kinetic = 0.0;  // of it
+    };
+    std::vector<Balance> balance(const StepUnderway& step, std::span<const Vec3> positions_mm,
+                                 std::span<const Vec3> velocities_mm_per_s,
+                                 const Assembly& assembly) const;
+
+    const Body& body_;
+    std::vector<int> piece_of_node_;
+    std::vector<std::vector<int>> nodes_;  // of each piece
+    std::vector<Balance> before_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newton's method on the incremental potential of a step: a direction from one linear system, and a
+// line search (Armijo) that never accepts an increase. The first iterate taken whole is the
+// published step, eq. (12).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/deform/body/body.h"
+#include "core/deform/solvers/linear_solver.h"
+#include "core/deform/step/incremental_potential.h"
+#include "core/deform/step/step_report.h"
+#include "core/deform/step/step_underway.h"
+#include "core/deform/step/velocity_error.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
+
+namespace hepatica {
+
+struct NewtonSettings {
+    int iterations = 1;  // at most; 1 is the linearly implicit step
+    // Iterates stop when no node moves further than this share of the mean edge length at rest.
+    double tolerance = 1e-6;
+    // Without it a single iterate is taken whole, as published, whatever it does to the energy.
+    bool line_search = true;
+    // Linear solves of one step beside `iterations`, for iterates of a step that had to be
+    // shortened and for its halves: its budget is the sum of both.
+    int extra_solves = 24;
+    RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
+    SolveLimits linear{};
+    bool audit = false;  // see StepperOptions
+};
+
+// Keeps references to the body and to the potential. Not thread-safe.
+class NewtonStep {
+  public:
+    NewtonStep(const Body& body, IncrementalPotential& potential,
+               std::unique_ptr<LinearSolver> solver);
+
+    void set_settings(const NewtonSettings& settings);
+
+    // Iterates as the settings say, and further where a single iterate had to be shortened, with
+    // `most_solves` >= 1 linear solves at most; the report counts them. False where not even the
+    // first direction lowers the potential at any step length: the velocity is then 0.
+    bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
+
+    // Keeps beta K_n where the step has made one iterate only.
+    void keep_damping(const StepUnderway& step);
+
+    // What the linear solver carries from step to step. restore() makes its factor anew to the bit
+    // and leaves the potential at other positions; it throws InputError where the checkpoint does
+    // not fit the body or the solver.
+    SolverCheckpoint checkpoint() const { return {made_from_, solver_->memory()}; }
+    void restore(const SolverCheckpoint& checkpoint);
+
+  private:
+    MatrixOrigin origin_of(const StepUnderway& step) const;
+    void assemble_again(const MatrixOrigin& origin);
+    bool iterate(StepUnderway& step, StepReport& report);
+    void solve(const StepUnderway& step, StepReport& report);
+    void keep_linearised_work(StepUnderway& step);
+    bool search_line(StepUnderway& step);
+    bool try_step_length(StepUnderway& step, double step_length, double slope);
+    double longest_move_mm(const StepUnderway& step) const;
+
+    const Body& body_;
+    IncrementalPotential& potential_;
+    std::unique_ptr<LinearSolver> solver_;
+    NewtonSettings settings_;
+    VelocityError velocity_error_;
+    std::optional<MatrixOrigin> made_from_;  // see LinearSolver::made_from_latest
+    double direction_form_ = 0.0;  // of the first direction: direction^T beta K_n direction
+    std::vector<Vec3> direction_;  // of the velocity
+    std::vector<Vec3> residual_, steepest_, change_, product_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work of the forces of elements and potentials on a straight way between two shapes, by adaptive
+// Simpson quadrature of the forces: it knows no energy, and so tells whether the forces are the
+// gradient of one. Not for play: costs five evaluations of all elements on a smooth way and up to
+// a few hundred where elements turn inside out on it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/deform/potentials/potential_list.h"
+#include "core/deform/step/assembly.h"
+
+namespace hepatica {
+
+// Keeps slots of its own over the assembly's plan. Not thread-safe; the same bits for any number of
+// threads.
+class PathWork {
+  public:
+    explicit PathWork(const Assembly& assembly) : assembly_(assembly.with_own_slots()) {}
+
+    struct Result {
+        double work_nj = 0.0;
+        double error_nj = 0.0;  // estimate, rather too large: twice the last refinement
+        int evaluations = 0;
+    };
+    // Refines until the error is at most `tolerance_nj`, or the limit of evaluations is reached.
+    Result along(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                 const PotentialList& potentials, double tolerance_nj);
+
+  private:
+    double power(double place, std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                 const PotentialList& potentials);
+
+    Assembly assembly_;
+    std::vector<Vec3> x_, motion_, force_;
+};
+
+}  // namespace hepatica

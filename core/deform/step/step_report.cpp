@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/step/step_report.h"
+
+#include <algorithm>
+
+namespace hepatica {
+
+StepReport in_sequence(const StepReport& first, const StepReport& second) {
+    StepReport both = second;
+    both.dt_s += first.dt_s;
+    both.newton_iterations += first.newton_iterations;
+    both.linear_solves += first.linear_solves;
+    both.linear_iterations += first.linear_iterations;
+    both.linear_residual = std::max(first.linear_residual, second.linear_residual);
+    both.linear_energy_error = std::max(first.linear_energy_error, second.linear_energy_error);
+    both.degraded = first.degraded || second.degraded;
+    if (both.message.empty()) both.message = first.message;
+    both.energy = in_sequence(first.energy, second.energy);
+    both.audit_gap_nj += first.audit_gap_nj;
+    both.audit_error_nj += first.audit_error_nj;
+    return both;
+}
+
+}  // namespace hepatica

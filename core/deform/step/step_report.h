@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one step says of itself: its effort, its error, its energies, and whether it had to be
+// shortened.
+#pragma once
+
+#include <string>
+
+#include "core/deform/step/energy_ledger.h"
+
+namespace hepatica {
+
+struct StepReport {
+    double dt_s = 0.0;
+    int newton_iterations = 0;
+    int linear_solves = 0;             // systems solved; bounded, see BackwardEuler::advance
+    int linear_iterations = 0;         // 0 for a direct solve
+    double linear_residual = 0.0;      // relative, achieved
+    double linear_energy_error = 0.0;  // relative estimate in the energy norm, achieved
+    bool degraded = false;             // a line search failed or the budget ran out
+    bool asleep = false;               // nothing moved: the step was skipped
+    std::string message;               // why degraded, in words
+    EnergyLedger energy;
+    // Of an audited step: what its energies have lost more than its forces have worked on the way,
+    // which is part of the ledger's imbalance; and how exactly that work is known.
+    double audit_gap_nj = 0.0;
+    double audit_error_nj = 0.0;
+};
+
+// The second step after the first: efforts summed, errors the larger.
+StepReport in_sequence(const StepReport& first, const StepReport& second);
+
+}  // namespace hepatica

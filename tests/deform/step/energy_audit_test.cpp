@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An audited ledger notices a force that is not the gradient of the energy which is booked: of
+// every element, in each way that it is evaluated and in each branch it has, and of every
+// potential. What is measured here says how sensitive it is: 1 % of a force would leave at least
+// ten times as much open as is allowed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/deform/step/backward_euler.h"
+#include "core/mesh/brick_mesh.h"
+#include "tests/deform/support/element_choice.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double allowed = 1e-5;  // of the energies handled, beside the quadrature's own error
+
+struct Choice : test::ElementChoice {
+    int newton_iterations;       // 1: rotated stiffness, else projected
+    bool two_materials = false;  // of two Poisson's ratios: no factors
+};
+
+Body brick(const Choice& choice, double tether = 0.0) {
+    BodyDescription d;
+    const Vec3 size(30, 20, 20);
+    if (choice.hexahedra) {
+        const HexMesh mesh = hexahedral_brick(size, {3, 2, 2});
+        d.mesh.vertices_mm = mesh.vertices_mm;
+        d.hexahedra = mesh.hexahedra;
+    } else {
+        d.mesh = kuhn_brick(size, {3, 2, 2});
+    }
+    d.material = {.young_modulus_pa = 1e4, .poisson_ratio = 0.42, .density_g_mm3 = 1e-3};
+    d.tether_pa_per_mm2 = tether;
+    Body body = build_body(d, choice.model, choice.order);
+    if (choice.two_materials) body.groups[0].tetrahedra[0].lambda *= 1.1;
+    return body;
+}
+
+std::vector<Vec3> random_field(std::size_t count, double size, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::vector<Vec3> field(count);
+    for (Vec3& x : field)
+        for (int i = 0; i < 3; ++i)
+            x[i] = size * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1.0);
+    return field;
+}
+
+// A body that is let go out of shape and in random motion.
+BodyState start_of(const Body& body, const Vec3& stretch, unsigned seed) {
+    const std::size_t nodes = body.rest_positions_mm.size();
+    const auto noise = random_field(nodes, 0.5, seed);
+    BodyState state{body.rest_positions_mm, random_field(nodes, 50.0, seed + 1)};
+    for (std::size_t i = 0; i < nodes; ++i)
+        state.positions_mm[i] = (state.positions_mm[i] + noise[i]).cwiseProduct(stretch);
+    return state;
+}
+
+// Steps with an audit; returns the largest change in a step of what `term` measures, in what was
+// handled.
+template <class Term>
+double largest_change(BackwardEuler& integrator, BodyState& state, const PotentialList& potentials,
+                      double dt_s, int steps, const Term& term, double first) {
+    double largest = 0.0, before = first;
+    for (int i = 0; i < steps; ++i) {
+        const StepReport report = integrator.advance(state, dt_s, potentials);
+        const double handled = energy_handled(report.energy);
+        EXPECT_LT(report.audit_error_nj, allowed * handled) << "step " << i;
+        EXPECT_LT(std::abs(report.energy.imbalance), allowed * handled) << "step " << i;
+        largest = std::max(largest, std::abs(term(report.energy) - before) / handled);
+        before = term(report.energy);
+    }
+    return largest;
+}
+
+class AuditedElement : public testing::TestWithParam<Choice> {};
+
+TEST_P(AuditedElement, ForcesAreTheGradientOfWhatIsBooked) {
+    const Choice& choice = GetParam();
+    const Body body = brick(choice);
+    struct Shape {
+        const char* name;
+        Vec3 stretch;
+    };
+    for (const Shape& shape :
+         {Shape{"near rest", Vec3(1, 1, 1)}, Shape{"crushed", Vec3(1, 1, 0.15)},
+          Shape{"inverted", Vec3(1, 1.2, -0.5)}, Shape{"stretched", Vec3(3, 2, 2.5)}}) {
+        SCOPED_TRACE(shape.name);
+        const PotentialList none(body);
+        BackwardEuler integrator(body,
+                                 {.iterations = choice.newton_iterations,
+                                  .linear = {.energy_tolerance = 1e-6},
+                                  .audit = true},
+                                 make_block_jacobi_solver());
+        BodyState state = start_of(body, shape.stretch, 3);
+        const double elastic = integrator.elastic_energy(state.positions_mm);
+        const double change = largest_change(
+            integrator, state, none, 5e-4, 6,
+            [](const EnergyLedger& ledger) { return ledger.elastic; }, elastic);
+        EXPECT_GT(0.01 * change, 10.0 * allowed);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, AuditedElement,
+    testing::Values(
+        Choice{{"spring", ElementModel::spring, ElementOrder::linear, false}, 1},
+        Choice{{"corotated_in_factors", ElementModel::corotated, ElementOrder::linear, false}, 1},
+        Choice{
+            {"corotated_in_lanes", ElementModel::corotated, ElementOrder::linear, false}, 1, true},
+        Choice{{"corotated_projected", ElementModel::corotated, ElementOrder::linear, false}, 4},
+        Choice{{"corotated10_in_lanes", ElementModel::corotated, ElementOrder::quadratic, false},
+               1},
+        Choice{{"corotated10_projected", ElementModel::corotated, ElementOrder::quadratic, false},
+               4},
+        Choice{{"neohookean", ElementModel::neohookean, ElementOrder::linear, false}, 4},
+        Choice{{"neohookean10", ElementModel::neohookean, ElementOrder::quadratic, false}, 4},
+        Choice{{"hexahedron", ElementModel::corotated, ElementOrder::linear, true}, 1},
+        Choice{{"hexahedron_newton", ElementModel::corotated, ElementOrder::linear, true}, 4}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+struct Pull {
+    const char* name;
+    double EnergyLedger::*term;
+    double tether_pa_per_mm2;
+    Vec3 displaced_mm;
+    Vec3 gravity_mm_per_s2;
+    double grab_limit_un;  // 0: none
+};
+
+// One potential at a time, in charge of a soft body: weight, tissue, a grab within its limit and
+// one beyond it.
+TEST(AuditedPotential, ForcesAreTheGradientOfWhatIsBooked) {
+    const Choice choice{{"", ElementModel::corotated, ElementOrder::linear, false}, 1};
+    const Vec3 none = Vec3::Zero();
+    for (const Pull& pull :
+         {Pull{"weight", &EnergyLedger::gravity_work, 0.0, none, Vec3(1e4, -2e4, 3e4), 0.0},
+          Pull{"tissue", &EnergyLedger::tether, 10.0, Vec3(5, -3, 2), none, 0.0},
+          Pull{"grab within", &EnergyLedger::grab, 0.0, none, none, 1e9},
+          Pull{"grab beyond", &EnergyLedger::grab, 0.0, none, none, 5e4}}) {
+        SCOPED_TRACE(pull.name);
+        const Body body = brick(choice, pull.tether_pa_per_mm2);
+        PotentialList potentials(body);
+        potentials.set_gravity(pull.gravity_mm_per_s2);
+        Grab grab{.vertices = {3, 4, 7, -1}, .weights = {0.5, 0.3, 0.2, 0.0}};
+        grab.target_mm = Vec3(70, 30, -20);
+        grab.stiffness_un_per_mm = 2e3;
+        grab.force_limit_un = pull.grab_limit_un;
+        if (pull.grab_limit_un > 0.0) potentials.set_grabs(std::span(&grab, 1));
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+        for (Vec3& x : state.positions_mm) x += pull.displaced_mm;
+        EnergyLedger first;
+        potentials.book(state.positions_mm, state.positions_mm, first);
+        BackwardEuler integrator(body, {.linear = {.energy_tolerance = 1e-6}, .audit = true},
+                                 make_block_jacobi_solver());
+        const double change = largest_change(
+            integrator, state, potentials, 2e-3, 20,
+            [&](const EnergyLedger& ledger) { return ledger.*pull.term; }, first.*pull.term);
+        EXPECT_GT(0.01 * change, 10.0 * allowed);
+    }
+}
+
+// Without an audit the nonlinear loss is what the energies say; with one it is what the forces say.
+// Both see the same motion.
+TEST(Audit, ChangesNothingButTheNonlinearLossAndThatByRoundingOnly) {
+    const Body body = brick({{"", ElementModel::corotated, ElementOrder::linear, false}, 1});
+    const PotentialList none(body);
+    BodyState plain = start_of(body, Vec3(1, 1, 1), 5), audited = plain;
+    const NewtonSettings settings{.linear = {.energy_tolerance = 1e-6}};
+    NewtonSettings with_audit = settings;
+    with_audit.audit = true;
+    BackwardEuler one(body, settings, make_block_jacobi_solver());
+    BackwardEuler other(body, with_audit, make_block_jacobi_solver());
+    double largest = 0.0;
+    for (int i = 0; i < 10; ++i) {
+        const EnergyLedger a = one.advance(plain, 1e-3, none).energy;
+        const EnergyLedger b = other.advance(audited, 1e-3, none).energy;
+        EXPECT_EQ(plain.positions_mm, audited.positions_mm);
+        EXPECT_EQ(plain.velocities_mm_per_s, audited.velocities_mm_per_s);
+        EXPECT_EQ(a.integrator_loss, b.integrator_loss);
+        EXPECT_NEAR(a.nonlinear_loss, b.nonlinear_loss, 1e-6 * energy_handled(a));
+        largest = std::max(largest, std::abs(a.nonlinear_loss) / energy_handled(a));
+    }
+    EXPECT_GT(largest, 1e-5);
+}
+
+// Of higher order in the step than the motion itself: over the same time, steps half as long lose
+// less than half.
+TEST(Audit, NonlinearLossFallsWithTheStep) {
+    const Body body = brick({{"", ElementModel::neohookean, ElementOrder::linear, false}, 1});
+    const PotentialList none(body);
+    double before = 0.0;
+    for (const int steps : {10, 20, 40}) {
+        BackwardEuler integrator(
+            body, {.iterations = 20, .tolerance = 1e-9, .linear = {.energy_tolerance = 1e-9}},
+            make_block_jacobi_solver());
+        BodyState state = start_of(body, Vec3(1, 1, 1), 5);
+        double loss = 0.0;
+        for (int i = 0; i < steps; ++i)
+            loss += std::abs(integrator.advance(state, 2e-3 / steps, none).energy.nonlinear_loss);
+        if (before > 0.0) {
+            EXPECT_LT(loss, 0.35 * before) << steps << " steps";
+        }
+        before = loss;
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
