@@ -23,8 +23,10 @@ constexpr std::array table{
                "Choose liver mask, seeds and window before reconstructing"},
     ActionSpec{built_in, "&File", "&Built-in patient", "Ctrl+B",
                "Open the synthetic patient that comes with the program"},
-    ActionSpec{save_case, "&File", "&Save case as…", "Ctrl+S",
-               "Keep the reconstructed patient as a folder of open formats", false, true},
+    ActionSpec{save_case, "&File", "&Save case", "Ctrl+S",
+               "Keep the patient with all corrections where the case lies", false, true},
+    ActionSpec{save_case_as, "&File", "Save case &as…", "Ctrl+Shift+S",
+               "Keep the patient as another case: a folder of open formats", false, true},
     ActionSpec{save_picture, "&File", "Save &picture…", "Ctrl+P",
                "Save the three-dimensional view as PNG"},
     ActionSpec{quit, "&File", "&Quit", "Ctrl+Q", "Leave the program"},
@@ -58,6 +60,8 @@ constexpr std::array table{
                true},
     ActionSpec{toggle_panels, "&View", "Pa&nels", "F9", "Show the panels beside the view", true},
     ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
+    ActionSpec{messages, "&Help", "&Messages", "F2",
+               "What was warned of and what failed since the program began"},
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 

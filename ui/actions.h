@@ -22,6 +22,7 @@ enum class ActionId {
     reconstruct,
     built_in,
     save_case,
+    save_case_as,
     save_picture,
     quit,
     pull_mode,
@@ -44,6 +45,7 @@ enum class ActionId {
     toggle_plots,
     toggle_panels,
     cheat_sheet,
+    messages,
     about,
 };
 

@@ -27,9 +27,13 @@ BackgroundJob::BackgroundJob(Work work, Callbacks callbacks) : callbacks_(std::m
     std::packaged_task<std::function<void()>()> task(
         [job = job_, run = std::move(work)] { return run(*job); });
     result_ = task.get_future();
-    thread_ = std::jthread(std::move(task));
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { poll(); });
     timer_.start(50);
+    thread_ = std::jthread([this, run_task = std::move(task)]() mutable {
+        run_task();
+        QMetaObject::invokeMethod(
+            &timer_, [this] { poll(); }, Qt::QueuedConnection);
+    });
 }
 
 BackgroundJob::~BackgroundJob() {
@@ -38,6 +42,7 @@ BackgroundJob::~BackgroundJob() {
 }
 
 void BackgroundJob::poll() {
+    if (!result_.valid()) return;  // the timer was faster than the worker's own word
     if (result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         callbacks_.progress(job_->progress());
         return;

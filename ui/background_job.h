@@ -51,8 +51,8 @@ class BackgroundJob {
     std::shared_ptr<Job> job_ = std::make_shared<Job>();
     Callbacks callbacks_;
     std::future<std::function<void()>> result_;
-    std::jthread thread_;
     QTimer timer_;
+    std::jthread thread_;
 };
 
 }  // namespace hepatica

@@ -42,44 +42,37 @@ QString text_of(const Bridge& bridge) {
 
 }  // namespace
 
-CaseEditing::CaseEditing(EditPanel& panel, Callbacks callbacks)
-    : panel_(panel), callbacks_(std::move(callbacks)) {
+CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
+    : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
     panel_.set_callbacks({[this](int bridge) { choose_bridge(bridge); },
-                          [this](int bridge) { accept(bridge); }, [this] { undo(); },
-                          [this] { redo(); }, [this] { link_from_mm_.reset(); }});
+                          [this](int bridge) { accept(bridge); }, callbacks_.undo, callbacks_.redo,
+                          [this] { link_from_mm_.reset(); }});
 }
 
-void CaseEditing::show(std::shared_ptr<const PatientCase> patient, bool rebuilt) {
-    patient_ = std::move(patient);
-    wanted_ = patient_->corrections.edits;
-    if (!rebuilt) undone_.clear();
+void CaseEditing::show_body() {
     link_from_mm_.reset();
-    bridges_ = open_bridges(*patient_);
+    bridges_ = open_bridges(*workspace_.patient());
     callbacks_.show_bridges(views_of(bridges_));
-    update_panel();
-}
-
-void CaseEditing::job_ended() {
-    if (!patient_ || wanted_ == patient_->corrections.edits) return;
-    wanted_ = patient_->corrections.edits;
-    undone_.clear();
+    QStringList bridges;
+    for (const Bridge& bridge : bridges_) bridges << text_of(bridge);
+    panel_.show_bridges(bridges);
     update_panel();
 }
 
 void CaseEditing::update_panel() {
-    QStringList bridges, edits;
-    for (const Bridge& bridge : bridges_) bridges << text_of(bridge);
-    for (const TreeEdit& edit : wanted_) edits << text_of(edit);
-    panel_.show_bridges(bridges);
-    panel_.show_edits(edits, !wanted_.empty(), !undone_.empty());
+    if (!workspace_.has_patient()) return;
+    QStringList edits;
+    for (const TreeEdit& edit : workspace_.edits()) edits << text_of(edit);
+    panel_.show_edits(edits, workspace_.can_undo(), workspace_.can_redo());
     QStringList state;
-    if (wanted_ != patient_->corrections.edits)
+    if (workspace_.awaits_body())
         state << "The body of the corrected tree is being made; the view shows the one before.";
-    const auto built = std::ranges::count(patient_->corrections.bridges, true, &Bridge::built);
+    const PatientCase& patient = *workspace_.patient();
+    const auto built = std::ranges::count(patient.corrections.bridges, true, &Bridge::built);
     if (built > 0)
         state << QString("%1 gaps were bridged by the reconstruction, %2 mm in all.")
                      .arg(built)
-                     .arg(bridged_length_mm(patient_->tree), 0, 'f', 1);
+                     .arg(bridged_length_mm(patient.tree), 0, 'f', 1);
     panel_.show_state(state.join("\n"));
 }
 
@@ -90,24 +83,11 @@ void CaseEditing::choose_bridge(int bridge) {
     callbacks_.show_bridges(std::move(views));
 }
 
-void CaseEditing::want(std::vector<TreeEdit> edits) {
-    wanted_ = std::move(edits);
-    update_panel();
-    callbacks_.rebuild(wanted_);
-}
-
-void CaseEditing::add(const TreeEdit& edit) {
-    undone_.clear();
-    std::vector<TreeEdit> edits = wanted_;
-    edits.push_back(edit);
-    want(std::move(edits));
-}
-
 void CaseEditing::click(const TreePoint& point) {
-    if (!patient_ || point.segment < 0) return;
+    if (!workspace_.has_patient() || point.segment < 0) return;
     TreeEdit edit;
     edit.kind = panel_.tool();
-    edit.at_mm = position_of(patient_->tree, point);
+    edit.at_mm = position_of(workspace_.patient()->tree, point);
     edit.system = edit.kind == TreeEditKind::reassign_system ? panel_.system() : 0;
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
@@ -117,28 +97,12 @@ void CaseEditing::click(const TreePoint& point) {
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         link_from_mm_.reset();
     }
-    add(edit);
+    callbacks_.add(edit);
 }
 
 void CaseEditing::accept(int bridge) {
     if (bridge < 0 || bridge >= static_cast<int>(bridges_.size())) return;
-    add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
-}
-
-void CaseEditing::undo() {
-    if (wanted_.empty()) return;
-    std::vector<TreeEdit> edits = wanted_;
-    undone_.push_back(edits.back());
-    edits.pop_back();
-    want(std::move(edits));
-}
-
-void CaseEditing::redo() {
-    if (undone_.empty()) return;
-    std::vector<TreeEdit> edits = wanted_;
-    edits.push_back(undone_.back());
-    undone_.pop_back();
-    want(std::move(edits));
+    callbacks_.add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
 }
 
 }  // namespace hepatica

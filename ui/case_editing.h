@@ -1,54 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of the patient that is shown: clicks and accepted bridges become a list of edits, whose
-// body is made in the background and then shown. Until then the view shows the body before, and the
-// panel says so.
+// From clicks to corrections: what a click on a vessel or on a gap means with the tool that is
+// chosen, and the panel that shows what was corrected. The corrections themselves are the
+// workspace's.
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/patient/corrections.h"
 #include "render/bridge_actor.h"
 #include "ui/edit_panel.h"
+#include "ui/workspace.h"
 
 namespace hepatica {
 
-// UI thread; the panel must outlive it.
+// UI thread; panel and workspace must outlive it.
 class CaseEditing {
   public:
     struct Callbacks {
-        // Makes the body of these edits; show() follows, or job_ended() alone where it fails.
-        std::function<void(std::vector<TreeEdit>)> rebuild;
+        std::function<void(const TreeEdit&)> add;
+        std::function<void()> undo;
+        std::function<void()> redo;
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
     };
-    CaseEditing(EditPanel& panel, Callbacks callbacks);
+    CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
-    // The patient whose body is shown now. `rebuilt`: it is the one before, with other edits.
-    void show(std::shared_ptr<const PatientCase> patient, bool rebuilt);
-    // What was asked for and has not been shown by now will not come.
-    void job_ended();
+    // Another body is shown.
+    void show_body();
+    // Other corrections are wanted.
+    void update_panel();
 
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);
     void accept(int bridge);
-    void undo();
-    void redo();
 
   private:
     void choose_bridge(int bridge);
-    void want(std::vector<TreeEdit> edits);
-    void add(const TreeEdit& edit);
-    void update_panel();
 
     EditPanel& panel_;
+    const Workspace& workspace_;
     Callbacks callbacks_;
-    std::shared_ptr<const PatientCase> patient_;
     std::vector<Bridge> bridges_;
-    std::vector<TreeEdit> wanted_;  // the shown ones, or those that are being made
-    std::vector<TreeEdit> undone_;  // the last one first to be done again
     std::optional<Vec3> link_from_mm_;
 };
 

@@ -1,27 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window opens and saves: dialogs, drops and files.
+// What the window opens and saves: dialogs, drops and files, and how it closes.
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "ui/curves_dock.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/paths.h"
+#include "ui/patient_wizard.h"
 #include "ui/plot_panel.h"
+#include "ui/progress_strip.h"
+#include "ui/save_case_dialog.h"
 #include "ui/vtk_widget.h"
 
 namespace hepatica {
+
+void MainWindow::open(const QString& path) {
+    OpenRequest request;
+    request.reconstruct.ct = to_path(path);
+    open(request);
+}
+
+void MainWindow::open(const OpenRequest& request) {
+    messages_->dismiss();
+    keeper_->open(request);
+}
+
+void MainWindow::save_case(const QString& folder) {
+    keeper_->save_as(case_folder(folder));
+}
+
+void MainWindow::cancel_job() {
+    if (!busy()) return;
+    progress_->say_cancelling();
+    keeper_->cancel();
+}
+
+void MainWindow::show_jobs() {
+    if (busy()) {
+        progress_->show_waiting(keeper_->jobs().waiting());
+    } else {
+        progress_->finish();
+    }
+}
+
+void MainWindow::remember(const std::filesystem::path& path) {
+    settings_.add_recent_file(to_text(path));
+    settings_.set_last_folder(to_text(path.parent_path()));
+}
+
+void MainWindow::fail(const std::string& doing, const Failure& failure) {
+    messages_->show_failure(failure);
+    log_->add_failure(QString::fromStdString(doing), failure);
+}
+
+void MainWindow::ask_for_case() {
+    const QString folder = QFileDialog::getExistingDirectory(this, "Open case (a folder NAME.hep)",
+                                                             settings_.last_folder());
+    if (!folder.isEmpty()) open(folder);
+}
+
+void MainWindow::ask_for_reconstruction() {
+    PatientWizard wizard(settings_.last_folder(), this);
+    wizard.set_ct(to_text(keeper_->workspace().image()));
+    if (wizard.exec() == QDialog::Accepted) open(OpenRequest{false, wizard.options()});
+}
+
+void MainWindow::ask_where_to_save_picture() {
+    const QString file = QFileDialog::getSaveFileName(
+        this, "Save picture", settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
+    if (!file.isEmpty()) attempt("Save picture", [&] { save_picture(file); });
+}
 
 void MainWindow::save_plots(bool picture) {
     const QString file = QFileDialog::getSaveFileName(
         this, "Save curves", settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
         picture ? "PNG (*.png)" : "Tables (*.csv)");
     if (file.isEmpty()) return;
-    attempt([&] { picture ? plots_->save_picture(file) : plots_->save_table(file); });
+    attempt("Save curves", [&] {
+        PlotPanel& plots = curves_->plots();
+        picture ? plots.save_picture(file) : plots.save_table(file);
+    });
 }
 
 void MainWindow::ask_for_ct(bool folder) {
@@ -33,29 +100,6 @@ void MainWindow::ask_for_ct(bool folder) {
     if (!path.isEmpty()) open(path);
 }
 
-void MainWindow::ask_where_to_save() {
-    const QString folder = QFileDialog::getSaveFileName(
-        this, "Save case as", settings_.last_folder() + "/patient.hep", "Cases (*.hep)");
-    if (!folder.isEmpty()) save_case(folder);
-}
-
-void MainWindow::save_case(const QString& folder) {
-    if (!patient_) return;
-    start_job("Saving " + QFileInfo(folder).fileName(),
-              [this, folder, patient = patient_->patient, voxels = patient_->folder,
-               save = patients_.save](Job& job) {
-                  job.begin_stage("write");
-                  PatientCase whole = *patient;
-                  if (!voxels.empty()) add_voxels(voxels, whole);
-                  save(to_path(folder), whole);
-                  return [this, folder] {
-                      setWindowModified(false);
-                      settings_.add_recent_file(folder);
-                      statusBar()->showMessage("Saved " + folder, 6000);
-                  };
-              });
-}
-
 void MainWindow::save_picture(const QString& file) {
     const QImage picture = view_->picture();
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
@@ -65,6 +109,14 @@ void MainWindow::save_picture(const QString& file) {
         }
     });
     statusBar()->showMessage("Saved " + file, 6000);
+}
+
+void MainWindow::attempt(const std::string& doing, const std::function<void()>& task) {
+    try {
+        task();
+    } catch (...) {
+        fail(doing, failure_of(std::current_exception()));
+    }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -79,6 +131,24 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
     messages_->show_failure({"only files and folders of this computer can be opened", "",
                              "save it to a folder and drop that"});
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    in_close_event_ = true;
+    if (!may_close_) {
+        keeper_->leave([this] {
+            may_close_ = true;
+            if (!in_close_event_) close();
+        });
+    }
+    in_close_event_ = false;
+    if (!may_close_) return event->ignore();
+    settings_.set_window(saveGeometry(), saveState());
+    frame_timer_->stop();
+    keeper_->end();
+    curves_->clear();
+    patient_.reset();
+    QMainWindow::closeEvent(event);
 }
 
 }  // namespace hepatica

@@ -3,16 +3,24 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStyle>
 #include <QTextDocumentFragment>
 #include <QToolButton>
+#include <utility>
 
 namespace hepatica {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), label_(new QLabel(this)), offer_(new QPushButton(this)) {
     setObjectName("messageBar");
     label_->setWordWrap(true);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    offer_->setObjectName("offer");
+    connect(offer_, &QPushButton::clicked, this, [this] {
+        dismiss();
+        act_();
+    });
     auto* close = new QToolButton(this);
     close->setText("✕");
     close->setAutoRaise(true);
@@ -21,6 +29,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 8, 8);
     row->addWidget(label_, 1);
+    row->addWidget(offer_, 0, Qt::AlignTop);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
@@ -36,7 +45,15 @@ void MessageBar::show_failure(const Failure& failure) {
 }
 
 void MessageBar::show_notice(const QString& text) {
-    show_as("notice", text.toHtmlEscaped());
+    show_as("notice", text.toHtmlEscaped().replace("\n", "<br>"));
+}
+
+void MessageBar::show_notice(const QString& text, const QString& button,
+                             std::function<void()> act) {
+    show_notice(text);
+    act_ = std::move(act);
+    offer_->setText(button);
+    offer_->show();
 }
 
 QString MessageBar::text() const {
@@ -48,6 +65,7 @@ void MessageBar::show_as(const char* kind, const QString& html) {
     style()->unpolish(this);
     style()->polish(this);
     label_->setText(html);
+    offer_->hide();
     show();
 }
 

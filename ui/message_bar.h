@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line above the view that says what went wrong, where, and what to do; it stays until it is
-// dismissed or replaced, and never stands in the way.
+// dismissed or replaced, and never stands in the way. Where something can be done at once, it has a
+// button for it.
 #pragma once
 
 #include <QFrame>
+#include <functional>
 
 #include "ui/background_job.h"
 
 class QLabel;
+class QPushButton;
 
 namespace hepatica {
 
@@ -17,6 +20,8 @@ class MessageBar : public QFrame {
 
     void show_failure(const Failure& failure);
     void show_notice(const QString& text);
+    // With a button of this name that does `act` and dismisses the message.
+    void show_notice(const QString& text, const QString& button, std::function<void()> act);
     void dismiss() { hide(); }
     QString text() const;  // plain, of what is shown; empty while hidden
 
@@ -24,6 +29,8 @@ class MessageBar : public QFrame {
     void show_as(const char* kind, const QString& html);
 
     QLabel* label_;
+    QPushButton* offer_;
+    std::function<void()> act_;
 };
 
 }  // namespace hepatica

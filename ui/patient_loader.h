@@ -1,37 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From what the user opened (a case, a CT, a tree, the built-in patient) to a patient that can be
-// played with. One cancellable job; no toolkit.
+// An opened patient with what plays it: which vessel lies under the mouse, each branch's share of
+// the flow, and a simulation on a thread of its own. No toolkit.
 #pragma once
 
-#include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "core/patient/patient_case.h"
-#include "core/reconstruction/reconstruct.h"
+#include "core/opening/open_patient.h"
+#include "core/scene/surface_anatomy.h"
 #include "ui/simulation.h"
-#include "ui/surface_anatomy.h"
 
 namespace hepatica {
 
-struct OpenRequest {
-    bool built_in = false;           // the synthetic patient; the rest is not read
-    ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
-};
-
-struct LoadedPatient {
-    std::string title;
-    std::shared_ptr<const PatientCase> patient;
+struct LoadedPatient : OpenedPatient {
     SurfaceAnatomy anatomy;
-    std::vector<double> flow_shares;         // per segment, see vessel_flow.h; may be empty
+    std::vector<double> flow_shares;         // per segment, see flow_shares.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running
-    std::vector<std::string> warnings;
-    bool on_disk = false;          // opened from a case folder: nothing to save
-    std::filesystem::path folder;  // the case that holds the voxels which `patient` lacks; or none
 };
 
-// A patient that is in memory, with its simulation running.
+// A patient that is in memory, with its simulation running. Throws InputError, Cancelled.
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job);
 
 // Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled.

@@ -13,10 +13,12 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
     : QFrame(parent),
       title_(new QLabel(this)),
       stage_(new QLabel(this)),
+      waiting_(new QLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton("Cancel", this)) {
     setObjectName("progressStrip");
     stage_->setObjectName("quiet");
+    waiting_->setObjectName("quiet");
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setFixedWidth(260);
@@ -26,6 +28,7 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
     row->setSpacing(14);
     row->addWidget(title_);
     row->addWidget(stage_, 1);
+    row->addWidget(waiting_);
     row->addWidget(bar_);
     row->addWidget(cancel_);
     hide();
@@ -37,6 +40,10 @@ void ProgressStrip::start(const QString& title) {
     bar_->setRange(0, 0);
     cancel_->setEnabled(true);
     show();
+}
+
+void ProgressStrip::show_waiting(int jobs) {
+    waiting_->setText(jobs == 0 ? QString() : QString("%1 more to do").arg(jobs));
 }
 
 void ProgressStrip::update_progress(const JobProgress& progress) {

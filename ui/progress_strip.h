@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line below the view while a job runs: its stage in words, how far it is, and Cancel.
+// The line below the view while a job runs: its stage in words, how far it is, what waits
+// behind it, and Cancel.
 #pragma once
 
 #include <QFrame>
@@ -18,6 +19,7 @@ class ProgressStrip : public QFrame {
     explicit ProgressStrip(std::function<void()> cancel, QWidget* parent = nullptr);
 
     void start(const QString& title);
+    void show_waiting(int jobs);  // behind the one that runs
     void update_progress(const JobProgress& progress);
     void say_cancelling();
     void finish() { hide(); }
@@ -25,6 +27,7 @@ class ProgressStrip : public QFrame {
   private:
     QLabel* title_;
     QLabel* stage_;
+    QLabel* waiting_;
     QProgressBar* bar_;
     QPushButton* cancel_;
 };

@@ -2,6 +2,7 @@
 #include "ui/settings.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 
 namespace hepatica {
@@ -30,10 +31,20 @@ QStringList Settings::recent_files() const {
 }
 
 void Settings::add_recent_file(const QString& path) {
+    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    QStringList files = recent_files();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    set_recent_files(files.mid(0, most_recent_files));
+}
+
+void Settings::remove_recent_file(const QString& path) {
     QStringList files = recent_files();
     files.removeAll(path);
-    files.prepend(path);
-    files = files.mid(0, most_recent_files);
+    set_recent_files(files);
+}
+
+void Settings::set_recent_files(const QStringList& files) {
     if (store_) {
         store_->setValue(recent_key, files);
     } else {

@@ -21,9 +21,10 @@ class Settings {
     explicit Settings(const QString& file);
     ~Settings();
 
-    // Newest first, ten at most. Paths as the user gave them.
+    // Newest first, ten at most. Absolute paths, whatever was given.
     QStringList recent_files() const;
     void add_recent_file(const QString& path);
+    void remove_recent_file(const QString& path);
     void clear_recent_files();
 
     QByteArray window_geometry() const;
@@ -34,6 +35,8 @@ class Settings {
     void set_last_folder(const QString& folder);
 
   private:
+    void set_recent_files(const QStringList& files);
+
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
 };

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window shows of the flow beside the picture: each branch's share of it, and an injection
-// as curves over time. No toolkit.
+// What the window shows of an injection beside the picture: its curves over time. No toolkit.
 #pragma once
-
-#include <vector>
 
 #include "core/base/job.h"
 #include "core/session/command.h"
@@ -11,10 +8,6 @@
 #include "render/chart.h"
 
 namespace hepatica {
-
-// Share of each segment in the flow of its system's root, at a portal vein's resting flow and one
-// pressure at all ends. Empty where the tree carries no flow that could be solved.
-std::vector<double> flow_shares(const VesselTree& tree);
 
 struct InjectionCurves {
     Chart pressure;  // total pressure at the catheter's tip over time

@@ -34,6 +34,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/reconstruction",
      {"core/base", "core/image", "core/skeleton", "core/segmentation", "core/tree", "core/phantom",
       "core/mesh", "core/patient"}},
+    {"core/opening",
+     {"core/base", "core/image", "core/tree", "core/mesh", "core/patient", "core/reconstruction"}},
     {"core/scene",
      {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient"}},

@@ -3,10 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QLineEdit>
 #include <QSlider>
-#include <QTimer>
 #include <stdexcept>
 
 #include "tests/patient/parted_patient.h"
@@ -187,16 +184,8 @@ TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
     click(test::last_gap[1]);
     EXPECT_TRUE(window_.isWindowModified());
 
-    QTimer answer;
-    QObject::connect(&answer, &QTimer::timeout, [&] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (dialog == nullptr) return;
-        answer.stop();
-        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(second);
-        QMetaObject::invokeMethod(dialog, "accept");
-    });
-    answer.start(10);
-    window_.actions()[ActionId::save_case].trigger();
+    save_place_ = to_path(second);
+    window_.actions()[ActionId::save_case_as].trigger();
     wait();
     EXPECT_EQ(window_.messages().text(), "");
     EXPECT_FALSE(window_.isWindowModified());
@@ -205,6 +194,34 @@ TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
     EXPECT_EQ(roots(written.tree).size(), 1u);
     EXPECT_EQ(written.mask.voxels, patient.mask.voxels);
     EXPECT_EQ(hash_of(read_case(to_path(first))), hash_of(patient));
+}
+
+TEST_F(Editing, saving_at_once_after_a_click_keeps_the_correction) {
+    window_.save_case(folder_.filePath("p"));
+    wait();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(test::last_gap[1]));
+    ASSERT_TRUE(window_.workspace().awaits_body());
+    window_.actions()[ActionId::save_case].trigger();
+    wait();
+    EXPECT_EQ(read_case(to_path(folder_.filePath("p.hep"))).corrections.edits.size(), 1u);
+    EXPECT_EQ(roots(window_.workspace().patient()->tree).size(), 1u);
+    EXPECT_FALSE(window_.isWindowModified());
+    EXPECT_EQ(window_.windowTitle(), "p.hep[*] - Hepatica");
+}
+
+TEST_F(Editing, closing_asks_about_what_is_not_saved_and_waits_for_it) {
+    unsaved_answer_ = UnsavedAnswer::cancel;
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(test::last_gap[1]));
+    EXPECT_FALSE(window_.close());
+    EXPECT_EQ(questions_asked_, 1);
+    EXPECT_TRUE(window_.isVisible());
+    wait();
+
+    unsaved_answer_ = UnsavedAnswer::save;
+    save_place_ = to_path(folder_.filePath("p.hep"));
+    EXPECT_FALSE(window_.close()) << "the case is being written";
+    EXPECT_TRUE(testing::wait_for([this] { return !window_.isVisible(); }));
+    EXPECT_EQ(read_case(*save_place_).corrections.edits.size(), 1u);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 #include "ui/patient_wizard.h"
 #include "ui/pixel_mapping.h"
 #include "ui/settings.h"
-#include "ui/surface_anatomy.h"
+#include "core/scene/surface_anatomy.h"
 
 namespace hepatica {
 namespace {

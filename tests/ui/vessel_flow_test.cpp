@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/flow/flow_shares.h"
 #include "core/flow/fluid.h"
 #include "tests/ui/fake_simulation.h"
 #include "ui/paths.h"

@@ -30,7 +30,8 @@ inline bool wait_for(const std::function<bool()>& condition) {
 class WindowTest : public ::testing::Test {
   protected:
     explicit WindowTest(MainWindow::Patients patients)
-        : settings_(folder_.filePath("settings.ini")), window_(settings_, std::move(patients)) {
+        : settings_(folder_.filePath("settings.ini")),
+          window_(settings_, std::move(patients), answers()) {
         window_.resize(1100, 760);
         window_.show();
         if (!QTest::qWaitForWindowExposed(&window_, patience_ms))
@@ -73,6 +74,18 @@ class WindowTest : public ::testing::Test {
             .toPoint();
     }
 
+    // Nobody sits before the tests' window: what is asked is answered from here.
+    PatientKeeper::Questions answers() {
+        return {[this](const std::string&) {
+                    ++questions_asked_;
+                    return unsaved_answer_;
+                },
+                [this] { return save_place_; }};
+    }
+
+    int questions_asked_ = 0;
+    UnsavedAnswer unsaved_answer_ = UnsavedAnswer::discard;
+    std::optional<std::filesystem::path> save_place_;
     QTemporaryDir folder_;
     Settings settings_;
     MainWindow window_;

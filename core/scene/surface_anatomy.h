@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which vessel each vertex of the body belongs to, and what lies downstream of a point: what a
-// virtual injection lights up. No toolkit.
+// virtual injection lights up.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/surface_anatomy.h"
+#include "core/scene/surface_anatomy.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/open_patient.h"
+
+#include <stdlib.h>
+
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tetrahedralize.h"
+#include "core/reconstruction/built_in_patient.h"
+#include "core/tree/files/tree_io.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+PatientCase patient_of(VesselTree tree, Job& job) {
+    PatientCase patient;
+    job.begin_stage("Making the mesh");
+    patient.mesh = tetrahedralize(tree, MeshOptions{}, job);
+    patient.surface = surface_of(patient.mesh).mesh;
+    patient.tree = std::move(tree);
+    return patient;
+}
+
+// Removed with all that is in it.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "hepatica-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw InputError("no temporary folder can be made", name, "Free some space there");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+OpenedPatient built_in_patient(Job& job) {
+    const TemporaryFolder scan;
+    Reconstruction made = reconstruct_built_in(scan.path(), job).reconstruction;
+    OpenedPatient opened;
+    opened.patient = std::make_shared<const PatientCase>(std::move(made.patient));
+    opened.warnings = std::move(made.warnings);
+    return opened;
+}
+
+OpenedPatient reconstructed(const ReconstructOptions& options, Job& job) {
+    Reconstruction made = reconstruct(options, job);
+    OpenedPatient opened;
+    opened.patient = std::make_shared<const PatientCase>(std::move(made.patient));
+    opened.image = options.ct;
+    opened.worth_saving = true;
+    opened.warnings = std::move(made.warnings);
+    return opened;
+}
+
+bool is_tree_file(const fs::path& path) {
+    const std::string extension = path.extension().string();
+    return extension == ".vtp" || extension == ".swc" || extension == ".json";
+}
+
+// A folder may be given as "scan/".
+std::string name_of(const fs::path& path) {
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+}  // namespace
+
+OpenRequest with_absolute_paths(OpenRequest request) {
+    ReconstructOptions& options = request.reconstruct;
+    if (!options.ct.empty()) options.ct = fs::absolute(options.ct).lexically_normal();
+    for (auto* mask : {&options.liver_mask, &options.vessel_mask})
+        if (*mask) *mask = fs::absolute(**mask).lexically_normal();
+    return request;
+}
+
+int opening_stage_count(const OpenRequest& request) {
+    const fs::path& path = request.reconstruct.ct;
+    if (request.built_in) return built_in_stage_count();
+    if (is_case(path)) return 1;
+    return is_tree_file(path) ? 2 : stage_count(request.reconstruct);
+}
+
+OpenedPatient open_patient(const OpenRequest& request, Job& job) {
+    job.expect_stages(opening_stage_count(request));
+    const fs::path& path = request.reconstruct.ct;
+    OpenedPatient opened;
+    if (request.built_in) {
+        opened = built_in_patient(job);
+    } else if (!fs::exists(path)) {
+        throw InputError("there is no such file or folder", path.string(),
+                         "check the name, and that its disk is connected");
+    } else if (is_case(path)) {
+        job.begin_stage("Reading the case");
+        opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));
+        opened.folder = path;
+    } else if (is_tree_file(path)) {
+        job.begin_stage("Reading the tree");
+        opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));
+    } else {
+        opened = reconstructed(request.reconstruct, job);
+    }
+    opened.title = request.built_in ? "Built-in patient" : name_of(path);
+    return opened;
+}
+
+}  // namespace hepatica

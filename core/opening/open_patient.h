@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From whatever a person opens (a case, a CT, a tree, the built-in patient) to a patient in memory.
+// One cancellable job.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+#include "core/reconstruction/reconstruct.h"
+
+namespace hepatica {
+
+struct OpenRequest {
+    bool built_in = false;           // the synthetic patient; the rest is not read
+    ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
+};
+
+// The same with every path absolute, so that it means the same from every working folder.
+OpenRequest with_absolute_paths(OpenRequest request);
+
+struct OpenedPatient {
+    std::string title;
+    std::shared_ptr<const PatientCase> patient;
+    std::filesystem::path folder;  // the case on disk, which holds the voxels too; empty: none yet
+    std::filesystem::path image;   // the CT it was reconstructed from just now; else empty
+    // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
+    bool worth_saving = false;
+    std::vector<std::string> warnings;
+};
+
+// How many stages of its job open_patient() begins.
+int opening_stage_count(const OpenRequest& request);
+
+// Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled. Any
+// thread.
+OpenedPatient open_patient(const OpenRequest& request, Job& job);
+
+}  // namespace hepatica

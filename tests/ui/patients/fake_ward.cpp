@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/patients/fake_ward.h"
+
+#include <QCoreApplication>
+#include <QTest>
+#include <chrono>
+#include <thread>
+
+#include "core/base/error.h"
+
+namespace hepatica::testing {
+
+void need_event_loop() {
+    static int count = 1;
+    static char name[] = "patients_tests";
+    static char* names[] = {name, nullptr};
+    static QCoreApplication application(count, names);
+}
+
+TreeEdit edit(int number) {
+    TreeEdit edit;
+    edit.kind = TreeEditKind::cut_link;
+    edit.at_mm = Vec3(number, 0, 0);
+    return edit;
+}
+
+std::vector<int> numbers_of(const std::vector<TreeEdit>& edits) {
+    std::vector<int> numbers;
+    for (const TreeEdit& one : edits) numbers.push_back(static_cast<int>(one.at_mm.x()));
+    return numbers;
+}
+
+FakeWard::FakeWard() {
+    need_event_loop();
+    PatientKeeper::Questions answers;
+    answers.unsaved = [this](const std::string& title) {
+        ++questions;
+        if (on_question) on_question(title);
+        return answer;
+    };
+    answers.where_to_save = [this]() -> std::optional<std::filesystem::path> {
+        ++places_asked;
+        if (!place) return std::nullopt;
+        return path_of(*place);
+    };
+    PatientKeeper::Screen screen;
+    screen.show = [this](LoadedPatient patient, bool corrected) {
+        if (before_show) before_show(corrected);
+        shown.push_back(corrected ? "+" : patient.title);
+    };
+    screen.changed = [] {};
+    screen.failed = [this](const std::string& doing, const Failure& failure) {
+        failures.push_back(doing + ": " + failure.problem);
+    };
+    screen.say = [this](const std::string& text) { said.push_back(text); };
+    screen.remember = [](const std::filesystem::path&) {};
+    keeper_ = std::make_unique<PatientKeeper>(
+        ways(), std::move(answers), std::move(screen),
+        JobQueue::Watcher{[](const std::string&) {}, [](const JobProgress&) {}, [] {}});
+}
+
+bool FakeWard::finish() {
+    return QTest::qWaitFor([this] { return !keeper_->jobs().busy(); }, 20000);
+}
+
+std::filesystem::path FakeWard::path_of(const std::string& name) {
+    return "/disk/" + name;
+}
+
+void FakeWard::open(const std::string& name) {
+    OpenRequest request;
+    request.reconstruct.ct = path_of(name);
+    keeper_->open(request);
+}
+
+void FakeWard::open_built_in() {
+    keeper_->open(OpenRequest{true, {}});
+}
+
+bool FakeWard::disk_holds(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    return disk_.contains(path_of(name));
+}
+
+std::vector<int> FakeWard::on_disk(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    return numbers_of(disk_.at(path_of(name)).corrections.edits);
+}
+
+void FakeWard::hold(const std::atomic<bool>& held, Job& job) const {
+    job.begin_stage("work");
+    if (slowness_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(slowness_us));
+    while (held) {
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        job.throw_if_cancelled();
+    }
+    job.advance(1.0);
+}
+
+LoadedPatient FakeWard::load(const OpenRequest& request, Job& job) {
+    hold(hold_openings, job);
+    LoadedPatient loaded;
+    const std::filesystem::path& path = request.reconstruct.ct;
+    loaded.title = request.built_in ? "built-in" : path.filename().string();
+    PatientCase patient;
+    patient.mask = Mask(Grid{{1, 1, 1}}, 1);
+    if (!request.built_in && loaded.title.starts_with("ct")) {
+        loaded.image = path;
+        loaded.worth_saving = true;
+    } else if (!request.built_in) {
+        const std::lock_guard lock(mutex_);
+        if (!disk_.contains(path)) throw InputError("there is no such case", path.string(), "");
+        patient = disk_.at(path);
+        loaded.folder = path;
+    }
+    loaded.patient = std::make_shared<const PatientCase>(std::move(patient));
+    return loaded;
+}
+
+PatientKeeper::Ways FakeWard::ways() {
+    PatientKeeper::Ways ways;
+    ways.load = [this](const OpenRequest& request, Job& job) { return load(request, job); };
+    // As write_case(): without a job, so that nothing cancels it half-way.
+    ways.save = [this](const std::filesystem::path& folder, const PatientCase& patient) {
+        Job unheard;
+        hold(hold_saves, unheard);
+        if (disk_full) throw InputError("the disk is full", folder.string(), "");
+        const std::lock_guard lock(mutex_);
+        disk_[folder] = patient;
+    };
+    ways.correct = [this](const PatientCase& patient, const std::vector<TreeEdit>& edits,
+                          Job& job) {
+        hold(hold_corrections, job);
+        for (const int number : numbers_of(edits))
+            if (number < 0) throw InputError("cannot be made", std::to_string(number), "");
+        PatientCase corrected = patient;
+        corrected.corrections.edits = edits;
+        return corrected;
+    };
+    ways.play_on = [](std::shared_ptr<const PatientCase> patient, Job&) {
+        LoadedPatient loaded;
+        loaded.patient = std::move(patient);
+        return loaded;
+    };
+    return ways;
+}
+
+}  // namespace hepatica::testing

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/job_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <atomic>
+#include <stdexcept>
+
+#include "tests/ui/patients/fake_ward.h"
+
+namespace hepatica {
+namespace {
+
+class Queue : public ::testing::Test {
+  protected:
+    Queue() { testing::need_event_loop(); }
+
+    // Ends when it is let go, or cancelled.
+    QueuedJob job(JobKind kind, const std::string& title) {
+        QueuedJob job;
+        job.kind = kind;
+        job.title = title;
+        job.begin = [this, title]() -> BackgroundJob::Work {
+            log_.push_back("begin " + title);
+            return [this, title](Job& work) -> std::function<void()> {
+                while (hold_) {
+                    std::this_thread::sleep_for(std::chrono::microseconds(200));
+                    work.throw_if_cancelled();
+                }
+                if (title == "bad") throw std::runtime_error("bad");
+                return [this, title] { log_.push_back("done " + title); };
+            };
+        };
+        job.failed = [this, title](const Failure&) { log_.push_back("failed " + title); };
+        job.cancelled = [this, title] { log_.push_back("cancelled " + title); };
+        return job;
+    }
+    void finish() {
+        hold_ = false;
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !queue_.busy(); }, 10000));
+    }
+
+    std::atomic<bool> hold_{true};
+    std::vector<std::string> log_;
+    std::string title_;
+    int waiting_ = -1;
+    JobQueue queue_{{[this](const std::string& title) { title_ = title; },
+                     [](const JobProgress&) {}, [this] { waiting_ = queue_.waiting(); }}};
+};
+
+using Log = std::vector<std::string>;
+
+TEST_F(Queue, runs_one_job_after_the_other) {
+    queue_.add(job(JobKind::correct, "a"));
+    queue_.add(job(JobKind::save, "b"));
+    queue_.add(job(JobKind::save, "c"));
+    EXPECT_EQ(log_, Log{"begin a"}) << "work is prepared only when its turn has come";
+    EXPECT_EQ(waiting_, 2);
+    EXPECT_EQ(title_, "a");
+    finish();
+    EXPECT_EQ(log_, (Log{"begin a", "done a", "begin b", "done b", "begin c", "done c"}));
+    EXPECT_EQ(waiting_, 0);
+}
+
+TEST_F(Queue, a_newer_job_takes_the_place_of_its_kind_and_of_no_other) {
+    queue_.add(job(JobKind::correct, "a"));
+    queue_.add(job(JobKind::save, "b"));
+    queue_.replace(job(JobKind::correct, "a2"));
+    EXPECT_EQ(title_, "a2");
+    queue_.replace(job(JobKind::correct, "a3"));
+    EXPECT_EQ(waiting_, 2);
+    finish();
+    EXPECT_EQ(log_, (Log{"begin a", "begin a3", "done a3", "begin b", "done b"}))
+        << "before the save that was asked for after it, and the dropped one says nothing";
+}
+
+TEST_F(Queue, a_job_dropped_after_its_work_was_done_has_no_effect) {
+    hold_ = false;
+    queue_.add(job(JobKind::open, "a"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the worker is done, unheard
+    queue_.drop(JobKind::open);
+    EXPECT_FALSE(queue_.holds(JobKind::open));
+    finish();
+    EXPECT_EQ(log_, Log{"begin a"});
+}
+
+TEST_F(Queue, cancel_ends_the_one_that_runs_and_the_others_go_on) {
+    queue_.add(job(JobKind::correct, "a"));
+    queue_.add(job(JobKind::save, "b"));
+    queue_.cancel_running();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return log_.size() >= 3; }, 5000));
+    finish();
+    EXPECT_EQ(log_, (Log{"begin a", "cancelled a", "begin b", "done b"}));
+}
+
+TEST_F(Queue, cancel_means_the_one_that_stands_in_for_a_dropped_one) {
+    queue_.add(job(JobKind::correct, "a"));
+    queue_.replace(job(JobKind::correct, "a2"));
+    queue_.cancel_running();
+    finish();
+    EXPECT_EQ(log_, (Log{"begin a", "cancelled a2"}));
+}
+
+TEST_F(Queue, a_failure_is_told_and_the_next_one_runs) {
+    queue_.add(job(JobKind::open, "bad"));
+    queue_.add(job(JobKind::save, "b"));
+    finish();
+    EXPECT_EQ(log_, (Log{"begin bad", "failed bad", "begin b", "done b"}));
+}
+
+TEST_F(Queue, clearing_ends_all_without_a_word) {
+    queue_.add(job(JobKind::open, "a"));
+    queue_.add(job(JobKind::save, "b"));
+    queue_.clear();
+    EXPECT_FALSE(queue_.busy());
+    finish();
+    EXPECT_EQ(log_, Log{"begin a"});
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/patient_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "tests/ui/patients/fake_ward.h"
+
+namespace hepatica {
+namespace {
+
+using testing::edit;
+using testing::FakeWard;
+using testing::numbers_of;
+using Numbers = std::vector<int>;
+
+// A patient from a CT, saved as a.hep without corrections.
+class Keeper : public ::testing::Test {
+  protected:
+    Keeper() {
+        ward.open("ct");
+        EXPECT_TRUE(ward.finish());
+        save_as("a.hep");
+        EXPECT_TRUE(ward.finish());
+    }
+    void add(int number) { ward.keeper().add(edit(number)); }
+    void save_as(const char* name) { ward.keeper().save_as(FakeWard::path_of(name)); }
+
+    FakeWard ward;
+};
+
+TEST_F(Keeper, saving_while_a_correction_is_made_saves_the_correction) {
+    ward.hold_corrections = true;
+    add(1);
+    ward.keeper().save();
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
+    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_FALSE(ward.workspace().dirty());
+}
+
+TEST_F(Keeper, correcting_while_a_case_is_written_disturbs_neither) {
+    ward.hold_saves = true;
+    add(1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !ward.workspace().awaits_body(); }));
+    ward.keeper().save();
+    add(2);
+    ward.hold_saves = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
+    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), (Numbers{1, 2}));
+    EXPECT_TRUE(ward.workspace().dirty());
+}
+
+TEST_F(Keeper, a_newer_correction_does_not_push_the_save_before_it_aside) {
+    ward.hold_corrections = true;
+    add(1);
+    save_as("b.hep");
+    add(2);
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.on_disk("b.hep"), (Numbers{1, 2}));
+    EXPECT_FALSE(ward.workspace().dirty());
+    EXPECT_EQ(ward.workspace().folder(), FakeWard::path_of("b.hep"));
+}
+
+TEST_F(Keeper, an_impossible_correction_is_refused_with_a_word_and_takes_no_other_with_it) {
+    ward.hold_corrections = true;
+    add(1);
+    add(-2);
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_EQ(ward.failures, std::vector<std::string>{"Correcting the tree: cannot be made"});
+}
+
+TEST_F(Keeper, cancel_takes_the_correction_back_and_lets_the_save_go_on) {
+    ward.hold_corrections = true;
+    add(1);
+    save_as("b.hep");
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.workspace().edits().empty());
+    EXPECT_EQ(ward.on_disk("b.hep"), Numbers{});
+    EXPECT_EQ(ward.said,
+              (std::vector<std::string>{"Saved /disk/a.hep", "The correction was taken back",
+                                        "Saved /disk/b.hep"}));
+}
+
+TEST_F(Keeper, leaves_without_a_question_what_is_saved) {
+    ward.leave();
+    EXPECT_TRUE(ward.left);
+    EXPECT_EQ(ward.questions, 0);
+}
+
+TEST_F(Keeper, asks_before_unsaved_corrections_are_left_also_while_they_are_made) {
+    for (const bool body_is_there : {false, true}) {
+        ward.hold_corrections = !body_is_there;
+        ward.questions = 0;
+        ward.left = false;
+        add(1);
+        if (body_is_there) ASSERT_TRUE(ward.finish());
+        ward.answer = UnsavedAnswer::cancel;
+        ward.leave();
+        EXPECT_EQ(ward.questions, 1);
+        EXPECT_FALSE(ward.left);
+        ward.answer = UnsavedAnswer::discard;
+        ward.leave();
+        EXPECT_EQ(ward.questions, 2) << "the last answer was for the last time";
+        EXPECT_TRUE(ward.left);
+    }
+}
+
+TEST_F(Keeper, leaves_after_saving_and_not_before) {
+    ward.hold_corrections = true;
+    add(1);
+    ward.answer = UnsavedAnswer::save;
+    ward.leave();
+    EXPECT_FALSE(ward.left);
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.left);
+    EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
+}
+
+TEST_F(Keeper, stays_where_the_save_fails_is_cancelled_or_has_no_place) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.answer = UnsavedAnswer::save;
+    ward.disk_full = true;
+    ward.leave();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_FALSE(ward.left);
+    EXPECT_EQ(ward.failures, std::vector<std::string>{"Saving a.hep: the disk is full"});
+    EXPECT_TRUE(ward.workspace().dirty());
+
+    ward.disk_full = false;
+    ward.hold_corrections = true;
+    add(2);
+    ward.leave();
+    ward.keeper().cancel();  // the correction, so that not all would be saved
+    ASSERT_TRUE(ward.finish());
+    EXPECT_FALSE(ward.left);
+
+    ward.answer = UnsavedAnswer::discard;
+    ward.open("ct2");
+    ASSERT_TRUE(ward.finish());
+    ASSERT_EQ(ward.workspace().title(), "ct2");
+    ward.answer = UnsavedAnswer::save;
+    ward.leave();
+    EXPECT_EQ(ward.places_asked, 1);
+    EXPECT_FALSE(ward.left);
+}
+
+TEST_F(Keeper, a_reconstruction_that_was_never_saved_is_asked_about) {
+    ward.open("ct2");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.questions, 0) << "the one before was saved";
+    ward.place = "c.hep";
+    ward.answer = UnsavedAnswer::save;
+    ward.open_built_in();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.questions, 1);
+    EXPECT_TRUE(ward.disk_holds("c.hep"));
+    EXPECT_EQ(ward.workspace().title(), "built-in");
+    ward.leave();
+    EXPECT_EQ(ward.questions, 1) << "it can be made again at will";
+}
+
+TEST_F(Keeper, what_was_corrected_while_another_patient_was_made_ready_is_asked_about) {
+    ward.hold_openings = true;
+    ward.open("ct2");
+    add(1);
+    ward.answer = UnsavedAnswer::save;
+    ward.hold_openings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.questions, 1);
+    EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
+    EXPECT_EQ(ward.workspace().title(), "ct2");
+}
+
+TEST_F(Keeper, what_was_discarded_for_another_patient_is_asked_about_once) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.answer = UnsavedAnswer::discard;
+    ward.open("ct2");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.questions, 1);
+    EXPECT_EQ(ward.workspace().title(), "ct2");
+    EXPECT_TRUE(ward.workspace().edits().empty());
+}
+
+TEST_F(Keeper, a_discarded_patient_stays_as_he_is_where_the_other_cannot_be_opened) {
+    add(1);
+    ward.answer = UnsavedAnswer::discard;
+    ward.open("missing.hep");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().title(), "a.hep");
+    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_TRUE(ward.workspace().dirty());
+    ward.answer = UnsavedAnswer::cancel;
+    ward.leave();
+    EXPECT_EQ(ward.questions, 2);
+    EXPECT_FALSE(ward.left);
+}
+
+TEST_F(Keeper, a_newer_opening_takes_the_place_of_an_older_one) {
+    ward.hold_openings = true;
+    ward.open("ct2");
+    ward.open("ct3");
+    ward.hold_openings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.shown, (std::vector<std::string>{"ct", "ct3"}));
+}
+
+TEST_F(Keeper, a_case_that_is_being_written_is_finished_before_the_end) {
+    ward.hold_saves = true;
+    add(1);
+    save_as("b.hep");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !ward.workspace().awaits_body(); }));
+    ward.leave();
+    EXPECT_FALSE(ward.left);
+    EXPECT_EQ(ward.questions, 0) << "it is being saved already";
+    ward.hold_saves = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.left);
+    EXPECT_EQ(ward.on_disk("b.hep"), Numbers{1});
+}
+
+TEST_F(Keeper, paths_are_made_absolute) {
+    OpenRequest request;
+    request.reconstruct.ct = "some/../ct9";
+    request.reconstruct.liver_mask = "liver.nii";
+    ward.keeper().open(request);
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().image(), std::filesystem::current_path() / "ct9");
+    EXPECT_EQ(with_absolute_paths(request).reconstruct.liver_mask,
+              std::filesystem::current_path() / "liver.nii");
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workspace.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/patients/fake_ward.h"
+
+namespace hepatica {
+namespace {
+
+using testing::edit;
+using testing::numbers_of;
+using Numbers = std::vector<int>;
+
+OpenedPatient case_on_disk() {
+    OpenedPatient opened;
+    opened.title = "a.hep";
+    opened.folder = "/disk/a.hep";
+    opened.patient = std::make_shared<const PatientCase>();
+    return opened;
+}
+
+std::shared_ptr<const PatientCase> body_of(const Workspace::Edits& edits) {
+    auto patient = std::make_shared<PatientCase>();
+    patient->corrections.edits = edits;
+    return patient;
+}
+
+TEST(Workspace, is_dirty_while_its_corrections_are_not_those_on_disk) {
+    Workspace workspace;
+    EXPECT_FALSE(workspace.has_patient());
+    EXPECT_FALSE(workspace.dirty());
+    workspace.open(case_on_disk());
+    EXPECT_FALSE(workspace.dirty());
+    workspace.add(edit(1));
+    EXPECT_TRUE(workspace.dirty()) << "also before its body is there";
+    workspace.show_body(body_of({edit(1)}));
+    EXPECT_TRUE(workspace.dirty());
+    workspace.saved("/disk/b.hep", {edit(1)});
+    EXPECT_FALSE(workspace.dirty());
+    EXPECT_EQ(workspace.title(), "b.hep");
+    EXPECT_EQ(workspace.folder(), "/disk/b.hep");
+    workspace.undo();
+    EXPECT_TRUE(workspace.dirty());
+    workspace.redo();
+    EXPECT_FALSE(workspace.dirty()) << "what is on disk again is not lost";
+}
+
+TEST(Workspace, a_reconstruction_is_worth_saving_and_a_patient_made_at_will_is_not) {
+    Workspace workspace;
+    OpenedPatient opened = case_on_disk();
+    opened.folder.clear();
+    workspace.open(opened);
+    EXPECT_FALSE(workspace.dirty());
+    opened.worth_saving = true;
+    workspace.open(opened);
+    EXPECT_TRUE(workspace.dirty());
+    workspace.saved("/disk/a.hep", {});
+    EXPECT_FALSE(workspace.dirty());
+}
+
+TEST(Workspace, undo_and_redo_walk_over_what_is_wanted) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.undo();
+    workspace.redo();
+    EXPECT_FALSE(workspace.awaits_body());
+    for (const int number : {1, 2, 3}) workspace.add(edit(number));
+    workspace.undo();
+    workspace.undo();
+    EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
+    workspace.redo();
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2}));
+    workspace.add(edit(4));
+    EXPECT_FALSE(workspace.can_redo()) << "another way was taken";
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2, 4}));
+    EXPECT_TRUE(workspace.shown_edits().empty());
+}
+
+TEST(Workspace, an_edit_undone_before_it_had_a_body_is_no_attempt) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(edit(1));
+    workspace.add(edit(2));
+    workspace.undo();
+    ASSERT_EQ(workspace.attempts().size(), 1u);
+    EXPECT_EQ(numbers_of(workspace.attempts()[0]), Numbers{1});
+    workspace.undo();
+    EXPECT_FALSE(workspace.awaits_body());
+    EXPECT_TRUE(workspace.attempts().empty());
+    EXPECT_TRUE(workspace.can_redo());
+}
+
+TEST(Workspace, an_impossible_correction_leaves_those_before_it) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(edit(1));
+    workspace.add(edit(-2));
+    const auto attempts = workspace.attempts();
+    ASSERT_EQ(attempts.size(), 2u);
+    EXPECT_EQ(numbers_of(attempts[0]), (Numbers{1, -2}));
+    EXPECT_EQ(numbers_of(attempts[1]), Numbers{1});
+    const std::uint64_t before = workspace.version();
+    workspace.show_body(body_of(attempts[1]));
+    EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
+    EXPECT_FALSE(workspace.awaits_body());
+    EXPECT_NE(workspace.version(), before) << "something else is wanted now";
+}
+
+TEST(Workspace, giving_up_goes_back_to_what_is_shown_and_can_be_redone_as_before) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(edit(1));
+    workspace.show_body(body_of({edit(1)}));
+    workspace.undo();
+    workspace.give_up_edits();
+    EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
+    EXPECT_FALSE(workspace.can_redo());
+}
+
+}  // namespace
+}  // namespace hepatica

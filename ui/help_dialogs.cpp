@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help_dialogs.h"
+
+#include <QDialog>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/actions.h"
+
+namespace hepatica {
+
+void show_cheat_sheet(QWidget& parent) {
+    auto* sheet = new QDialog(&parent);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->setWindowTitle("Keys and mouse");
+    sheet->resize(620, 640);
+    auto* text = new QTextBrowser(sheet);
+    text->setFrameShape(QFrame::NoFrame);
+    text->setHtml(Actions::cheat_sheet());
+    auto* column = new QVBoxLayout(sheet);
+    column->addWidget(text);
+    sheet->show();
+}
+
+void show_about(QWidget& parent, const QString& renderer) {
+    QMessageBox::about(&parent, "About Hepatica",
+                       "<b>Hepatica " HEPATICA_VERSION
+                       "</b><p>Practise on a patient's own "
+                       "liver vessels.</p><p>Renderer: " +
+                           renderer.toHtmlEscaped() +
+                           "</p><p>Licence: GPL-3.0-or-later. Not a medical device.</p>");
+}
+
+}  // namespace hepatica

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys and mouse gestures, and what program this is.
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace hepatica {
+
+void show_cheat_sheet(QWidget& parent);
+void show_about(QWidget& parent, const QString& renderer);
+
+}  // namespace hepatica

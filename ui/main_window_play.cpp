@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window shows of the patient, and what the user does with him.
+#include <QDockWidget>
+#include <QStatusBar>
+#include <QTimer>
+#include <utility>
+
+#include "ui/case_editing.h"
+#include "ui/curves_dock.h"
+#include "ui/inject_panel.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/message_log.h"
+#include "ui/quality_panel.h"
+#include "ui/status_line.h"
+#include "ui/vtk_widget.h"
+#include "ui/welcome.h"
+
+namespace hepatica {
+
+void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
+    SceneView& scene = view_->scene();
+    if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
+    curves_->clear();
+    patient_ = std::move(patient);
+    hovered_segment_ = -1;
+    welcome_->hide();
+    scene.set_highlight({});
+    scene.set_vertex_systems(patient_->anatomy.vertex_systems());
+    actions_->set_patient_shown(true);
+    (*actions_)[ActionId::pause_simulation].setChecked(false);
+    quality_->post_choices();
+    inject_->post_choices();
+    frame_timer_->start(16);
+    editing_->show_body();
+    if (!corrected) show_warnings();
+}
+
+void MainWindow::show_warnings() {
+    if (patient_->warnings.empty()) return;
+    QStringList lines;
+    for (const std::string& warning : patient_->warnings) {
+        lines << QString::fromStdString(warning);
+        log_->add_warning(QString::fromStdString(patient_->title), lines.back());
+    }
+    messages_->show_notice(lines.join("\n"), "All messages", [this] { log_->show(); });
+}
+
+void MainWindow::show_workspace() {
+    const Workspace& workspace = keeper_->workspace();
+    if (!workspace.has_patient()) return;
+    setWindowTitle(QString::fromStdString(workspace.title()) + "[*] - Hepatica");
+    setWindowModified(workspace.dirty());
+    view_->scene().set_caption(workspace.title());
+    editing_->update_panel();
+}
+
+void MainWindow::show_newest_frame() {
+    if (!patient_ || !patient_->simulation->update_frame()) return;
+    view_->show_frame(patient_->simulation->frame());
+}
+
+void MainWindow::show_figures() {
+    if (picture_ms_ > 0.0) status_->show_picture_time(picture_ms_);
+    if (!patient_) return status_->clear_statistics();
+    const Frame& frame = patient_->simulation->frame();
+    status_->show_statistics(frame.statistics);
+    quality_->show_statistics(frame.statistics);
+    inject_->show_drug(frame.drug);
+    const bool injected = frame.drug.arrival_s != nullptr;
+    curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
+    if (frame.statistics.message != last_message_) {
+        last_message_ = frame.statistics.message;
+        const QString text = QString::fromStdString(last_message_);
+        // What stops the play stands above the view; what merely happens passes below it.
+        if (frame.statistics.paused && !text.isEmpty()) {
+            messages_->show_notice(text);
+        } else {
+            statusBar()->showMessage(text, 4000);
+        }
+    }
+}
+
+void MainWindow::show_hover(const SurfacePick& pick) {
+    if (!patient_) return;
+    const TreePoint point = patient_->anatomy.tree_point(pick.nearest_vertex);
+    if (point.segment == hovered_segment_) return;
+    hovered_segment_ = point.segment;
+    inject_->show_hover(
+        QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
+    view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
+    view_->draw_again();
+}
+
+void MainWindow::inject(const SurfacePick& pick) {
+    if (!patient_) return;
+    const InjectDrug injection = inject_->injection_at(pick.position_mm);
+    post(injection);
+    curves_->show_injection(patient_->patient, patient_->anatomy.tree_point(pick.nearest_vertex),
+                            injection);
+}
+
+void MainWindow::picture_painted(double ms) {
+    if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
+    picture_ms_ = ms;
+    if (patient_) patient_->simulation->set_drawing_ms(ms);
+    if (!first_picture_) return;
+    // The frame is on the screen once the event loop comes round again.
+    QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));
+}
+
+void MainWindow::post(Command command) {
+    if (patient_) patient_->simulation->post(std::move(command));
+}
+
+void MainWindow::set_mouse_mode(MouseMode mode) {
+    view_->mouse().set_mode(mode);
+    view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
+    if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
+    if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
+    statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
+                             : mode == MouseMode::inject ? "Click on a vessel to inject there"
+                                                         : "Click on a vessel to correct the tree",
+                             6000);
+}
+
+}  // namespace hepatica

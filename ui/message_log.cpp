@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/message_log.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTime>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace hepatica {
+
+MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget(this)) {
+    setWindowTitle("Messages");
+    resize(820, 380);
+    list_->setHeaderLabels({"Time", "Kind", "About", "Message"});
+    list_->setRootIsDecorated(false);
+    list_->setWordWrap(true);
+    list_->setTextElideMode(Qt::ElideNone);
+    list_->setAccessibleName("Messages");
+    for (int column = 0; column < 3; ++column)
+        list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    QPushButton* copy = buttons->addButton("Copy all", QDialogButtonBox::ActionRole);
+    connect(copy, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(as_text()); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(list_);
+    column->addWidget(buttons);
+}
+
+void MessageLog::add_warning(const QString& source, const QString& text) {
+    add("Warning", source, text);
+}
+
+void MessageLog::add_failure(const QString& source, const Failure& failure) {
+    QString text = QString::fromStdString(failure.problem);
+    if (!failure.place.empty()) text += " in " + QString::fromStdString(failure.place);
+    if (!failure.remedy.empty()) text += ". " + QString::fromStdString(failure.remedy);
+    add("Failure", source, text);
+}
+
+void MessageLog::add(const QString& kind, const QString& source, const QString& text) {
+    auto* item =
+        new QTreeWidgetItem(list_, {QTime::currentTime().toString("HH:mm:ss"), kind, source, text});
+    for (int column = 0; column < 4; ++column) item->setTextAlignment(column, Qt::AlignTop);
+    item->setToolTip(3, text);
+    list_->scrollToItem(item);
+}
+
+QString MessageLog::as_text() const {
+    QStringList lines;
+    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem& item = *list_->topLevelItem(row);
+        QStringList columns;
+        for (int column = 0; column < 4; ++column)
+            columns << item.text(column).replace('\n', ' ').replace('\t', ' ');
+        lines << columns.join('\t');
+    }
+    return lines.isEmpty() ? QString() : lines.join('\n') + '\n';
+}
+
+}  // namespace hepatica

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/patient_keeper.h"
+
+#include <exception>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+PatientKeeper::PatientKeeper(Ways ways, Questions questions, Screen screen,
+                             JobQueue::Watcher watcher)
+    : ways_(std::move(ways)),
+      questions_(std::move(questions)),
+      screen_(std::move(screen)),
+      jobs_({std::move(watcher.started), std::move(watcher.progress),
+             [this, changed = std::move(watcher.changed)] {
+                 changed();
+                 go_on();
+             }}) {}
+
+void PatientKeeper::leave(std::function<void()> go) {
+    discarded_version_.reset();
+    leave_if_safe(std::move(go));
+}
+
+void PatientKeeper::leave_if_safe(std::function<void()> go) {
+    go_ = nullptr;
+    if (!jobs_.holds(JobKind::save)) {
+        if (!workspace_.dirty() || discarded_version_ == workspace_.version()) return go();
+        const UnsavedAnswer answer = questions_.unsaved(workspace_.title());
+        if (answer == UnsavedAnswer::cancel) return;
+        if (answer == UnsavedAnswer::discard) {
+            discarded_version_ = workspace_.version();
+            return go();
+        }
+        if (!save()) return;
+    }
+    go_ = std::move(go);
+}
+
+// After a save: what was corrected since then is asked about again.
+void PatientKeeper::go_on() {
+    if (go_ && !jobs_.holds(JobKind::save)) leave_if_safe(std::exchange(go_, nullptr));
+}
+
+void PatientKeeper::open(const OpenRequest& request) {
+    leave([this, request = with_absolute_paths(request)] { start_opening(request); });
+}
+
+void PatientKeeper::start_opening(const OpenRequest& request) {
+    const std::filesystem::path& path = request.reconstruct.ct;
+    QueuedJob job;
+    job.kind = JobKind::open;
+    job.title =
+        request.built_in ? "Opening the built-in patient" : "Opening " + path.filename().string();
+    job.begin = [this, request]() -> BackgroundJob::Work {
+        return [this, request, load = ways_.load](Job& progress) -> std::function<void()> {
+            // std::function wants to be copied, a loaded patient does not.
+            auto loaded = std::make_shared<LoadedPatient>(load(request, progress));
+            return [this, request, loaded] {
+                if (!request.built_in) screen_.remember(request.reconstruct.ct);
+                arrived(loaded);
+            };
+        };
+    };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+    };
+    job.cancelled = [this] { screen_.say("Cancelled"); };
+    jobs_.replace(std::move(job));
+}
+
+// The patient before may have been corrected while this one was made ready.
+void PatientKeeper::arrived(std::shared_ptr<LoadedPatient> loaded) {
+    leave_if_safe([this, loaded] {
+        jobs_.drop(JobKind::correct);
+        workspace_.open(*loaded);
+        screen_.show(std::move(*loaded), false);
+        screen_.changed();
+    });
+}
+
+void PatientKeeper::add(const TreeEdit& edit) {
+    if (!workspace_.has_patient()) return;
+    workspace_.add(edit);
+    correct();
+}
+
+void PatientKeeper::undo() {
+    if (!workspace_.can_undo()) return;
+    workspace_.undo();
+    correct();
+}
+
+void PatientKeeper::redo() {
+    if (!workspace_.can_redo()) return;
+    workspace_.redo();
+    correct();
+}
+
+void PatientKeeper::correct() {
+    screen_.changed();
+    if (!workspace_.awaits_body()) return jobs_.drop(JobKind::correct);
+    QueuedJob job;
+    job.kind = JobKind::correct;
+    job.title = "Correcting the tree";
+    job.begin = [this] { return correction(); };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+        stay_with_shown_body("");
+    };
+    job.cancelled = [this] { stay_with_shown_body("The correction was taken back"); };
+    jobs_.replace(std::move(job));
+}
+
+BackgroundJob::Work PatientKeeper::correction() {
+    return [this, attempts = workspace_.attempts(), patient = workspace_.patient(),
+            make = ways_.correct, play_on = ways_.play_on](Job& job) -> std::function<void()> {
+        std::exception_ptr refused;
+        for (const Workspace::Edits& edits : attempts) {
+            try {
+                auto corrected = std::make_shared<const PatientCase>(make(*patient, edits, job));
+                auto loaded = std::make_shared<LoadedPatient>(play_on(corrected, job));
+                return [this, loaded, refused] {
+                    workspace_.show_body(loaded->patient);
+                    screen_.show(std::move(*loaded), true);
+                    screen_.changed();
+                    if (!refused) return;
+                    go_ = nullptr;
+                    screen_.failed("Correcting the tree", failure_of(refused));
+                };
+            } catch (const InputError&) {
+                if (!refused) refused = std::current_exception();
+            }
+        }
+        std::rethrow_exception(refused);
+    };
+}
+
+void PatientKeeper::stay_with_shown_body(const std::string& reason) {
+    go_ = nullptr;
+    workspace_.give_up_edits();
+    screen_.changed();
+    if (!reason.empty()) screen_.say(reason);
+}
+
+bool PatientKeeper::save() {
+    if (!workspace_.has_patient()) return false;
+    if (!workspace_.folder().empty()) {
+        save_as(workspace_.folder());
+        return true;
+    }
+    return ask_and_save();
+}
+
+bool PatientKeeper::ask_and_save() {
+    if (!workspace_.has_patient()) return false;
+    const std::optional<std::filesystem::path> folder = questions_.where_to_save();
+    if (folder) save_as(*folder);
+    return folder.has_value();
+}
+
+void PatientKeeper::save_as(const std::filesystem::path& folder) {
+    if (!workspace_.has_patient()) return;
+    QueuedJob job;
+    job.kind = JobKind::save;
+    job.title = "Saving " + folder.filename().string();
+    job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal()] {
+        return writing(folder);
+    };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        go_ = nullptr;
+        screen_.failed(title, failure);
+    };
+    job.cancelled = [this] {
+        go_ = nullptr;
+        screen_.say("Not saved");
+    };
+    jobs_.add(std::move(job));
+}
+
+BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
+    return [this, folder, patient = workspace_.patient(), voxels = workspace_.folder(),
+            save = ways_.save](Job& job) -> std::function<void()> {
+        job.begin_stage("Writing the case");
+        PatientCase whole = *patient;
+        if (!voxels.empty() && whole.mask.voxels.empty()) add_voxels(voxels, whole);
+        save(folder, whole);
+        return [this, folder, edits = whole.corrections.edits] {
+            workspace_.saved(folder, edits);
+            screen_.remember(folder);
+            screen_.changed();
+            screen_.say("Saved " + folder.string());
+        };
+    };
+}
+
+void PatientKeeper::cancel() {
+    jobs_.cancel_running();
+}
+
+}  // namespace hepatica

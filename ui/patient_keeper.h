@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens, corrects and saves the patient, and never leaves one behind with unsaved corrections
+// without asking: not for another patient, not for the end of the program, and not while a
+// correction is still being made.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/patient/corrections.h"
+#include "ui/job_queue.h"
+#include "ui/patient_loader.h"
+#include "ui/workspace.h"
+
+namespace hepatica {
+
+enum class UnsavedAnswer { save, discard, cancel };
+
+// UI thread; needs Qt's event loop and nothing else of the toolkit.
+class PatientKeeper {
+  public:
+    // How patients come and go, all on the worker thread: load_patient() and write_case() in the
+    // program, whatever a test needs in a test.
+    struct Ways {
+        std::function<LoadedPatient(const OpenRequest&, Job&)> load;
+        std::function<void(const std::filesystem::path& folder, const PatientCase&)> save;
+        // Of one that was corrected.
+        std::function<LoadedPatient(std::shared_ptr<const PatientCase>, Job&)> play_on = play;
+        std::function<PatientCase(const PatientCase&, const std::vector<TreeEdit>&, Job&)> correct =
+            with_edits;
+    };
+    // Answered by a person, at once; a test answers them itself.
+    struct Questions {
+        std::function<UnsavedAnswer(const std::string& title)> unsaved;
+        // The folder of the case; none: not after all.
+        std::function<std::optional<std::filesystem::path>()> where_to_save;
+    };
+    struct Screen {
+        // To be seen from now on; `corrected`: it is the patient before, with other corrections.
+        std::function<void(LoadedPatient, bool corrected)> show;
+        // Of the workspace: what is wanted, what is saved.
+        std::function<void()> changed;
+        // `doing`: the job that failed.
+        std::function<void(const std::string& doing, const Failure&)> failed;
+        std::function<void(const std::string&)> say;
+        // A file that was opened or saved, and can be opened again.
+        std::function<void(const std::filesystem::path&)> remember;
+    };
+
+    PatientKeeper(Ways ways, Questions questions, Screen screen, JobQueue::Watcher watcher);
+
+    const Workspace& workspace() const { return workspace_; }
+    const JobQueue& jobs() const { return jobs_; }
+
+    // Each returns at once. An opening that is under way is given up for a newer one.
+    void open(const OpenRequest& request);
+    void add(const TreeEdit& edit);
+    void undo();
+    void redo();
+    // Where the patient lies already, or where the person says; ask_and_save() asks always. False:
+    // not after all.
+    bool save();
+    bool ask_and_save();
+    void save_as(const std::filesystem::path& folder);
+    // Cancels the job that runs; a correction is then taken back.
+    void cancel();
+
+    // Does `go` once nothing is lost by it: at once, or when all is saved. Not at all where the
+    // person chose to stay, or where saving or correcting failed; only the newest `go` counts.
+    void leave(std::function<void()> go);
+    // Cancels all jobs and waits for the one that runs; a case that is being written is finished.
+    void end() { jobs_.clear(); }
+
+  private:
+    void leave_if_safe(std::function<void()> go);
+    void start_opening(const OpenRequest& request);
+    void arrived(std::shared_ptr<LoadedPatient> loaded);
+    void correct();
+    BackgroundJob::Work correction();
+    BackgroundJob::Work writing(const std::filesystem::path& folder);
+    void stay_with_shown_body(const std::string& reason);
+    void go_on();
+
+    Ways ways_;
+    Questions questions_;
+    Screen screen_;
+    Workspace workspace_;
+    std::function<void()> go_;                        // waits for saving to end
+    std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
+    JobQueue jobs_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/questions.h"
+
+#include <QMessageBox>
+
+#include "ui/save_case_dialog.h"
+
+namespace hepatica {
+namespace {
+
+UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
+    QMessageBox box(QMessageBox::Question, "Hepatica",
+                    QString::fromStdString(title) + " holds changes that are not saved.",
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
+    box.setInformativeText(
+        "Save them as a case? Corrections that are still being made are waited for.");
+    box.setDefaultButton(QMessageBox::Save);
+    box.setEscapeButton(QMessageBox::Cancel);
+    switch (box.exec()) {
+        case QMessageBox::Save:
+            return UnsavedAnswer::save;
+        case QMessageBox::Discard:
+            return UnsavedAnswer::discard;
+        default:
+            return UnsavedAnswer::cancel;
+    }
+}
+
+bool ask_replace(QWidget& parent, const QString& name) {
+    return QMessageBox::question(
+               &parent, "Hepatica", "There is a case " + name + " already. Replace it?",
+               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+}
+
+}  // namespace
+
+PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& settings) {
+    PatientKeeper::Questions questions;
+    questions.unsaved = [&parent](const std::string& title) { return ask_unsaved(parent, title); };
+    questions.where_to_save = [&parent, &settings]() -> std::optional<std::filesystem::path> {
+        SaveCaseDialog dialog(
+            settings.last_folder(), "patient.hep",
+            [&parent](const QString& name) { return ask_replace(parent, name); }, &parent);
+        if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+        return dialog.chosen();
+    };
+    return questions;
+}
+
+}  // namespace hepatica

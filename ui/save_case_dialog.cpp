@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/save_case_dialog.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <utility>
+
+#include "core/patient/patient_case.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+std::filesystem::path case_folder(const QString& typed) {
+    QString name = QDir::cleanPath(typed);
+    if (!name.endsWith(".hep", Qt::CaseInsensitive)) name += ".hep";
+    return to_path(QFileInfo(name).absoluteFilePath());
+}
+
+SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
+                               std::function<bool(const QString&)> may_replace, QWidget* parent)
+    : QFileDialog(parent, "Save case as", folder, "Cases (*.hep)"),
+      may_replace_(std::move(may_replace)) {
+    // The desktop's own dialog would enter the folder, too, and cannot be told otherwise.
+    setOption(QFileDialog::DontUseNativeDialog);
+    setAcceptMode(QFileDialog::AcceptSave);
+    setFileMode(QFileDialog::AnyFile);
+    selectFile(name);
+    // A double click enters a folder: out of a case again, with its name chosen.
+    connect(this, &QFileDialog::directoryEntered, this, [this](const QString& entered) {
+        if (!is_case(to_path(entered))) return;
+        const QFileInfo info(entered);
+        setDirectory(info.absolutePath());
+        selectFile(info.fileName());
+    });
+}
+
+std::filesystem::path SaveCaseDialog::chosen() const {
+    return case_folder(selectedFiles().value(0));
+}
+
+void SaveCaseDialog::accept() {
+    const QStringList files = selectedFiles();
+    if (files.isEmpty()) return;
+    const std::filesystem::path folder = chosen();
+    const bool names_a_folder_to_enter =
+        !is_case(folder) && QFileInfo(files.front()).isDir() && !is_case(to_path(files.front()));
+    if (names_a_folder_to_enter) return setDirectory(files.front());
+    if (std::filesystem::exists(folder) && !may_replace_(to_text(folder.filename()))) return;
+    done(QDialog::Accepted);
+}
+
+}  // namespace hepatica
