@@ -55,9 +55,9 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     job.title =
         request.built_in ? "Opening the built-in patient" : "Opening " + path.filename().string();
     job.begin = [this, request]() -> BackgroundJob::Work {
-        return [this, request, load = ways_.load](Job& progress) -> std::function<void()> {
+        return [this, request](Job& progress) -> std::function<void()> {
             // std::function wants to be copied, a loaded patient does not.
-            auto loaded = std::make_shared<LoadedPatient>(load(request, progress));
+            auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
             return [this, request, loaded] {
                 if (!request.built_in) screen_.remember(request.reconstruct.ct);
                 arrived(loaded);
@@ -107,42 +107,62 @@ void PatientKeeper::correct() {
     job.title = "Correcting the tree";
     job.begin = [this] { return correction(); };
     job.failed = [this, title = job.title](const Failure& failure) {
+        stay_with_shown_body();
         screen_.failed(title, failure);
-        stay_with_shown_body("");
     };
-    job.cancelled = [this] { stay_with_shown_body("The correction was taken back"); };
+    job.cancelled = [this] {
+        stay_with_shown_body();
+        screen_.say("The correction was taken back");
+    };
     jobs_.replace(std::move(job));
 }
 
-BackgroundJob::Work PatientKeeper::correction() {
-    return [this, attempts = workspace_.attempts(), patient = workspace_.patient(),
-            make = ways_.correct, play_on = ways_.play_on](Job& job) -> std::function<void()> {
-        std::exception_ptr refused;
-        for (const Workspace::Edits& edits : attempts) {
-            try {
-                auto corrected = std::make_shared<const PatientCase>(make(*patient, edits, job));
-                auto loaded = std::make_shared<LoadedPatient>(play_on(corrected, job));
-                return [this, loaded, refused] {
-                    workspace_.show_body(loaded->patient);
-                    screen_.show(std::move(*loaded), true);
-                    screen_.changed();
-                    if (!refused) return;
-                    go_ = nullptr;
-                    screen_.failed("Correcting the tree", failure_of(refused));
-                };
-            } catch (const InputError&) {
-                if (!refused) refused = std::current_exception();
-            }
+// One impossible correction does not take those after it with it.
+PatientKeeper::Possible PatientKeeper::possible_edits(const PatientCase& patient,
+                                                      const Workspace::Edits& wanted) const {
+    Possible possible;
+    try {
+        ways_.check(patient, wanted);
+        return {wanted, {}};
+    } catch (const InputError&) {
+        // Which ones?
+    }
+    for (const TreeEdit& edit : wanted) {
+        possible.edits.push_back(edit);
+        try {
+            ways_.check(patient, possible.edits);
+        } catch (const InputError&) {
+            possible.edits.pop_back();
+            possible.refused.push_back(failure_of(std::current_exception()));
         }
-        std::rethrow_exception(refused);
+    }
+    return possible;
+}
+
+BackgroundJob::Work PatientKeeper::correction() {
+    return [this, wanted = workspace_.edits(),
+            patient = workspace_.patient()](Job& job) -> std::function<void()> {
+        const Possible possible = possible_edits(*patient, wanted);
+        std::shared_ptr<LoadedPatient> loaded;
+        if (possible.edits != patient->corrections.edits) {
+            auto corrected =
+                std::make_shared<const PatientCase>(ways_.correct(*patient, possible.edits, job));
+            loaded = std::make_shared<LoadedPatient>(ways_.play_on(std::move(corrected), job));
+        }
+        return [this, loaded, patient, refused = possible.refused] {
+            workspace_.show_body(loaded ? loaded->patient : patient);
+            if (loaded) screen_.show(std::move(*loaded), true);
+            if (!refused.empty()) go_ = nullptr;
+            for (const Failure& failure : refused) screen_.failed("Correcting the tree", failure);
+            screen_.changed();
+        };
     };
 }
 
-void PatientKeeper::stay_with_shown_body(const std::string& reason) {
+void PatientKeeper::stay_with_shown_body() {
     go_ = nullptr;
     workspace_.give_up_edits();
     screen_.changed();
-    if (!reason.empty()) screen_.say(reason);
 }
 
 bool PatientKeeper::save() {
@@ -181,12 +201,12 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
 }
 
 BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
-    return [this, folder, patient = workspace_.patient(), voxels = workspace_.folder(),
-            save = ways_.save](Job& job) -> std::function<void()> {
+    return [this, folder, patient = workspace_.patient(),
+            voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage("Writing the case");
         PatientCase whole = *patient;
         if (!voxels.empty() && whole.mask.voxels.empty()) add_voxels(voxels, whole);
-        save(folder, whole);
+        ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
             workspace_.saved(folder, edits);
             screen_.remember(folder);

@@ -21,8 +21,8 @@ enum class UnsavedAnswer { save, discard, cancel };
 // UI thread; needs Qt's event loop and nothing else of the toolkit.
 class PatientKeeper {
   public:
-    // How patients come and go, all on the worker thread: load_patient() and write_case() in the
-    // program, whatever a test needs in a test.
+    // How patients come and go, all on the worker thread and one at a time: load_patient() and
+    // write_case() in the program, whatever a test needs in a test.
     struct Ways {
         std::function<LoadedPatient(const OpenRequest&, Job&)> load;
         std::function<void(const std::filesystem::path& folder, const PatientCase&)> save;
@@ -30,6 +30,9 @@ class PatientKeeper {
         std::function<LoadedPatient(std::shared_ptr<const PatientCase>, Job&)> play_on = play;
         std::function<PatientCase(const PatientCase&, const std::vector<TreeEdit>&, Job&)> correct =
             with_edits;
+        // Throws InputError where the last of these corrections cannot be made on the others.
+        std::function<void(const PatientCase&, const std::vector<TreeEdit>&)> check =
+            with_edited_tree;
     };
     // Answered by a person, at once; a test answers them itself.
     struct Questions {
@@ -78,9 +81,14 @@ class PatientKeeper {
     void start_opening(const OpenRequest& request);
     void arrived(std::shared_ptr<LoadedPatient> loaded);
     void correct();
+    struct Possible {
+        Workspace::Edits edits;
+        std::vector<Failure> refused;
+    };
+    Possible possible_edits(const PatientCase& patient, const Workspace::Edits& wanted) const;
     BackgroundJob::Work correction();
     BackgroundJob::Work writing(const std::filesystem::path& folder);
-    void stay_with_shown_body(const std::string& reason);
+    void stay_with_shown_body();
     void go_on();
 
     Ways ways_;

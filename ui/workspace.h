@@ -24,55 +24,46 @@ class Workspace {
 
     bool has_patient() const { return patient_ != nullptr; }
     const std::string& title() const { return title_; }
-    // The case whose body is shown: with shown_edits(). Null before the first patient.
+    // The case whose body is shown. Null before the first patient.
     const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
     // The case on disk; empty: nowhere yet.
     const std::filesystem::path& folder() const { return folder_; }
     // The CT that it was reconstructed from since the program began; else empty.
     const std::filesystem::path& image() const { return image_; }
 
-    // --- corrections
-    // ------------------------------------------------------------------------------
-    const Edits& edits() const { return history_.back().edits; }
-    const Edits& shown_edits() const { return history_.front().edits; }
-    // The wanted corrections have no body yet.
-    bool awaits_body() const { return history_.size() > 1; }
-    bool can_undo() const { return !edits().empty(); }
-    bool can_redo() const { return !history_.back().undone.empty(); }
+    // --- corrections: of an open patient only
+    // -----------------------------------------------------
+    const Edits& edits() const { return edits_; }  // that are wanted
+    // They have no body yet.
+    bool awaits_body() const { return has_patient() && edits_ != patient_->corrections.edits; }
+    bool can_undo() const { return !edits_.empty(); }
+    bool can_redo() const { return !undone_.empty(); }
     void add(const TreeEdit& edit);
     void undo();  // nothing where there is nothing to undo
     void redo();  // likewise
-
-    // The lists to make a body of, the wanted one first. Where it cannot be made, the one that was
-    // wanted before it is the next best: one impossible correction does not take others with it.
-    std::vector<Edits> attempts() const;
-    // One of attempts() has its body now: those before it in that list were impossible.
+    // This body is there, and what is not among its corrections was refused.
     void show_body(std::shared_ptr<const PatientCase> patient);
-    // None of them will have a body: back to the corrections that are shown.
+    // There will be no other body: back to the corrections that are shown.
     void give_up_edits();
 
     // --- disk
     // -------------------------------------------------------------------------------------
     // Something would be lost without saving: corrections, or a reconstruction.
-    bool dirty() const;
+    bool dirty() const { return never_saved_ || edits_ != saved_edits_; }
     // The case was written there with these corrections.
     void saved(const std::filesystem::path& folder, const Edits& edits);
-    // Changes with every patient and every correction.
+    // Changes with every patient and with every change of what is wanted.
     std::uint64_t version() const { return version_; }
 
   private:
-    struct Step {
-        Edits edits;
-        Edits undone;  // the last one is the first to be done again
-    };
-    void want(Step step);
+    void want(Edits edits);
 
     std::string title_;
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
     std::filesystem::path image_;
-    // Never empty: the corrections that are shown, then each list that was wanted since.
-    std::vector<Step> history_{Step{}};
+    Edits edits_;
+    Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;
     bool never_saved_ = false;  // although it should be
     std::uint64_t version_ = 0;

@@ -131,11 +131,13 @@ PatientKeeper::Ways FakeWard::ways() {
     ways.correct = [this](const PatientCase& patient, const std::vector<TreeEdit>& edits,
                           Job& job) {
         hold(hold_corrections, job);
-        for (const int number : numbers_of(edits))
-            if (number < 0) throw InputError("cannot be made", std::to_string(number), "");
         PatientCase corrected = patient;
         corrected.corrections.edits = edits;
         return corrected;
+    };
+    ways.check = [](const PatientCase&, const std::vector<TreeEdit>& edits) {
+        for (const int number : numbers_of(edits))
+            if (number < 0) throw InputError("cannot be made", std::to_string(number), "");
     };
     ways.play_on = [](std::shared_ptr<const PatientCase> patient, Job&) {
         LoadedPatient loaded;

@@ -37,7 +37,7 @@ TEST_F(Keeper, saving_while_a_correction_is_made_saves_the_correction) {
     ward.hold_corrections = false;
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
-    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), Numbers{1});
     EXPECT_FALSE(ward.workspace().dirty());
 }
 
@@ -50,7 +50,7 @@ TEST_F(Keeper, correcting_while_a_case_is_written_disturbs_neither) {
     ward.hold_saves = false;
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.on_disk("a.hep"), Numbers{1});
-    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), (Numbers{1, 2}));
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), (Numbers{1, 2}));
     EXPECT_TRUE(ward.workspace().dirty());
 }
 
@@ -68,11 +68,10 @@ TEST_F(Keeper, a_newer_correction_does_not_push_the_save_before_it_aside) {
 
 TEST_F(Keeper, an_impossible_correction_is_refused_with_a_word_and_takes_no_other_with_it) {
     ward.hold_corrections = true;
-    add(1);
-    add(-2);
+    for (const int number : {1, -2, 3}) add(number);
     ward.hold_corrections = false;
     ASSERT_TRUE(ward.finish());
-    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), (Numbers{1, 3}));
     EXPECT_EQ(ward.failures, std::vector<std::string>{"Correcting the tree: cannot be made"});
 }
 
@@ -101,7 +100,9 @@ TEST_F(Keeper, asks_before_unsaved_corrections_are_left_also_while_they_are_made
         ward.questions = 0;
         ward.left = false;
         add(1);
-        if (body_is_there) ASSERT_TRUE(ward.finish());
+        if (body_is_there) {
+            ASSERT_TRUE(ward.finish());
+        }
         ward.answer = UnsavedAnswer::cancel;
         ward.leave();
         EXPECT_EQ(ward.questions, 1);
@@ -198,7 +199,7 @@ TEST_F(Keeper, a_discarded_patient_stays_as_he_is_where_the_other_cannot_be_open
     ward.open("missing.hep");
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.workspace().title(), "a.hep");
-    EXPECT_EQ(numbers_of(ward.workspace().shown_edits()), Numbers{1});
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), Numbers{1});
     EXPECT_TRUE(ward.workspace().dirty());
     ward.answer = UnsavedAnswer::cancel;
     ward.leave();
