@@ -95,6 +95,7 @@ class MainWindow : public QMainWindow {
     void show_workspace();
     void show_newest_frame();
     void show_figures();
+    void show_message_of(const FrameStatistics& statistics);
     void show_hover(const SurfacePick& pick);
     void inject(const SurfacePick& pick);
     void picture_painted(double ms);

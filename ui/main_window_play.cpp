@@ -69,16 +69,23 @@ void MainWindow::show_figures() {
     inject_->show_drug(frame.drug);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
-    if (frame.statistics.message != last_message_) {
-        last_message_ = frame.statistics.message;
-        const QString text = QString::fromStdString(last_message_);
-        // What stops the play stands above the view; what merely happens passes below it.
-        if (frame.statistics.paused && !text.isEmpty()) {
-            messages_->show_notice(text);
-        } else {
-            statusBar()->showMessage(text, 4000);
-        }
+    (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
+    show_message_of(frame.statistics);
+}
+
+// What stops the play stands above the view; what merely happens passes below it.
+void MainWindow::show_message_of(const FrameStatistics& statistics) {
+    if (statistics.message == last_message_) return;
+    last_message_ = statistics.message;
+    const QString text = QString::fromStdString(last_message_);
+    if (!statistics.paused || text.isEmpty()) {
+        statusBar()->showMessage(text, 4000);
+        return;
     }
+    log_->add_warning("Simulation", text);
+    if (!statistics.diverged) return messages_->show_notice(text);
+    messages_->show_notice(text, "Back to the last good state",
+                           [this] { (*actions_)[ActionId::restore].trigger(); });
 }
 
 void MainWindow::show_hover(const SurfacePick& pick) {

@@ -55,11 +55,15 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     auto* form = new QFormLayout;
     ct_ = add_path(*form, "CT (folder or file)", true);
+    ct_->setObjectName("ct");
     liver_mask_ = add_path(*form, "Liver mask", false);
+    liver_mask_->setObjectName("liverMask");
     liver_mask_->setPlaceholderText("optional: speeds up and steadies the segmentation");
     vessel_mask_ = add_path(*form, "Vessel mask", false);
+    vessel_mask_->setObjectName("vesselMask");
     vessel_mask_->setPlaceholderText("optional: replaces the segmentation");
     window_ = new QLineEdit(this);
+    window_->setObjectName("window");
     window_->setPlaceholderText("optional: lowest and highest HU of the vessels, as 140 260");
     form->addRow("Window (HU)", window_);
     for (const auto& [seeds, label] : {std::pair(&portal_seeds_, "Portal vein seeds"),
@@ -68,7 +72,10 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
         (*seeds)->setPlaceholderText("optional: x y z in LPS mm; next seed after a semicolon");
         form->addRow(label, *seeds);
     }
+    portal_seeds_->setObjectName("portalSeeds");
+    hepatic_seeds_->setObjectName("hepaticSeeds");
     column->addLayout(form);
+    problem_->setObjectName("problem");
     problem_->setWordWrap(true);
     problem_->setStyleSheet("color: #f0a090");
     column->addWidget(problem_);

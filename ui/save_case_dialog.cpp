@@ -43,11 +43,13 @@ void SaveCaseDialog::accept() {
     const QStringList files = selectedFiles();
     if (files.isEmpty()) return;
     const std::filesystem::path folder = chosen();
-    const bool names_a_folder_to_enter =
-        !is_case(folder) && QFileInfo(files.front()).isDir() && !is_case(to_path(files.front()));
-    if (names_a_folder_to_enter) return setDirectory(files.front());
-    if (std::filesystem::exists(folder) && !may_replace_(to_text(folder.filename()))) return;
-    done(QDialog::Accepted);
+    if (is_case(folder)) {
+        if (may_replace_(to_text(folder.filename()))) done(QDialog::Accepted);
+    } else if (QFileInfo(files.front()).isDir()) {
+        setDirectory(files.front());
+    } else if (!std::filesystem::exists(folder)) {
+        done(QDialog::Accepted);
+    }
 }
 
 }  // namespace hepatica

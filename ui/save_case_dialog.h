@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Asks where a case is to be saved. A case is a folder, which a file dialog would enter instead of
-// replacing it; here it stands for itself, and an old one is replaced after a question.
+// replacing it; here it stands for itself, and an old one is replaced after a question. What is
+// there and is no case is never replaced.
 #pragma once
 
 #include <QFileDialog>

@@ -28,11 +28,13 @@ bool FakeSimulation::update_frame() {
 void FakeSimulation::diverge() {
     frame_.grab.reset();
     frame_.statistics.paused = true;
+    frame_.statistics.diverged = true;
     frame_.statistics.message = "The simulation diverged";
 }
 
 void FakeSimulation::go_on() {
     frame_.statistics.paused = false;
+    frame_.statistics.diverged = false;
     frame_.statistics.message.clear();
 }
 

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
+#include "core/scene/surface_anatomy.h"
 #include "tests/ui/fake_simulation.h"
 #include "ui/actions.h"
 #include "ui/decimal_spin_box.h"
@@ -16,7 +17,6 @@
 #include "ui/patient_wizard.h"
 #include "ui/pixel_mapping.h"
 #include "ui/settings.h"
-#include "core/scene/surface_anatomy.h"
 
 namespace hepatica {
 namespace {

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wizard's fields, the dialog that saves a case, and what the window remembers of its layout.
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "tests/ui/fake_window_test.h"
+#include "ui/paths.h"
+#include "ui/patient_wizard.h"
+#include "ui/save_case_dialog.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The wizard's fields by their labels.
+class Wizard : public ::testing::Test {
+  protected:
+    QLineEdit& field(const char* name) {
+        auto* edit = wizard_.findChild<QLineEdit*>(name);
+        EXPECT_NE(edit, nullptr) << name;
+        return *edit;
+    }
+    std::string complaint() {
+        try {
+            wizard_.options();
+        } catch (const InputError& error) {
+            return error.place() + ": " + error.problem();
+        }
+        return "";
+    }
+
+    PatientWizard wizard_{"/"};
+};
+
+TEST_F(Wizard, fills_the_options_from_its_fields) {
+    field("ct").setText(" /data/ct ");
+    field("liverMask").setText("/data/liver.nii.gz");
+    field("vesselMask").setText("/data/vessels.nii.gz");
+    field("window").setText("140 260,5");
+    field("portalSeeds").setText("1 2 3; 4,5 -6 7");
+    field("hepaticSeeds").setText("-8 9 10");
+    const ReconstructOptions options = wizard_.options();
+    EXPECT_EQ(options.ct, fs::path("/data/ct"));
+    EXPECT_EQ(options.liver_mask, fs::path("/data/liver.nii.gz"));
+    EXPECT_EQ(options.vessel_mask, fs::path("/data/vessels.nii.gz"));
+    EXPECT_EQ(options.window_hu, std::pair(140.0, 260.5));
+    ASSERT_EQ(options.seeds.size(), 3u);
+    EXPECT_EQ(options.seeds[0].position_mm, Vec3(1, 2, 3));
+    EXPECT_EQ(options.seeds[1].position_mm, Vec3(4.5, -6, 7));
+    EXPECT_EQ(options.seeds[2].position_mm, Vec3(-8, 9, 10));
+    EXPECT_EQ(options.seeds[0].system, options.seeds[1].system);
+    EXPECT_NE(options.seeds[0].system, options.seeds[2].system);
+}
+
+TEST_F(Wizard, leaves_out_what_is_left_empty) {
+    wizard_.set_ct("/data/ct");
+    const ReconstructOptions options = wizard_.options();
+    EXPECT_FALSE(options.liver_mask || options.vessel_mask || options.window_hu);
+    EXPECT_TRUE(options.seeds.empty());
+}
+
+TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
+    EXPECT_EQ(complaint(), "CT: nothing is chosen");
+    wizard_.set_ct("/data/ct");
+    for (const char* window : {"140", "260 140", "1 2 3"}) {
+        field("window").setText(window);
+        EXPECT_TRUE(complaint().starts_with("Window: ")) << complaint();
+    }
+    field("window").clear();
+    field("hepaticSeeds").setText("1 2");
+    EXPECT_TRUE(complaint().starts_with("Hepatic vein seeds: ")) << complaint();
+    wizard_.show();
+    for (QPushButton* button : wizard_.findChildren<QPushButton*>())
+        if (button->text() == "Reconstruct") button->click();
+    EXPECT_TRUE(wizard_.isVisible());
+    auto* problem = wizard_.findChild<QLabel*>("problem");
+    ASSERT_NE(problem, nullptr);
+    EXPECT_TRUE(problem->text().startsWith("Hepatic vein seeds"));
+    field("hepaticSeeds").setText("1 2 3");
+    for (QPushButton* button : wizard_.findChildren<QPushButton*>())
+        if (button->text() == "Reconstruct") button->click();
+    EXPECT_EQ(wizard_.result(), QDialog::Accepted);
+}
+
+class SavingCase : public ::testing::Test {
+  protected:
+    SavingCase() { fs::create_directory(path("plain")); }
+    fs::path path(const char* name) { return to_path(folder_.filePath(name)); }
+    // What is chosen where this is typed; none where the dialog stays open.
+    std::optional<fs::path> typed(const QString& name, bool may_replace) {
+        asked_.clear();
+        SaveCaseDialog dialog(folder_.path(), "patient.hep", [&](const QString& old) {
+            asked_ = old;
+            return may_replace;
+        });
+        dialog.show();
+        dialog.findChild<QLineEdit*>("fileNameEdit")->setText(name);
+        dialog.accept();
+        if (dialog.result() != QDialog::Accepted) return std::nullopt;
+        return dialog.chosen();
+    }
+
+    QTemporaryDir folder_;
+    QString asked_;
+};
+
+TEST_F(SavingCase, adds_the_ending_where_it_is_missing) {
+    EXPECT_EQ(typed("a", false), path("a.hep"));
+    EXPECT_EQ(typed("b.hep", false), path("b.hep"));
+    EXPECT_EQ(typed("c.tar", false), path("c.tar.hep"));
+    EXPECT_EQ(asked_, "");
+}
+
+TEST_F(SavingCase, replaces_an_old_case_after_asking_and_never_without) {
+    fs::create_directory(path("old.hep"));
+    std::ofstream(path("old.hep") / "case.json") << "{}";
+    for (const char* name : {"old", "old.hep"}) {
+        EXPECT_EQ(typed(name, true), path("old.hep")) << name;
+        EXPECT_EQ(asked_, "old.hep");
+        EXPECT_EQ(typed(name, false), std::nullopt);
+    }
+    EXPECT_EQ(typed("plain", true), std::nullopt) << "a folder that is no case is entered";
+}
+
+TEST_F(SavingCase, never_replaces_what_is_no_case) {
+    fs::create_directory(path("photos.hep"));
+    EXPECT_EQ(typed("photos.hep", true), std::nullopt);
+    std::ofstream(path("letter.hep")) << "Dear ...";
+    EXPECT_EQ(typed("letter.hep", true), std::nullopt);
+}
+
+class Layout : public testing::FakeWindowTest {};
+
+TEST_F(Layout, comes_back_with_the_next_window) {
+    window_.resize(900, 640);
+    window_.findChild<QDockWidget*>("Simulation")->hide();
+    window_.addDockWidget(Qt::LeftDockWidgetArea, window_.findChild<QDockWidget*>("Injection"));
+    ASSERT_TRUE(window_.close());
+    MainWindow next(settings_, {}, answers());
+    next.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
+    EXPECT_EQ(next.size(), QSize(900, 640));
+    EXPECT_TRUE(next.findChild<QDockWidget*>("Simulation")->isHidden());
+    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("Injection")),
+              Qt::LeftDockWidgetArea);
+}
+
+TEST_F(Layout, safe_mode_begins_with_the_usual_one_and_changes_no_setting) {
+    window_.findChild<QDockWidget*>("Simulation")->hide();
+    ASSERT_TRUE(window_.close());
+    const QByteArray kept = settings_.window_layout();
+    ASSERT_FALSE(kept.isEmpty());
+    Settings safe(Settings::Mode::safe);
+    MainWindow next(safe, {}, answers());
+    next.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
+    EXPECT_FALSE(next.findChild<QDockWidget*>("Simulation")->isHidden());
+    next.findChild<QDockWidget*>("Injection")->hide();
+    ASSERT_TRUE(next.close());
+    EXPECT_TRUE(safe.window_layout().isEmpty());
+    EXPECT_EQ(settings_.window_layout(), kept);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window tells its user, and what it remembers of files.
+#include <QClipboard>
+#include <QPushButton>
+#include <filesystem>
+
+#include "tests/ui/fake_window_test.h"
+#include "ui/message_bar.h"
+#include "ui/message_log.h"
+#include "ui/recent_menu.h"
+
+namespace hepatica {
+namespace {
+
+class Messages : public testing::FakeWindowTest {
+  protected:
+    RecentMenu& recent() { return *window_.findChild<RecentMenu*>(); }
+};
+
+TEST_F(Messages, a_divergence_offers_the_last_good_state_and_a_click_restores_it) {
+    open_built_in();
+    EXPECT_FALSE(window_.actions()[ActionId::restore].isEnabled());
+    simulation_->diverge();
+    auto* offer = window_.messages().findChild<QPushButton*>("offer");
+    ASSERT_TRUE(testing::wait_for([&] { return offer->isVisible(); }));
+    EXPECT_TRUE(window_.messages().text().contains("diverged"));
+    EXPECT_TRUE(window_.actions()[ActionId::restore].isEnabled());
+    EXPECT_TRUE(commands_of_type<RestoreSnapshot>().empty());
+    QTest::mouseClick(offer, Qt::LeftButton);
+    EXPECT_EQ(commands_of_type<RestoreSnapshot>().size(), 1u);
+    EXPECT_TRUE(
+        testing::wait_for([&] { return !window_.actions()[ActionId::restore].isEnabled(); }));
+    EXPECT_EQ(window_.messages().text(), "");
+}
+
+TEST_F(Messages, a_failure_stays_in_the_log_after_the_next_job) {
+    window_.open(folder_.filePath("no_image.nii"));
+    ASSERT_TRUE(testing::wait_for([&] { return !window_.busy(); }));
+    ASSERT_NE(window_.messages().text(), "");
+    open_built_in();
+    EXPECT_EQ(window_.messages().text(), "");
+    const QString log = window_.log().as_text();
+    EXPECT_EQ(log.count('\n'), 1) << log.toStdString();
+    for (const char* part : {"\tFailure\tOpening no_image.nii\t", "this is no image", "give a CT"})
+        EXPECT_TRUE(log.contains(part)) << log.toStdString();
+    window_.actions()[ActionId::messages].trigger();
+    EXPECT_TRUE(window_.log().isVisible());
+    for (QPushButton* button : window_.log().findChildren<QPushButton*>())
+        if (button->text() == "Copy all") button->click();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), log);
+}
+
+TEST_F(Messages, a_recent_file_that_is_gone_is_marked_and_leaves_the_list_with_a_word) {
+    const QString here = folder_.filePath("endless"), gone = folder_.filePath("gone & lost.hep");
+    std::filesystem::create_directory(here.toStdString());
+    settings_.add_recent_file(here);
+    settings_.add_recent_file(gone);
+    recent().fill();
+    EXPECT_FALSE(recent().actions()[1]->text().contains("missing"));
+    QAction* missing = recent().actions()[0];
+    EXPECT_TRUE(missing->text().contains("missing"));
+    missing->trigger();
+    EXPECT_EQ(settings_.recent_files(), QStringList{here});
+    EXPECT_TRUE(window_.messages().text().contains(gone))
+        << window_.messages().text().toStdString();
+    EXPECT_FALSE(window_.busy());
+    recent().fill();
+    recent().actions()[0]->trigger();
+    EXPECT_TRUE(window_.busy());
+}
+
+TEST_F(Messages, recent_files_are_absolute_whatever_was_given) {
+    settings_.add_recent_file("p.hep");
+    EXPECT_EQ(settings_.recent_files(), QStringList{QDir::current().absoluteFilePath("p.hep")});
+    settings_.add_recent_file("./x/../p.hep");
+    EXPECT_EQ(settings_.recent_files().size(), 1);
+}
+
+}  // namespace
+}  // namespace hepatica
