@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/window_words.h"
 
 namespace hepatica {
 
@@ -12,7 +13,8 @@ Failure failure_of(const std::exception_ptr& error) {
     try {
         std::rethrow_exception(error);
     } catch (const Error& known) {
-        return {known.problem(), known.place(), known.remedy()};
+        return {in_window_words(known.problem()), in_window_words(known.place()),
+                in_window_words(known.remedy())};
     } catch (const std::bad_alloc&) {
         return {"not enough memory", "", "close other programs, or use a smaller image"};
     } catch (const std::exception& unknown) {

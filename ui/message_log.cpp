@@ -39,7 +39,7 @@ void MessageLog::add_warning(const QString& source, const QString& text) {
 
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
     QString text = QString::fromStdString(failure.problem);
-    if (!failure.place.empty()) text += " in " + QString::fromStdString(failure.place);
+    if (!failure.place.empty()) text.prepend(QString::fromStdString(failure.place) + ": ");
     if (!failure.remedy.empty()) text += ". " + QString::fromStdString(failure.remedy);
     add("Failure", source, text);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opengl_probe.h"
 
+#include <QLibrary>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
@@ -10,6 +11,19 @@ namespace {
 
 constexpr int major_version = 3;
 constexpr int minor_version = 2;
+
+// Asks libX11, which Qt loads anyway: it knows sockets, hosts and who may come in.
+bool x_display_answers() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) return false;
+    QLibrary x11("X11", 6);
+    const auto open_display = reinterpret_cast<void* (*)(const char*)>(x11.resolve("XOpenDisplay"));
+    const auto close_display = reinterpret_cast<int (*)(void*)>(x11.resolve("XCloseDisplay"));
+    if (open_display == nullptr || close_display == nullptr) return true;  // Qt will say
+    void* display = open_display(nullptr);
+    if (display == nullptr) return false;
+    close_display(display);
+    return true;
+}
 
 }  // namespace
 
@@ -24,10 +38,29 @@ void prepare_opengl() {
 }
 
 QString display_problem() {
-    const bool needs_x11 = qgetenv("QT_QPA_PLATFORM").startsWith("xcb");
-    if (!needs_x11 || !qEnvironmentVariableIsEmpty("DISPLAY")) return {};
-    return "There is no display: the variable DISPLAY is not set. Start the program in a graphical "
-           "session, or under xvfb-run; hepatica-cli makes pictures without any display.";
+    const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+    if (platform.startsWith("wayland")) {
+        return "QT_QPA_PLATFORM asks for Wayland, where the three-dimensional view cannot draw: it "
+               "needs GLX. Unset QT_QPA_PLATFORM; the window then comes through Xwayland, which "
+               "the "
+               "package xwayland installs.";
+    }
+    if (!platform.startsWith("xcb") || x_display_answers()) return {};
+    const QString other = "; hepatica-cli makes pictures without any display.";
+    if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        return "This is a Wayland session without an X server, and the three-dimensional view "
+               "needs one. Install the package xwayland and log in again" +
+               other;
+    }
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+        return "There is no display: the variable DISPLAY is not set. Start the program in a "
+               "graphical session, or under xvfb-run" +
+               other;
+    }
+    return "The display " + qEnvironmentVariable("DISPLAY") +
+           " cannot be reached. Set DISPLAY to that of your graphical session, allow this user "
+           "there (xhost), or start under xvfb-run" +
+           other;
 }
 
 QString opengl_problem() {
@@ -36,6 +69,11 @@ QString opengl_problem() {
         "the program on an X11 display with GLX. hepatica-cli makes pictures without any display.";
     QOpenGLContext context;
     if (!context.create()) return "No OpenGL context can be made. " + remedy;
+    if (context.nativeInterface<QNativeInterface::QGLXContext>() == nullptr) {
+        return "OpenGL does not come through GLX here, which the three-dimensional view needs. "
+               "Unset QT_QPA_PLATFORM and QT_XCB_GL_INTEGRATION, and start the program on an X11 "
+               "display with GLX (under Wayland: install xwayland).";
+    }
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();

@@ -6,6 +6,7 @@
 #include "core/flow/flow_shares.h"
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
+#include "ui/window_words.h"
 
 namespace hepatica {
 
@@ -25,6 +26,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     constexpr int preparing = 1, building_the_scene = 1;
     job.expect_stages(opening_stage_count(request) + preparing + building_the_scene);
     OpenedPatient opened = open_patient(request, job);
+    for (std::string& warning : opened.warnings) warning = in_window_words(std::move(warning));
     LoadedPatient loaded = play(opened.patient, job);
     static_cast<OpenedPatient&>(loaded) = std::move(opened);
     return loaded;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/open_patient.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/tree/files/tree_io.h"
+#include "tests/patient/parted_patient.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Opening : public ::testing::Test {
+  protected:
+    OpenedPatient open(const fs::path& path) {
+        OpenRequest request;
+        request.reconstruct.ct = path;
+        Job job;
+        OpenedPatient opened = open_patient(request, job);
+        EXPECT_EQ(static_cast<int>(job.stage_times().size()), opening_stage_count(request));
+        return opened;
+    }
+
+    const fs::path folder_ = fs::path(std::getenv("TEST_TMPDIR"));
+};
+
+TEST_F(Opening, a_case_is_where_it_lies_and_nothing_of_it_is_lost_by_leaving) {
+    const PatientCase patient = test::patient_with_bridges();
+    write_case(folder_ / "p.hep", patient);
+    for (const fs::path& path : {folder_ / "p.hep", folder_ / "p.hep" / ""}) {
+        const OpenedPatient opened = open(path);
+        EXPECT_EQ(opened.title, "p.hep");
+        EXPECT_EQ(opened.folder, path);
+        EXPECT_EQ(hash_of(*opened.patient), hash_of(patient));
+        EXPECT_FALSE(opened.worth_saving);
+        EXPECT_TRUE(opened.image.empty());
+    }
+}
+
+TEST_F(Opening, a_tree_gets_a_body) {
+    write_tree_vtp(folder_ / "tree.vtp", test::forked_tree());
+    const OpenedPatient opened = open(folder_ / "tree.vtp");
+    EXPECT_EQ(opened.patient->tree.segments.size(), test::forked_tree().segments.size());
+    EXPECT_FALSE(opened.patient->mesh.tetrahedra.empty());
+    EXPECT_TRUE(opened.folder.empty());
+    EXPECT_FALSE(opened.worth_saving);
+}
+
+TEST_F(Opening, what_is_not_there_is_named) {
+    try {
+        open(folder_ / "nothing.hep");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), (folder_ / "nothing.hep").string());
+    }
+}
+
+TEST(OpenRequest, means_the_same_from_every_folder) {
+    OpenRequest request;
+    request.reconstruct.ct = "scans/../ct";
+    request.reconstruct.liver_mask = "liver.nii";
+    const OpenRequest absolute = with_absolute_paths(request);
+    EXPECT_EQ(absolute.reconstruct.ct, fs::current_path() / "ct");
+    EXPECT_EQ(absolute.reconstruct.liver_mask, fs::current_path() / "liver.nii");
+    EXPECT_FALSE(absolute.reconstruct.vessel_mask);
+    EXPECT_TRUE(with_absolute_paths({true, {}}).reconstruct.ct.empty());
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window_words.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "core/base/error.h"
+#include "ui/background_job.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Texts of a source: string literals, those that follow each other joined.
+std::vector<std::string> texts_of(const fs::path& source) {
+    std::ifstream in(source);
+    const std::string code{std::istreambuf_iterator<char>(in), {}};
+    static const std::regex literals(R"(("([^"\\\n]|\\.)*"\s*)+)");
+    static const std::regex joints("\"\\s*\"");
+    std::vector<std::string> texts;
+    for (std::sregex_iterator it(code.begin(), code.end(), literals), end; it != end; ++it)
+        texts.push_back(std::regex_replace(it->str(), joints, ""));
+    return texts;
+}
+
+// Whatever the window can be told: of reading, reconstructing, correcting and keeping a patient.
+TEST(WindowWords, no_message_that_reaches_the_window_asks_for_an_option) {
+    int worded = 0;
+    const fs::path core = fs::path(HEPATICA_SOURCE_DIR) / "core";
+    for (const char* room :
+         {"image", "segmentation", "tree", "mesh", "patient", "reconstruction", "opening"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(core / room)) {
+            if (entry.path().extension() != ".cpp") continue;
+            for (const std::string& text : texts_of(entry.path())) {
+                static const std::regex option("(^|[ (\"])--[a-z]");
+                if (!std::regex_search(text, option) &&
+                    text.find("hepatica-cli edit") == std::string::npos)
+                    continue;
+                if (text.find("On the command line") != std::string::npos) continue;  // says so
+                ++worded;
+                const std::string said = in_window_words(text);
+                EXPECT_FALSE(std::regex_search(said, option)) << entry.path() << ": " << said;
+                EXPECT_EQ(said.find("hepatica-cli edit"), std::string::npos) << said;
+            }
+        }
+    }
+    EXPECT_GT(worded, 4) << "the texts were not found";
+}
+
+TEST(WindowWords, name_the_fields_in_failures) {
+    const Failure failure = failure_of(std::make_exception_ptr(
+        InputError("no vessels were found", "--seed-mm", "Give a window (--window LO,HI)")));
+    EXPECT_EQ(failure.problem, "no vessels were found");
+    EXPECT_EQ(failure.place, "Portal vein seeds, Hepatic vein seeds");
+    EXPECT_EQ(failure.remedy, "Give a window (Window of File > Reconstruct with options)");
+    EXPECT_EQ(in_window_words("5 -- 6"), "5 -- 6");
+}
+
+}  // namespace
+}  // namespace hepatica

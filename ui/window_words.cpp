@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window_words.h"
+
+#include <array>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+// The longer ones first: they hold the shorter ones.
+constexpr std::array<std::pair<const char*, const char*>, 21> words{{
+    {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
+     "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
+    {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
+     "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
+    {"(--window LO,HI)", "(Window of File > Reconstruct with options)"},
+    {"(--seed-mm)", "(Portal vein seeds or Hepatic vein seeds, beside it)"},
+    {"--seed-mm", "Portal vein seeds, Hepatic vein seeds"},
+    {"(--vessel-mask)", "(Vessel mask, beside it)"},
+    {"--vessel-mask", "Vessel mask"},
+    {"--liver-mask", "Liver mask"},
+    {"--window", "Window"},
+    {"--vessel-label LABEL=SYSTEM,LABEL=SYSTEM",
+     "hepatica-cli reconstruct takes LABEL=SYSTEM for each of them"},
+    {"--vessel-label A,B", "hepatica-cli reconstruct takes their labels"},
+    {"(--vessel-label)", "(hepatica-cli reconstruct takes their labels)"},
+    {"hepatica-cli reconstruct CT --out CASE.hep", "File > Open CT folder or Open CT file"},
+    {"(hepatica-cli edit)", "(Edit the vessels in the tool bar)"},
+    {"hepatica-cli edit", "Edit the vessels in the tool bar, then Cut the vessel"},
+    {"Give --out another name", "Choose another name"},
+    {"Leave --tree-space out", "Leave the tree's space out"},
+    {"Leave --radius-mm out", "Leave the radius out"},
+    {"Leave --series out", "Leave the series out"},
+    {"--tree-space lps or --tree-space ras", "on the command line"},
+    {"--radius-mm", "on the command line"},
+}};
+
+}  // namespace
+
+std::string in_window_words(std::string text) {
+    for (const auto& [option, field] : words) {
+        const std::string from = option, to = field;
+        for (std::size_t at = text.find(from); at != std::string::npos;
+             at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    }
+    return text;
+}
+
+}  // namespace hepatica

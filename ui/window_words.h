@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Advice for somebody who sits before the window. Core names a remedy by the option of the command
+// line that gives it; here every option becomes the field or the tool that does the same.
+#pragma once
+
+#include <string>
+
+namespace hepatica {
+
+// The text with each such option replaced; any other text stays as it is.
+std::string in_window_words(std::string text);
+
+}  // namespace hepatica
