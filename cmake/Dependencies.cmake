@@ -41,7 +41,7 @@ else()
     set(vtk_components CommonCore CommonDataModel IOXML IOLegacy)
     if(HEPATICA_WINDOW)
         list(APPEND vtk_components IOImage FiltersCore FiltersSources FiltersGeneral
-            InteractionStyle RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
+            ImagingCore InteractionStyle RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
             RenderingUI RenderingVolumeOpenGL2 ChartsCore ViewsContext2D RenderingContextOpenGL2)
         find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Test)
     endif()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands around the picture: the drug's legend, a scale bar, a caption, and the letters that
-// say which way the patient lies. Sizes are in points and follow the screen's pixel ratio.
+// The two-dimensional marks over the picture: the drug's legend with a mark at the present time, a
+// scale bar of a round length, and a caption. Sizes are in points and follow the screen's pixel
+// ratio.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -31,7 +32,7 @@ class Annotations {
   public:
     explicit Annotations(vtkRenderer& renderer);
 
-    // Brings every mark up to date before a picture is drawn.
+    // Places every mark for the next picture; call before each.
     void update(const PictureSize& size, vtkCamera& camera, const DrugView& drug);
     void set_caption(const std::string& text);
     void set_visible(bool visible) { visible_ = visible; }
@@ -54,7 +55,8 @@ class Annotations {
     vtkSmartPointer<vtkTextActor> caption_;
 };
 
-// The largest of 1, 2, 5 times a power of ten that is at most `length` > 0.
+// The largest of 1, 2, 5 times a power of ten that is at most `length` > 0. (That set is closed
+// under reciprocals: 1 / round_length_below(1 / x) is the smallest of it that is at least x.)
 double round_length_below(double length);
 
 }  // namespace hepatica

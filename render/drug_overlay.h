@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drug front as a change to the vessel's shader: every fragment compares its own arrival time
-// with the time of the injection. Advancing the front costs one uniform, whatever the vessel does.
+// The drug front as an addition to the vessel's fragment shader: each fragment compares its own
+// arrival time with the time since the injection began. To advance the front costs one uniform a
+// frame; no geometry is uploaded for it, at rest or while the vessel moves.
 #pragma once
 
 class vtkActor;
@@ -10,8 +11,8 @@ namespace hepatica {
 
 struct DrugView;
 
-// Colours rise with the square root of the arrival time, since the first moments, in which the
-// large vessels fill, are a small part of all.
+// The place on the colour map is the square root of arrival time over end: the large vessels fill
+// in the first few percent of the time, which a linear map would show in one colour.
 namespace drug_overlay {
 
 // Point data array that holds the arrival time in seconds of each vertex.

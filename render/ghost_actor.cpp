@@ -19,7 +19,8 @@
 namespace hepatica {
 namespace {
 
-// Opaque at the rim, clear at the face: the shape is told by its outline.
+// Opacity rises towards the silhouette: the outline shows the shape, and the vessels inside stay
+// visible.
 const char* const ghost = R"(//VTK::Light::Impl
   {
     float facing = abs(dot(normalVCVSOutput, normalize(-vertexVC.xyz)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The liver as a ghost around its vessels: a still, see-through surface whose rim shows and whose
-// face does not hide what is inside.
+// The liver around its vessels: a translucent surface that does not move, opaque at its outline and
+// nearly clear where it faces the eye, so that it hides nothing.
 #pragma once
 
 #include <vtkSmartPointer.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The colours of the three-dimensional view in one place: background, vessels by system, and the
-// drug's map, which rises monotonically in lightness so that every reader, colour-blind ones
-// included, sees the same order.
+// drug's map, whose lightness rises monotonically, so that colour-blind readers see the same order.
 #pragma once
 
 #include <array>

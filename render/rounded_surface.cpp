@@ -9,8 +9,10 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-// The middle of a chord lies twice as far below its ends' tangent planes as below the arc, so that
-// a half puts the new vertex onto a sphere or a tube to second order.
+// Share of the way from the middle of an edge to the mean of its projections onto the tangent
+// planes at its ends. On a circle of radius r the middle of a chord of length c lies c^2/8r below
+// the arc and c^2/4r below those planes, so that a half puts it onto a sphere or tube to second
+// order in c.
 constexpr float roundness = 0.5f;
 
 struct EdgeUse {

@@ -98,7 +98,8 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.SetBackground(bottom[0], bottom[1], bottom[2]);
     renderer.SetBackground2(top[0], top[1], top[2]);
     renderer.AutomaticLightCreationOff();
-    // Key from the upper left, cool fill from the right, a little from below: soft and readable.
+    // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
+    // one from the right, and a weak one from below, which keeps undersides readable.
     add_light(renderer, {-0.6, 0.9, 1.0}, {1.0, 0.98, 0.95}, 0.85);
     add_light(renderer, {1.0, 0.1, 0.8}, {0.80, 0.88, 1.0}, 0.35);
     add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);

@@ -68,7 +68,7 @@ void SurfaceGeometry::compute_normals() {
     std::fill(normals_.begin(), normals_.end(), 0.0f);
     for (const auto& [a, b, c] : triangles_) {
         const Vec3f origin = vertex(positions_mm_, a);
-        // Twice the area long: large triangles weigh more, slivers hardly anything.
+        // Its length is twice the triangle's area, so that normals are weighted by area.
         const Vec3f normal =
             (vertex(positions_mm_, b) - origin).cross(vertex(positions_mm_, c) - origin);
         for (const int corner : {a, b, c}) {

@@ -43,7 +43,8 @@ TreeActor::TreeActor()
     polydata_->GetPointData()->AddArray(arrival_);
     mapper_->SetInputData(polydata_);
     mapper_->SetColorModeToDirectScalars();
-    // Positions are already floats of patient size; shifting them would only cost a pass.
+    // VTK would shift and scale positions for precision, at the cost of a pass over them; floats of
+    // a patient's size in mm are precise to 0.03 micrometres without it.
     mapper_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     actor_->SetMapper(mapper_);
     actor_->GetProperty()->SetAmbient(0.18);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel surface on the graphics card: positions and normals go up every frame, triangles and
-// colours only when they change, and the drug costs one uniform (its time), because each vertex
-// carries its own arrival time.
+// The vessel surface on the graphics card. Positions and normals are uploaded every frame in which
+// they change, triangles and colours only when they change; the drug's arrival times are uploaded
+// once an injection, and its clock is one uniform.
 #pragma once
 
 #include <vtkSmartPointer.h>

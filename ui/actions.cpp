@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QWidget>
@@ -77,6 +81,33 @@ constexpr std::array<std::pair<const char*, const char*>, 9> gestures{{
     {"Drop a file or folder", "open it"},
 }};
 
+// Gives Space to the focused widget where that answers to it, as check boxes and lists do, although
+// the table gives it to an action. Filters the events of the window, which Qt asks last.
+class SpaceOfTheFocusedWidget : public QObject {
+  public:
+    explicit SpaceOfTheFocusedWidget(QWidget& window) : QObject(&window), window_(window) {
+        window.installEventFilter(this);
+    }
+    bool eventFilter(QObject* /*window*/, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride) return false;
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (key.key() != Qt::Key_Space || key.modifiers() != Qt::NoModifier || !wanted())
+            return false;
+        event->accept();
+        return true;
+    }
+
+  private:
+    bool wanted() const {
+        const QWidget* focused = window_.focusWidget();
+        return qobject_cast<const QAbstractButton*>(focused) != nullptr ||
+               qobject_cast<const QComboBox*>(focused) != nullptr ||
+               qobject_cast<const QAbstractItemView*>(focused) != nullptr;
+    }
+
+    QWidget& window_;
+};
+
 QString plain(const char* text) {
     return QString::fromUtf8(text).remove('&').remove("…");
 }
@@ -103,6 +134,7 @@ Actions::Actions(QWidget& window, QMenuBar& menus) {
         window.addAction(action);
         actions_[spec.id] = action;
     }
+    new SpaceOfTheFocusedWidget(window);  // the window owns it
 }
 
 void Actions::on(ActionId id, std::function<void()> run) {

@@ -64,7 +64,7 @@ std::span<const ActionSpec> action_table();
 // The actions themselves, made once per window.
 class Actions {
   public:
-    // Fills the menus in the order of the table.
+    // Fills the menus in the order of the table. A focused button, combo box or list keeps Space.
     Actions(QWidget& window, QMenuBar& menus);
 
     QAction& operator[](ActionId id) const { return *actions_.at(id); }

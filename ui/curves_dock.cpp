@@ -15,17 +15,18 @@ CurvesDock::CurvesDock(std::function<void(const Failure&)> failed, QWidget* pare
     setWidget(plots_);
 }
 
-void CurvesDock::show_injection(std::shared_ptr<const PatientCase> patient, const TreePoint& tip,
-                                const InjectDrug& injection) {
-    if (tip.segment < 0) return;
+void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug) {
+    if (!drug.injection || drug.injection == followed_) return;
+    followed_ = drug.injection;
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = failed_;
     callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
-        [this, tip, injection, patient = std::move(patient)](Job& job) -> std::function<void()> {
-            const auto curves = injection_curves(patient->tree, tip, injection, job);
+        [this, injection = drug.injection, end_s = drug.end_s,
+         patient = std::move(patient)](Job& job) -> std::function<void()> {
+            const auto curves = injection_curves(patient->tree, *injection, end_s, job);
             return [this, curves] {
                 plots_->set_charts(curves.pressure, curves.delivery);
                 show();
@@ -40,6 +41,7 @@ void CurvesDock::set_time(std::optional<double> time_s) {
 
 void CurvesDock::clear() {
     job_.reset();
+    followed_.reset();
     plots_->clear();
 }
 

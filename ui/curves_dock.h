@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/patient/patient_case.h"
-#include "core/session/command.h"
+#include "core/scene/frame.h"
 #include "ui/background_job.h"
 
 namespace hepatica {
@@ -21,9 +21,9 @@ class CurvesDock : public QDockWidget {
     CurvesDock(std::function<void(const Failure&)> failed, QWidget* parent);
 
     PlotPanel& plots() { return *plots_; }
-    // Computes the curves and then shows them; those that are being computed are given up.
-    void show_injection(std::shared_ptr<const PatientCase> patient, const TreePoint& tip,
-                        const InjectDrug& injection);
+    // Follows the newest frame: computes the curves of an injection that it has not seen yet and
+    // then shows them. What was being computed for an older one is given up.
+    void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug);
     // The drug's clock in the curves; none: nothing is injected.
     void set_time(std::optional<double> time_s);
     // Forgets all; nothing is computed any more.
@@ -32,6 +32,7 @@ class CurvesDock : public QDockWidget {
   private:
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;
+    std::shared_ptr<const InjectionOptions> followed_;  // whose curves were asked for last
     std::unique_ptr<BackgroundJob> job_;
 };
 

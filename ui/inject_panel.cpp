@@ -7,10 +7,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +24,8 @@ namespace hepatica {
 namespace {
 
 constexpr int slider_steps = 1000;
+constexpr int key_step = slider_steps / 100;
+constexpr int page_step = slider_steps / 10;
 
 struct Preset {
     const char* name;
@@ -123,11 +127,11 @@ QWidget* InjectPanel::make_clock() {
     time_ = new QSlider(Qt::Horizontal, box);
     time_->setObjectName("drugTime");
     time_->setRange(0, slider_steps);
+    time_->setSingleStep(key_step);
+    time_->setPageStep(page_step);
     time_->setAccessibleName("Time of the drug front");
-    connect(time_, &QSlider::sliderMoved, this, [this](int place) {
-        post_(PlayDrug{false});
-        post_(SetDrugTime{end_s_ * place / slider_steps});
-    });
+    connect(time_, &QSlider::valueChanged, this,
+            [this](int place) { ask_for_time(drug_.end_s * place / slider_steps); });
     column->addWidget(time_);
     auto* form = new QFormLayout;
     speed_ = new DecimalSpinBox(0.01, 100.0, FlowSpec{}.drug_speed, 2, "×", box);
@@ -158,24 +162,32 @@ InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
     return injection;
 }
 
+void InjectPanel::ask_for_time(double time_s) {
+    asked_time_s_ = time_s;
+    post_(PlayDrug{false});
+    post_(SetDrugTime{time_s});
+}
+
 void InjectPanel::show_drug(const DrugView& drug) {
-    injected_ = drug.arrival_s != nullptr;
-    playing_ = drug.playing;
-    end_s_ = drug.end_s;
-    for (QWidget* widget : {static_cast<QWidget*>(play_), static_cast<QWidget*>(time_)}) {
-        widget->setEnabled(injected_);
-    }
-    play_->setText(playing_ ? "Pause" : "Play");
-    if (!injected_) {
+    const bool heard = asked_time_s_ == drug.time_s;
+    if (heard || drug.version != drug_.version || !drug.arrival_s) asked_time_s_.reset();
+    drug_ = drug;
+    const bool injected = drug.arrival_s != nullptr;
+    play_->setEnabled(injected);
+    time_->setEnabled(injected);
+    play_->setText(drug.playing ? "Pause" : "Play");
+    if (!injected) {
         time_label_->setText("nothing injected");
         return;
     }
-    if (!time_->isSliderDown() && end_s_ > 0.0) {
-        const double share = std::clamp(drug.time_s / end_s_, 0.0, 1.0);
-        time_->setValue(static_cast<int>(slider_steps * share));
+    if (!time_->isSliderDown() && !asked_time_s_ && drug.end_s > 0.0) {
+        const QSignalBlocker silent(time_);
+        const double share = std::clamp(drug.time_s / drug.end_s, 0.0, 1.0);
+        time_->setValue(static_cast<int>(std::lround(slider_steps * share)));
     }
-    time_label_->setText(
-        QString("%1 of %2 s").arg(std::min(drug.time_s, end_s_), 0, 'f', 2).arg(end_s_, 0, 'f', 2));
+    time_label_->setText(QString("%1 of %2 s")
+                             .arg(std::min(drug.time_s, drug.end_s), 0, 'f', 2)
+                             .arg(drug.end_s, 0, 'f', 2));
 }
 
 void InjectPanel::show_hover(const QString& text) {
@@ -188,10 +200,11 @@ void InjectPanel::post_choices() {
 }
 
 void InjectPanel::toggle_playing() {
-    if (!injected_) return;
+    if (!drug_.arrival_s) return;
     // A drug that has arrived everywhere starts again.
-    if (!playing_ && time_->value() >= slider_steps) post_(SetDrugTime{0.0});
-    post_(PlayDrug{!playing_});
+    if (!drug_.playing && drug_.time_s >= drug_.end_s) post_(SetDrugTime{0.0});
+    asked_time_s_.reset();
+    post_(PlayDrug{!drug_.playing});
 }
 
 }  // namespace hepatica

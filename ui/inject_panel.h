@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the next injection is made, and the drug's clock: play, pause, back and forth, speed.
+// How the next injection is made, and the drug's clock: play, pause, back and forth, speed. Whether
+// the drug runs is what the newest frame says; the panel keeps no state of its own.
 #pragma once
 
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "core/scene/frame.h"
 #include "core/session/command.h"
@@ -36,6 +38,7 @@ class InjectPanel : public QWidget {
     void choose_preset(int index);
     QWidget* make_settings();
     QWidget* make_clock();
+    void ask_for_time(double time_s);
 
     std::function<void(Command)> post_;
     QComboBox* preset_ = nullptr;
@@ -49,9 +52,9 @@ class InjectPanel : public QWidget {
     QSlider* time_ = nullptr;
     QLabel* time_label_ = nullptr;
     DecimalSpinBox* speed_ = nullptr;
-    double end_s_ = 0.0;
-    bool injected_ = false;
-    bool playing_ = false;
+    DrugView drug_;  // of the newest frame
+    // What the slider asked for and no frame has shown yet: until then frames do not move it.
+    std::optional<double> asked_time_s_;
 };
 
 }  // namespace hepatica

@@ -217,8 +217,11 @@ void MainWindow::connect_play() {
     (*actions_)[ActionId::pull_mode].setChecked(true);
     actions_->on(ActionId::play_pause, [this] { inject_->toggle_playing(); });
     actions_->on(ActionId::remove_drug, [this] { post(RemoveDrug{}); });
-    actions_->on(ActionId::pause_simulation,
-                 [this] { post(SetPaused{(*actions_)[ActionId::pause_simulation].isChecked()}); });
+    actions_->on(ActionId::pause_simulation, [this] {
+        if (!patient_) return;
+        post(SetPaused{!frame().statistics.paused});
+        follow(frame());  // takes back Qt's own check mark until a frame says so
+    });
     actions_->on(ActionId::reset, [this] { post(ResetWorld{}); });
     actions_->on(ActionId::restore, [this] { post(RestoreSnapshot{}); });
 }

@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
     void show_warnings();
     void show_workspace();
     void show_newest_frame();
+    void follow(const Frame& frame);  // by the controls of the play
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
     void show_hover(const SurfacePick& pick);
@@ -117,7 +118,7 @@ class MainWindow : public QMainWindow {
     QTimer* frame_timer_ = nullptr;
     QTimer* figures_timer_ = nullptr;
     std::optional<LoadedPatient> patient_;
-    int hovered_segment_ = -1;
+    int hovered_vertex_ = -1;  // of the frame
     double picture_ms_ = 0.0;
     std::string last_message_;
     std::function<void()> first_picture_;

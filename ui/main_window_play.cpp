@@ -23,12 +23,11 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
     patient_ = std::move(patient);
-    hovered_segment_ = -1;
+    hovered_vertex_ = -1;
     welcome_->hide();
     scene.set_highlight({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     actions_->set_patient_shown(true);
-    (*actions_)[ActionId::pause_simulation].setChecked(false);
     quality_->post_choices();
     inject_->post_choices();
     frame_timer_->start(16);
@@ -57,7 +56,15 @@ void MainWindow::show_workspace() {
 
 void MainWindow::show_newest_frame() {
     if (!patient_ || !patient_->simulation->update_frame()) return;
-    view_->show_frame(patient_->simulation->frame());
+    view_->show_frame(frame());
+    follow(frame());
+}
+
+void MainWindow::follow(const Frame& frame) {
+    (*actions_)[ActionId::pause_simulation].setChecked(frame.statistics.paused);
+    (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
+    inject_->show_drug(frame.drug);
+    curves_->follow(patient_->patient, frame.drug);
 }
 
 void MainWindow::show_figures() {
@@ -66,16 +73,16 @@ void MainWindow::show_figures() {
     const Frame& frame = patient_->simulation->frame();
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
-    inject_->show_drug(frame.drug);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
-    (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
     show_message_of(frame.statistics);
 }
 
-// What stops the play stands above the view; what merely happens passes below it.
+// What stops the play stands above the view for as long as it is so; what merely happens passes
+// below it.
 void MainWindow::show_message_of(const FrameStatistics& statistics) {
     if (statistics.message == last_message_) return;
+    if (messages_->text() == QString::fromStdString(last_message_)) messages_->dismiss();
     last_message_ = statistics.message;
     const QString text = QString::fromStdString(last_message_);
     if (!statistics.paused || text.isEmpty()) {
@@ -90,9 +97,9 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
 
 void MainWindow::show_hover(const SurfacePick& pick) {
     if (!patient_) return;
+    if (pick.nearest_vertex == hovered_vertex_) return;
+    hovered_vertex_ = pick.nearest_vertex;
     const TreePoint point = patient_->anatomy.tree_point(pick.nearest_vertex);
-    if (point.segment == hovered_segment_) return;
-    hovered_segment_ = point.segment;
     inject_->show_hover(
         QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
@@ -100,11 +107,7 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 }
 
 void MainWindow::inject(const SurfacePick& pick) {
-    if (!patient_) return;
-    const InjectDrug injection = inject_->injection_at(pick.position_mm);
-    post(injection);
-    curves_->show_injection(patient_->patient, patient_->anatomy.tree_point(pick.nearest_vertex),
-                            injection);
+    post(inject_->injection_at(pick.position_mm));
 }
 
 void MainWindow::picture_painted(double ms) {

@@ -16,7 +16,8 @@ void MouseTool::set_mode(MouseMode mode) {
 
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
     cancel();
-    callbacks_.hover(SurfacePick{});  // what is handled is not pointed at
+    clicked_ = false;
+    callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
     pressed_ = last_ = at;
     if (button == MouseButton::middle || (button == MouseButton::left && modifiers.shift)) {
         action_ = Action::pan;
@@ -61,14 +62,14 @@ void MouseTool::move(const Pixel& at) {
 }
 
 void MouseTool::release(const Pixel& at) {
-    const bool clicked = action_ == Action::wait_for_click;
+    clicked_ = action_ == Action::wait_for_click;
     cancel();
-    if (clicked) click_at(at);
+    if (clicked_) click_at(at);
 }
 
 void MouseTool::double_click(const Pixel& at) {
     cancel();
-    if (mode_ != MouseMode::edit) inject_at(at);
+    if (mode_ != MouseMode::edit && !clicked_) inject_at(at);
 }
 
 void MouseTool::wheel(double steps) {

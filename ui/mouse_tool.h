@@ -45,6 +45,8 @@ class MouseTool {
     void press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers);
     void move(const Pixel& at);
     void release(const Pixel& at);
+    // The second press of a double click, in place of press(). Injects, unless the first click has
+    // done what a click does here: bridged a gap, or injected already.
     void double_click(const Pixel& at);
     // Wheel turned by `steps` notches away from the user (nearer) or towards (farther).
     void wheel(double steps);
@@ -63,6 +65,7 @@ class MouseTool {
     Callbacks callbacks_;
     MouseMode mode_ = MouseMode::pull;
     Action action_ = Action::none;
+    bool clicked_ = false;  // the last press ended as a click
     Pixel pressed_;
     Pixel last_;
     Vec3 held_mm_ = Vec3::Zero();  // where the vessel was when it was taken

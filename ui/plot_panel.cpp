@@ -11,6 +11,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "render/annotations.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -33,13 +34,8 @@ double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
 }  // namespace
 
 std::vector<double> axis_ticks(double largest) {
-    const double rough = largest / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double leading = rough / power;
-    const double step = power * (leading <= 1.0   ? 1.0
-                                 : leading <= 2.0 ? 2.0
-                                 : leading <= 5.0 ? 5.0
-                                                  : 10.0);
+    // The smallest round step of which five reach the end: see round_length_below().
+    const double step = 1.0 / round_length_below(5.0 / largest * (1.0 + 1e-9));
     std::vector<double> ticks{0.0};
     for (int i = 1; ticks.back() < largest * (1.0 - 1e-9); ++i) ticks.push_back(step * i);
     return ticks;

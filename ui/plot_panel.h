@@ -47,6 +47,8 @@ class PlotPanel : public QWidget {
 
     void set_charts(const Chart& left, const Chart& right);
     void clear();
+    const Chart& left() const { return left_->chart(); }
+    const Chart& right() const { return right_->chart(); }
     void set_time(std::optional<double> time_s);
 
     // Throw InputError where the file cannot be written.

@@ -16,8 +16,8 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
-// What is chosen stands in the panel alone: frames may be older than the last choice, so they only
-// show what it led to.
+// The panel is the only place that keeps what the user has chosen. A frame may be older than the
+// last choice, so a frame changes the figures here, never a choice.
 class QualityPanel : public QWidget {
   public:
     explicit QualityPanel(std::function<void(Command)> post, QWidget* parent = nullptr);

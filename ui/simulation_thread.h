@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thread that plays: it owns the session from the first step to the last.
+// A session on a thread of its own, which runs it until the object is destroyed.
 #pragma once
 
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
 
 namespace hepatica {
@@ -39,10 +40,22 @@ QLabel#welcomeTitle { font-size: 22px; font-weight: 600; color: #eef1f4; }
 QLabel#quiet { color: #97a1ad; }
 )";
 
+// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer.
+class Style : public QProxyStyle {
+  public:
+    Style() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override {
+        if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
 }  // namespace
 
 void apply_theme(QApplication& application) {
-    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setStyle(new Style);
     QPalette palette;
     palette.setColor(QPalette::Window, QColor(0x20, 0x26, 0x2e));
     palette.setColor(QPalette::WindowText, QColor(0xde, 0xe2, 0xe7));

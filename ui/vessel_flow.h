@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/job.h"
-#include "core/session/command.h"
+#include "core/flow/injection.h"
 #include "core/tree/vessel_tree.h"
 #include "render/chart.h"
 
@@ -14,10 +14,10 @@ struct InjectionCurves {
     Chart delivery;  // share of the injected drug that has passed the ends
 };
 
-// Runs the drug's front from the tip (on the tree at rest) for half as long again as the drug takes
-// to reach most of the vessels; drug and blood keep their own densities and viscosities. Throws
-// InputError for an injection that makes no sense, Cancelled.
-InjectionCurves injection_curves(const VesselTree& tree, const TreePoint& tip,
-                                 const InjectDrug& injection, Job& job);
+// Runs the very injection that a frame shows (its DrugView's `injection`) on the tree at rest, from
+// 0 to `until_s` > 0 (its `end_s`). Throws InputError for an injection that makes no sense,
+// Cancelled.
+InjectionCurves injection_curves(const VesselTree& tree, const InjectionOptions& injection,
+                                 double until_s, Job& job);
 
 }  // namespace hepatica

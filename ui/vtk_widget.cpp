@@ -48,7 +48,8 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
 }
 
 VtkWidget::~VtkWidget() {
-    // The context dies with the base class, when this class's part is gone already.
+    // The base class destroys the context after this class's members are gone, so that the slot
+    // connected in initializeGL() must not run any more.
     if (context()) disconnect(context(), nullptr, this, nullptr);
     release_graphics();
     scene_.reset();

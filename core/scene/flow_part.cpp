@@ -104,6 +104,7 @@ void FlowPart::inject(const Injection& injection) {
         (*arrival_s)[v] = static_cast<float>(arrivals.times.arrival_s(places_[v]));
     mass_error_relative_ = arrivals.mass_error_relative;
     drug_.arrival_s = std::move(arrival_s);
+    drug_.injection = std::make_shared<const InjectionOptions>(options);
     ++drug_.version;
     drug_.time_s = 0.0;
     drug_.end_s = std::min({arrivals.times.end_s(), useful_end_s(*drug_.arrival_s),
@@ -113,6 +114,7 @@ void FlowPart::inject(const Injection& injection) {
 
 void FlowPart::remove_drug() {
     drug_.arrival_s.reset();
+    drug_.injection.reset();
     ++drug_.version;
     drug_.time_s = 0.0;
     drug_.end_s = 0.0;

@@ -14,6 +14,8 @@
 
 namespace hepatica {
 
+struct InjectionOptions;  // core/flow/injection.h
+
 // The pull on the vessel, for drawing its line.
 struct GrabView {
     Vec3 point_mm = Vec3::Zero();
@@ -25,9 +27,12 @@ struct GrabView {
 struct DrugView {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached.
                                                           // Null: nothing was injected
-    std::uint64_t version = 0;                            // changes whenever arrival_s does
-    double time_s = 0.0;                                  // since the injection began
-    double end_s = 0.0;    // when most vertices have been reached; some may be later
+    // What was injected and where, as core/flow takes it: run until end_s on the tree at rest, it
+    // gives the curves over time that belong to these arrival times. Null with arrival_s.
+    std::shared_ptr<const InjectionOptions> injection;
+    std::uint64_t version = 0;  // changes whenever arrival_s does
+    double time_s = 0.0;        // since the injection began
+    double end_s = 0.0;         // when most vertices have been reached; some may be later
     bool playing = false;  // the drug's clock runs whenever the world is not paused; false where
                            // nothing was injected
 };

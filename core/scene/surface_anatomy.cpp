@@ -27,11 +27,13 @@ SurfaceAnatomy::SurfaceAnatomy(const VesselTree& tree, std::span<const Vec3> res
     const std::size_t segments = tree.segments.size();
     parent_.resize(segments);
     system_.resize(segments);
+    length_mm_.resize(segments);
     ends_.assign(segments, 0);
     std::vector<bool> has_child(segments, false);
     for (std::size_t s = 0; s < segments; ++s) {
         parent_[s] = tree.segments[s].parent;
         system_[s] = tree.segments[s].system;
+        length_mm_[s] = length_mm(tree.segments[s]);
         if (parent_[s] >= 0) has_child[static_cast<std::size_t>(parent_[s])] = true;
     }
     // A parent stands before its children.
@@ -88,11 +90,13 @@ std::string SurfaceAnatomy::describe(const TreePoint& point,
     if (point.segment < 0) return {};
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << "Branch " << point.segment << ": " << ends_downstream_of(point.segment) << " of "
+    text << std::fixed << std::setprecision(0) << "Branch " << point.segment << ", "
+         << point.arclength_mm << " of " << length_mm_[static_cast<std::size_t>(point.segment)]
+         << " mm along: " << ends_downstream_of(point.segment) << " of "
          << ends_in_system_of(point.segment) << " ends lie downstream";
     if (static_cast<std::size_t>(point.segment) < flow_shares.size()) {
         const double percent = 100.0 * flow_shares[static_cast<std::size_t>(point.segment)];
-        text << std::fixed << std::setprecision(percent < 10.0 ? 1 : 0) << "; they get " << percent
+        text << std::setprecision(percent < 10.0 ? 1 : 0) << "; they get " << percent
              << " % of the flow";
     }
     return text.str();

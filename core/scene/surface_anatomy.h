@@ -35,14 +35,15 @@ class SurfaceAnatomy {
 
     int system_of(int segment) const;
 
-    // For the user: what lies downstream of a point, and its share of the flow (per segment; may be
-    // empty). Empty for segment -1.
+    // For the user: where on its branch a point is, what lies downstream of it, and its share of
+    // the flow (per segment; may be empty). Empty for segment -1.
     std::string describe(const TreePoint& point, std::span<const double> flow_shares) const;
 
   private:
     std::vector<TreePoint> points_;  // per vertex
     std::vector<int> parent_;        // per segment
     std::vector<int> system_;        // per segment
+    std::vector<double> length_mm_;  // per segment
     std::vector<int> ends_;          // per segment: ends of the tree downstream of it
 };
 

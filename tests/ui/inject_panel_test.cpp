@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QSlider>
+#include <vector>
+
 namespace hepatica {
 namespace {
 
@@ -17,6 +20,60 @@ TEST(InjectPanel, BeginsWithTheDefaultInjection) {
     EXPECT_EQ(offered.second_phase, unchosen.second_phase);
     EXPECT_EQ(offered.pressure_model, unchosen.pressure_model);
     EXPECT_FALSE(offered.drug_viscosity_pa_s.has_value());
+}
+
+DrugView injected_drug() {
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(3, 1.0f);
+    drug.version = 1;
+    drug.end_s = 10.0;
+    return drug;
+}
+
+// A frame from before the user's choice must not pull the slider back.
+TEST(InjectPanel, AnOlderFrameDoesNotUndoWhatTheSliderAskedFor) {
+    std::vector<Command> posted;
+    InjectPanel panel([&](Command command) { posted.push_back(std::move(command)); });
+    QSlider& time = *panel.findChild<QSlider*>("drugTime");
+    DrugView drug = injected_drug();
+    drug.playing = true;
+    drug.time_s = 2.0;
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 200);
+    EXPECT_TRUE(posted.empty()) << "a frame is no choice";
+
+    time.setValue(700);
+    ASSERT_EQ(posted.size(), 2u);
+    EXPECT_FALSE(std::get<PlayDrug>(posted[0]).playing);
+    EXPECT_EQ(std::get<SetDrugTime>(posted[1]).time_s, 7.0);
+    drug.time_s = 2.1;  // begun before
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 700);
+    drug.playing = false;
+    drug.time_s = 7.0;  // has heard of it
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 700);
+    drug.time_s = 4.0;  // somebody else's choice
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 400);
+    EXPECT_EQ(posted.size(), 2u);
+}
+
+// What was asked of a drug that is there no longer binds nobody.
+TEST(InjectPanel, ANewInjectionIsFollowedFromItsBeginning) {
+    InjectPanel panel([](const Command&) {});
+    QSlider& time = *panel.findChild<QSlider*>("drugTime");
+    DrugView drug = injected_drug();
+    panel.show_drug(drug);
+    time.setValue(700);
+    ++drug.version;
+    drug.time_s = 0.5;
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 50);
+    time.setValue(300);
+    panel.show_drug({});
+    panel.show_drug(drug);
+    EXPECT_EQ(time.value(), 50);
 }
 
 }  // namespace

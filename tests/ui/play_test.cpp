@@ -2,6 +2,8 @@
 // The window with a real simulation behind it, on its own thread.
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
+#include "ui/curves_dock.h"
+#include "ui/plot_panel.h"
 
 namespace hepatica {
 namespace {
@@ -62,6 +64,12 @@ TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     EXPECT_GT(frame().drug.end_s, 0.0);
     const double before = frame().drug.time_s;
     EXPECT_TRUE(testing::wait_for([&] { return frame().drug.time_s > before; }));
+    // The curves that then appear are those of this very injection.
+    auto& dock = static_cast<CurvesDock&>(*window_.findChild<QDockWidget*>("Curves"));
+    const auto pressure = [&] { return dock.plots().left().curves; };
+    ASSERT_TRUE(testing::wait_for([&] { return !pressure().empty(); }));
+    EXPECT_DOUBLE_EQ(pressure().at(0).x.back(), frame().drug.end_s);
+    EXPECT_TRUE(dock.isVisible());
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "core/base/error.h"
 #include "core/flow/flow_shares.h"
 #include "core/flow/fluid.h"
+#include "core/session/session.h"
+#include "tests/session/small_patient.h"
 #include "tests/ui/fake_simulation.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
@@ -40,21 +42,28 @@ TEST(FlowShares, equal_branches_share_equally) {
     EXPECT_TRUE(flow_shares(VesselTree{}).empty());
 }
 
+InjectionOptions into_the_tube(double mass_flow_g_s) {
+    InjectionOptions injection;
+    injection.tip = TreePoint{0, 0.0, 0.0};
+    injection.wedged = false;
+    injection.mass_flow_g_s = mass_flow_g_s;
+    return injection;
+}
+
 TEST(InjectionCurves, follow_hagen_and_poiseuille_through_a_tube) {
-    InjectDrug injection;
-    injection.mass_flow_g_s = 0.5;
-    Job job;
-    const InjectionCurves curves = injection_curves(tube(), TreePoint{0, 0.0, 0.0}, injection, job);
     const Fluid fluid = pure(blood());
+    const double full_s = std::numbers::pi * 9.0 * 100.0 * fluid.density_g_mm3 / 0.5;
+    Job job;
+    const InjectionCurves curves = injection_curves(tube(), into_the_tube(0.5), 1.5 * full_s, job);
     const double pressure = 8.0 * fluid.viscosity_pa_s * 100.0 * 0.5 /
                             (std::numbers::pi * fluid.density_g_mm3 * std::pow(3.0, 4));
     const Curve& at_tip = curves.pressure.curves.at(0);
     for (const double value : at_tip.y) EXPECT_NEAR(value, pressure, 1e-6 * pressure);
 
     // Nothing comes out before the tube is full, then as much as goes in.
-    const double full_s = std::numbers::pi * 9.0 * 100.0 * fluid.density_g_mm3 / 0.5;
     const Curve& out = curves.delivery.curves.at(0);
-    EXPECT_GT(out.x.back(), full_s);
+    EXPECT_DOUBLE_EQ(out.x.back(), 1.5 * full_s);
+    EXPECT_GT(out.x.size(), 100u);
     for (std::size_t i = 0; i < out.x.size(); ++i) {
         const double expected = out.x[i] > full_s ? 100.0 * (out.x[i] - full_s) / out.x[i] : 0.0;
         EXPECT_NEAR(out.y[i], expected, 1e-6) << out.x[i];
@@ -62,12 +71,60 @@ TEST(InjectionCurves, follow_hagen_and_poiseuille_through_a_tube) {
 }
 
 TEST(InjectionCurves, refuse_nonsense_and_can_be_cancelled) {
-    InjectDrug injection;
     Job job;
-    injection.pressure_model = "wishful";
-    EXPECT_THROW(injection_curves(tube(), TreePoint{0, 0.0, 0.0}, injection, job), InputError);
+    EXPECT_THROW(injection_curves(tube(), into_the_tube(-1.0), 1.0, job), InputError);
     job.cancel();
-    EXPECT_THROW(injection_curves(tube(), TreePoint{0, 0.0, 0.0}, {}, job), Cancelled);
+    EXPECT_THROW(injection_curves(tube(), into_the_tube(1.0), 1.0, job), Cancelled);
+}
+
+// What the session injects is what is plotted: a click near the end of the root goes to the place
+// where the system is supplied, and the curves end with the drug's clock.
+TEST(InjectionCurves, are_those_of_the_injection_that_the_session_shows) {
+    const std::shared_ptr<const PatientCase> patient = test::small_patient();
+    const VesselSegment& root = patient->tree.segments.front();
+    ASSERT_LT(root.parent, 0);
+    Job job;
+    Session session(patient, default_scene(), job);
+    InjectDrug command;
+    command.point_mm =
+        root.points_mm.front() +
+        0.5 * root.radii_mm.front() * (root.points_mm[1] - root.points_mm[0]).normalized();
+    command.second_phase = "lipiodol";
+    command.void_fraction = 0.5;
+    session.post(command);
+    session.step();
+    ASSERT_TRUE(session.update_frame());
+    const DrugView& drug = session.frame().drug;
+    ASSERT_TRUE(drug.injection);
+    EXPECT_EQ(drug.injection->tip->segment, 0);
+    EXPECT_EQ(drug.injection->tip->arclength_mm, 0.0) << "not where the system is supplied";
+
+    const InjectionCurves curves =
+        injection_curves(patient->tree, *drug.injection, drug.end_s, job);
+    // The same from the command's own words.
+    InjectionOptions options;
+    options.tip = TreePoint{0, 0.0, 0.0};
+    options.wedged = false;
+    options.mass_flow_g_s = command.mass_flow_g_s;
+    options.law = pressure_law(command.pressure_model);
+    options.second_phase = lipiodol();
+    options.void_fraction = 0.5;
+    options.until_s = drug.end_s;
+    const InjectionResult run = inject(patient->tree, options, job);
+    const Curve& pressure = curves.pressure.curves.at(0);
+    EXPECT_DOUBLE_EQ(pressure.x.back(), drug.end_s);
+    EXPECT_NEAR(pressure.y.front(), run.series.front().inlet_pressure_pa,
+                1e-9 * pressure.y.front());
+    EXPECT_NEAR(pressure.y.back(), run.series.back().inlet_pressure_pa, 1e-3 * pressure.y.front());
+    EXPECT_NE(pressure.y.back(), pressure.y.front()) << "oil is more viscous than blood";
+    const InjectionSample& last = run.series.back();
+    EXPECT_NEAR(curves.delivery.curves.at(0).y.back(), 100.0 * last.delivered_g / last.injected_g,
+                0.1);
+
+    session.post(RemoveDrug{});
+    session.step();
+    ASSERT_TRUE(session.update_frame());
+    EXPECT_FALSE(session.frame().drug.injection);
 }
 
 TEST(AxisTicks, are_round_few_and_reach_the_end) {

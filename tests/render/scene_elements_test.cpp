@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// That the comparison of pictures sees: each element of a picture is taken away, and the picture
+// must no longer look like the one that has it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/osmesa_context.h"
+#include "render/scene_view.h"
+#include "tests/render/fake_frame.h"
+#include "tests/render/screenshot.h"
+
+namespace hepatica {
+namespace {
+
+using testing::fake_frame;
+using testing::look_alike;
+using testing::worst_tile_difference;
+
+constexpr int width = 320, height = 240;
+
+class SceneElements : public ::testing::Test {
+  protected:
+    Picture picture() {
+        view_.render();
+        return read_picture(context_.window());
+    }
+    Picture picture_of(const Frame& frame) {
+        view_.show(frame);
+        return picture();
+    }
+
+    OsmesaContext context_{width, height};
+    SceneView view_{context_.window()};
+};
+
+struct Box {
+    const char* element;
+    int left, top, right, bottom;
+};
+
+// The picture with one box of it as it is in another picture.
+Picture with_box_of(const Picture& other, const Box& box, Picture picture) {
+    for (int y = box.top; y < box.bottom; ++y) {
+        const std::size_t row = 3 * static_cast<std::size_t>(y * picture.width);
+        std::copy(other.rgb.begin() + row + 3 * box.left, other.rgb.begin() + row + 3 * box.right,
+                  picture.rgb.begin() + row + 3 * box.left);
+    }
+    return picture;
+}
+
+Frame pulled_frame() {
+    Frame frame = fake_frame(0.1);
+    frame.grab = GrabView{Vec3(0, -4, -15), Vec3(25, -4, -25), 1e3};
+    return frame;
+}
+
+TEST_F(SceneElements, the_pulls_line_and_its_bead_are_each_seen) {
+    const Picture pulled = picture_of(pulled_frame());
+    const Picture free = picture_of(fake_frame(0.1));
+    EXPECT_FALSE(look_alike(free, pulled));
+    for (const Box& box : {Box{"line", 150, 130, 189, 160}, Box{"bead", 190, 150, 205, 170}})
+        EXPECT_GT(worst_tile_difference(with_box_of(free, box, pulled), pulled), 8.0)
+            << box.element;
+}
+
+TEST_F(SceneElements, the_drug_and_the_place_of_its_front_are_seen) {
+    const Picture now = picture_of(fake_frame(1.0, 2.0));
+    view_.set_annotations_visible(false);
+    const Picture bare = picture();
+    EXPECT_FALSE(look_alike(picture_of(fake_frame(1.0, 2.2)), bare));
+    EXPECT_FALSE(look_alike(picture_of(fake_frame(1.0)), bare));
+    EXPECT_FALSE(look_alike(bare, now));
+}
+
+TEST_F(SceneElements, each_annotation_is_seen) {
+    view_.set_caption("Patient");
+    const Picture full = picture_of(fake_frame(1.0, 0.5));
+    view_.set_annotations_visible(false);
+    const Picture bare = picture();
+    for (const Box& box :
+         {Box{"legend's title", 190, 200, 312, 211}, Box{"legend's colours", 190, 212, 312, 221},
+          Box{"legend's ticks", 190, 222, 312, 232}, Box{"scale's label", 140, 214, 180, 223},
+          Box{"scale's bar", 118, 223, 189, 232}, Box{"orientation", 10, 190, 50, 230},
+          Box{"caption", 5, 5, 80, 25}}) {
+        const Picture without = with_box_of(bare, box, full);
+        EXPECT_FALSE(look_alike(without, full))
+            << box.element << ": " << worst_tile_difference(without, full);
+    }
+}
+
+TEST_F(SceneElements, the_mark_of_now_on_the_legend_is_seen) {
+    const Picture later = picture_of(fake_frame(1.0, 2.0));
+    const Picture now = picture_of(fake_frame(1.0, 0.5));
+    const Box mark{"mark", 236, 210, 244, 223};
+    EXPECT_GT(worst_tile_difference(with_box_of(later, mark, now), now),
+              testing::unnoticed_difference);
+}
+
+TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
+    const Frame frame = fake_frame();
+    const Picture plain = picture_of(frame);
+    std::vector<std::uint8_t> tip(frame.positions_mm.size() / 3, 0);
+    for (std::size_t v = 0; v < tip.size(); ++v) tip[v] = frame.positions_mm[3 * v] < -25;
+    view_.set_highlight(tip);
+    EXPECT_FALSE(look_alike(picture(), plain));
+    view_.set_highlight({});
+    EXPECT_EQ(picture().rgb, plain.rgb);
+    view_.set_liver(testing::sphere(Vec3(0, 0, 0), 62.0));
+    EXPECT_FALSE(look_alike(picture(), plain));
+    view_.set_liver_visible(false);
+    EXPECT_EQ(picture().rgb, plain.rgb);
+    view_.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
+    EXPECT_FALSE(look_alike(picture(), plain));
+}
+
+TEST(Screenshot, another_drivers_smoothing_of_edges_is_not_seen) {
+    OsmesaContext context(width, height);
+    SceneView view(context.window());
+    view.show(fake_frame(0.2, 1.0));
+    view.set_annotations_visible(false);
+    view.render();
+    const Picture sharp = read_picture(context.window());
+    Picture softer = sharp, shifted = sharp;
+    for (std::size_t i = 0; i + 3 < sharp.rgb.size(); ++i) {
+        softer.rgb[i] = static_cast<std::uint8_t>((sharp.rgb[i] + sharp.rgb[i + 3]) / 2);
+        shifted.rgb[i] = sharp.rgb[i + 3];
+    }
+    EXPECT_NE(softer.rgb, sharp.rgb);
+    EXPECT_TRUE(look_alike(softer, sharp)) << worst_tile_difference(softer, sharp);
+    EXPECT_TRUE(look_alike(shifted, sharp)) << worst_tile_difference(shifted, sharp);
+    for (std::size_t i = 0; i + 12 < sharp.rgb.size(); ++i) shifted.rgb[i] = sharp.rgb[i + 12];
+    EXPECT_FALSE(look_alike(shifted, sharp)) << "four pixels away";
+    EXPECT_FALSE(look_alike(Picture{1, 1, {0, 0, 0}}, sharp));
+}
+
+}  // namespace
+}  // namespace hepatica

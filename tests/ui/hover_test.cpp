@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mouse over a vessel: what lies downstream lights up and is told in words, for the very place
+// under the mouse, and goes out again when the mouse leaves.
+#include <QLabel>
+
+#include "tests/ui/fake_window_test.h"
+
+namespace hepatica {
+namespace {
+
+class Hover : public testing::FakeWindowTest {
+  protected:
+    Hover() { open_built_in(); }
+
+    QString words() {
+        for (const QLabel* label : window_.findChildren<QLabel*>())
+            if (label->accessibleName() == "Under the mouse") return label->text();
+        return "there is no such label";
+    }
+    void point_at_place(const QPoint& place) {
+        QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&window_.view(), &move);
+    }
+    void point_at_mm(const Vec3& place_mm) { point_at_place(on_widget(place_mm)); }
+
+    // How bright the picture is around a point of the patient, of 255.
+    double brightness_at(const QImage& picture, const Vec3& place_mm) {
+        const QPoint centre =
+            on_widget(place_mm) * (static_cast<double>(picture.width()) / window_.view().width());
+        double sum = 0.0;
+        for (int y = -3; y <= 3; ++y)
+            for (int x = -3; x <= 3; ++x) sum += qGray(picture.pixel(centre + QPoint(x, y)));
+        return sum / 49.0;
+    }
+};
+
+TEST_F(Hover, lights_up_what_lies_downstream_and_nothing_else) {
+    const Vec3 upstream(0, 0, -55), downstream(0, 0, -22);
+    point_at_place(QPoint(5, 5));
+    const QImage dark = window_.view().picture();
+    const QString nothing = words();
+    point_at_mm(Vec3(0, 0, -40));
+    const QImage lit = window_.view().picture();
+    EXPECT_GT(brightness_at(lit, downstream), brightness_at(dark, downstream) + 20.0);
+    EXPECT_NEAR(brightness_at(lit, upstream), brightness_at(dark, upstream), 1.0);
+    EXPECT_TRUE(words().startsWith("Branch 0")) << words().toStdString();
+
+    point_at_place(QPoint(5, 5));
+    EXPECT_EQ(window_.view().picture(), dark);
+    EXPECT_EQ(words(), nothing);
+}
+
+TEST_F(Hover, ends_when_the_mouse_leaves_the_view_or_takes_hold) {
+    const QImage dark = window_.view().picture();
+    const QString nothing = words();
+    point_at_mm(Vec3(0, 0, -40));
+    EXPECT_NE(words(), nothing);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&window_.view(), &leave);
+    EXPECT_EQ(words(), nothing);
+    EXPECT_EQ(window_.view().picture(), dark);
+
+    point_at_mm(Vec3(0, 0, -40));
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    EXPECT_EQ(words(), nothing);
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk());
+}
+
+// The light begins where the mouse is, not where it came onto the branch.
+TEST_F(Hover, follows_the_mouse_along_one_branch) {
+    const Vec3 between(0, 0, -40);
+    const double dark = brightness_at(window_.view().picture(), between);
+    point_at_mm(Vec3(0, 0, -52));
+    EXPECT_GT(brightness_at(window_.view().picture(), between), dark + 20.0);
+    const QString low = words();
+    point_at_mm(Vec3(0, 0, -25));
+    EXPECT_NEAR(brightness_at(window_.view().picture(), between), dark, 1.0);
+    const QString high = words();
+    EXPECT_NE(low, high);
+    // In millimetres from the branch's beginning, as near as vertices lie (3.2 mm apart).
+    EXPECT_TRUE(low.contains("of 45 mm along")) << low.toStdString();
+    EXPECT_NEAR(low.section(' ', 2, 2).toDouble(), 8.0, 2.0) << low.toStdString();
+    EXPECT_NEAR(high.section(' ', 2, 2).toDouble(), 35.0, 2.0) << high.toStdString();
+}
+
+}  // namespace
+}  // namespace hepatica
