@@ -51,8 +51,12 @@ FakeWard::FakeWard() {
     screen.changed = [] {};
     screen.failed = [this](const std::string& doing, const Failure& failure) {
         failures.push_back(doing + ": " + failure.problem);
+        if (on_word) on_word();
     };
-    screen.say = [this](const std::string& text) { said.push_back(text); };
+    screen.say = [this](const std::string& text) {
+        said.push_back(text);
+        if (on_word) on_word();
+    };
     screen.remember = [](const std::filesystem::path&) {};
     keeper_ = std::make_unique<PatientKeeper>(
         ways(), std::move(answers), std::move(screen),

@@ -61,6 +61,7 @@ class FakeWard {
     // For tests that want to look closer.
     std::function<void(const std::string&)> on_question;
     std::function<void(bool corrected)> before_show;
+    std::function<void()> on_word;  // something was said, or a failure told
 
   private:
     PatientKeeper::Ways ways();
