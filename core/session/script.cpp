@@ -144,9 +144,9 @@ Script read_script(const std::filesystem::path& file) {
         throw InputError("is not a script", file.string(),
                          "Give a script such as assets/scripts/drag.json");
     Script script;
-    script.name = json.value("name", file.stem().string());
     std::size_t number = 0;
     try {
+        script.name = json.value("name", file.stem().string());
         if (json.contains("scene")) script.scene = scene_from_json(json["scene"]);
         for (const Json& action : json["actions"]) {
             ++number;
@@ -156,6 +156,9 @@ Script read_script(const std::filesystem::path& file) {
         const std::string where = number == 0 ? "" : ", action " + std::to_string(number);
         const std::string what = error.place().empty() ? "" : error.place() + " ";
         throw InputError(what + error.problem(), file.string() + where, error.remedy());
+    } catch (const Json::exception& error) {  // a value of another type than it must have
+        throw InputError(error.what(), file.string(),
+                         "Give a script such as assets/scripts/drag.json");
     }
     std::ranges::stable_sort(script.actions, {}, &ScriptAction::at_s);
     return script;
