@@ -113,6 +113,7 @@ Json pull(Session& session, const Vec3& held, Player& player, Album& album) {
 // Returns the drug's time in the last picture, in seconds.
 double watch_injection(Session& session, const Vec3& tip_mm, Player& player, Album& album) {
     session.post(InjectDrug{tip_mm});
+    session.post(FinishInjection{});
     player.step(1);
     const double end_s = player.frame().drug.end_s;
     for (const int percent : {2, 10, 30, 100}) {

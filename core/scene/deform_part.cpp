@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/deform/stepper/live_stepper.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 
@@ -39,8 +38,10 @@ FrameSkeleton skeleton_of(const VesselTree& tree) {
 }  // namespace
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
-                       const LiveRegionOptions& live_region)
-    : region_(live_region), gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
+                       const LiveRegionOptions& live_region, DeformBackEnd back_end)
+    : region_(live_region),
+      back_end_(std::move(back_end)),
+      gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
                          "Reconstruct the patient again");
@@ -61,7 +62,8 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
         high = high.cwiseMax(vertex);
     }
     size_mm_ = (high - low).norm();
-    build_stepper();
+    stepper_ = back_end_.make(body_, setting_, region_);
+    stepper_->set_gravity(gravity_mm_per_s2_);
 }
 
 DeformPart::~DeformPart() = default;
@@ -86,16 +88,15 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
     }
 }
 
-void DeformPart::build_stepper() {
-    BodyState kept;
-    if (stepper_) kept = state();
-    if (body_.tether_pa_per_mm2 > 0.0)
-        stepper_ = make_live_stepper(body_, setting_, region_);
-    else
-        stepper_ = make_cpu_stepper(body_, setting_);
-    stepper_->set_gravity(gravity_mm_per_s2_);
-    if (!kept.positions_mm.empty()) set_state(kept);
-    apply_grabs();
+void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
+    std::unique_ptr<Stepper> stepper = back_end_.make(body, setting, region_);
+    stepper->set_gravity(gravity_mm_per_s2_);
+    give_state(*stepper, state());
+    stepper->set_grabs(springs_of(hold_));
+    // Nothing throws from here on.
+    body_ = std::move(body);
+    setting_ = setting;
+    stepper_ = std::move(stepper);
 }
 
 void DeformPart::grab(const Vec3& point_mm) {
@@ -136,35 +137,38 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     hold.target_mm = point_mm;
     hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
     hold.force_limit_un = hand_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
-    hold_ = std::move(hold);
-    apply_grabs();
+    set_hold(std::move(hold));
 }
 
 void DeformPart::move_grab(const Vec3& target_mm) {
     if (!target_mm.allFinite())
         throw InputError("the hand's position is not finite", "move_grab", "Give finite numbers");
     if (!hold_) return;
-    hold_->target_mm = target_mm;
-    apply_grabs();
+    Hold hold = *hold_;
+    hold.target_mm = target_mm;
+    set_hold(std::move(hold));
 }
 
 void DeformPart::release() {
-    if (!hold_) return;
-    hold_.reset();
-    apply_grabs();
+    if (hold_) set_hold(std::nullopt);
 }
 
-void DeformPart::apply_grabs() {
+std::vector<Grab> DeformPart::springs_of(const std::optional<Hold>& hold) {
     std::vector<Grab> grabs;
-    for (std::size_t i = 0; hold_ && i < hold_->vertices.size(); ++i) {
+    for (std::size_t i = 0; hold && i < hold->vertices.size(); ++i) {
         Grab spring;
-        spring.vertices[0] = hold_->vertices[i];
-        spring.target_mm = hold_->target_mm + hold_->offsets_mm[i];
-        spring.stiffness_un_per_mm = hold_->stiffness_un_per_mm;
-        spring.force_limit_un = hold_->force_limit_un;
+        spring.vertices[0] = hold->vertices[i];
+        spring.target_mm = hold->target_mm + hold->offsets_mm[i];
+        spring.stiffness_un_per_mm = hold->stiffness_un_per_mm;
+        spring.force_limit_un = hold->force_limit_un;
         grabs.push_back(spring);
     }
-    stepper_->set_grabs(grabs);
+    return grabs;
+}
+
+void DeformPart::set_hold(std::optional<Hold> hold) {
+    stepper_->set_grabs(springs_of(hold));
+    hold_ = std::move(hold);
 }
 
 std::optional<GrabView> DeformPart::grab_view() const {
@@ -191,41 +195,36 @@ void DeformPart::set_gravity(const Vec3& gravity_mm_per_s2) {
 void DeformPart::set_tether(double pa_per_mm2) {
     if (!(pa_per_mm2 >= 0.0) || !std::isfinite(pa_per_mm2))
         throw InputError("is " + std::to_string(pa_per_mm2), "tether", "Give 0 or more");
-    body_.tether_pa_per_mm2 = pa_per_mm2;
-    build_stepper();
+    BodyDescription body = body_;
+    body.tether_pa_per_mm2 = pa_per_mm2;
+    rebuild(std::move(body), setting_);
 }
 
 void DeformPart::set_wall(double wall_mm) {
     validate_wall(wall_mm);
-    body_.stiffness_factor.clear();
-    if (wall_mm > 0.0) make_hollow(body_, wall_mm);
-    build_stepper();
+    BodyDescription body = body_;
+    body.stiffness_factor.clear();
+    if (wall_mm > 0.0) make_hollow(body, wall_mm);
+    rebuild(std::move(body), setting_);
 }
 
 void DeformPart::use(const StepperOptions& setting) {
     StepperOptions now = setting;
     now.velocity_error = setting_.velocity_error;
-    if (stepper_->set_options(now)) {
+    if (stepper_->set_options(now))
         setting_ = now;
-        return;
-    }
-    const StepperOptions before = std::exchange(setting_, now);
-    try {
-        build_stepper();
-    } catch (...) {
-        setting_ = before;
-        throw;
-    }
+    else
+        rebuild(body_, now);
 }
 
-void DeformPart::set_state(const BodyState& state) {
+void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
     std::span<const Vec3> positions = state.positions_mm, velocities = state.velocities_mm_per_s;
     const std::size_t vertices = body_.mesh.vertices_mm.size();
-    if (positions.size() != stepper_->state().positions_mm.size() && positions.size() > vertices) {
+    if (positions.size() != stepper.state().positions_mm.size() && positions.size() > vertices) {
         positions = positions.first(vertices);
         velocities = velocities.first(vertices);
     }
-    stepper_->set_state(positions, velocities);
+    stepper.set_state(positions, velocities);
 }
 
 bool DeformPart::plausible() const {

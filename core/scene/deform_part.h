@@ -13,6 +13,7 @@
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/stepper.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/vertex_places.h"
@@ -29,7 +30,8 @@ class DeformPart {
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
     // Another region is for measurements: nothing freezes where still_radii_per_s is 0.
     DeformPart(const PatientCase& patient, const DeformSpec& spec,
-               const LiveRegionOptions& live_region = region);
+               const LiveRegionOptions& live_region = region,
+               DeformBackEnd back_end = cpu_back_end());
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within
@@ -41,7 +43,8 @@ class DeformPart {
     bool holding() const { return hold_.has_value(); }
     std::optional<GrabView> grab_view() const;
 
-    // Settings that keep the state. Throw InputError for values out of range.
+    // Settings that keep the state. Throw InputError for values out of range. Where they throw
+    // anything, setting and state are as before.
     void set_gravity(const Vec3& gravity_mm_per_s2);
     void set_tether(double pa_per_mm2);
     void set_wall(double wall_mm);  // see DeformSpec
@@ -56,7 +59,7 @@ class DeformPart {
     // What a snapshot keeps: every node of the present element, the vertices first. A state of
     // another element is taken over by its vertices.
     BodyState state() const { return stepper_->state(); }
-    void set_state(const BodyState& state);
+    void set_state(const BodyState& state) { give_state(*stepper_, state); }
 
     const std::vector<VertexPlace>& places() const { return places_; }
 
@@ -73,13 +76,18 @@ class DeformPart {
         double force_limit_un;       // of each spring
     };
 
+    void give_state(Stepper& stepper, const BodyState& state) const;
     void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Around the place of a vertex; the held point is where the hand is.
     void close_hand(int vertex, const Vec3& point_mm);
-    void apply_grabs();
-    void build_stepper();
+    static std::vector<Grab> springs_of(const std::optional<Hold>& hold);
+    // The hand is as before where the stepper refuses it.
+    void set_hold(std::optional<Hold> hold);
+    // Goes on from the present state with another body or setting.
+    void rebuild(BodyDescription body, const StepperOptions& setting);
 
     LiveRegionOptions region_;
+    DeformBackEnd back_end_;
     BodyDescription body_;
     std::vector<int> surface_vertices_;
     std::vector<VertexPlace> places_;  // per vertex

@@ -1,118 +1,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/flow_part.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
+#include <utility>
 
 #include "core/base/error.h"
-#include "core/flow/arrival_times.h"
-#include "core/flow/flow_solution.h"
 
 namespace hepatica {
 
-namespace {
-
-struct Arrivals {
-    ArrivalTimes times;
-    double mass_error_relative = 0.0;
-};
-
-// A drug like the blood that it displaces leaves the flow as it is, and the times are exact.
-Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options) {
-    FlowNetwork network = network_of(tree, options.shape);
-    const int tip = place_catheter(network, *options.tip, options.wedged);
-    FlowConditions conditions;
-    conditions.law = options.law;
-    conditions.resident = pure(options.liquid);
-    conditions.inlets = {{tip, InletKind::mass_flow, options.mass_flow_g_s, conditions.resident}};
-    const FlowSolution solution = solve_flow(network, conditions);
-    return {arrival_times(network, solution, {tip}), solution.mass_error_relative};
-}
-
-// Another drug changes the splits of the bifurcations as it advances.
-Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& options) {
-    Job job;
-    const InjectionResult result = inject(tree, options, job);
-    return {result.arrival,
-            std::max({result.begin.mass_error_relative, result.end.mass_error_relative,
-                      result.balance.error_relative()})};
-}
-
-// Five times the time by which half of the vertices that are ever reached have been: links in which
-// the blood all but stands would stretch clock and colours over days.
-double useful_end_s(const std::vector<float>& arrival_s) {
-    std::vector<float> reached;
-    for (const float time_s : arrival_s)
-        if (std::isfinite(time_s)) reached.push_back(time_s);
-    if (reached.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() / 2);
-    std::nth_element(reached.begin(), middle, reached.end());
-    return 5.0 * static_cast<double>(*middle);
-}
-
-// How long the catheter takes to inject the volume of all vessels.
-double filling_s(const VesselTree& tree, const InjectionOptions& options) {
-    return volume_mm3(network_of(tree, options.shape)) * options.liquid.density_g_mm3 /
-           options.mass_flow_g_s;
-}
-
-// A tip within a radius of the place where a system is supplied means that place: nothing would be
-// left behind it but a stump.
-TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
-    const VesselSegment& segment = tree.segments[tip.segment];
-    const bool begins_system = segment.parent < 0 && !segment.closes_loop;
-    if (begins_system && tip.arclength_mm < segment.radii_mm.front()) tip.arclength_mm = 0.0;
-    return tip;
-}
-
-}  // namespace
-
-InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
-    InjectionOptions options;
-    options.tip = at_supply_where_near(injection.at, tree);
-    options.wedged = false;
-    options.mass_flow_g_s = injection.mass_flow_g_s;
-    options.law = pressure_law(injection.pressure_model);
-    options.second_phase = second_phase(injection.second_phase);
-    options.void_fraction = injection.void_fraction;
-    if (injection.drug_viscosity_pa_s != 0.0)
-        options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
-    return options;
-}
-
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
-                   const FlowSpec& spec)
-    : tree_(tree), speed_(spec.drug_speed) {
+                   const FlowSpec& spec, const BodyTopology& topology)
+    : tree_(tree), topology_(topology), speed_(spec.drug_speed) {
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
-    places_.reserve(places.size());
-    for (const VertexPlace& place : places) places_.push_back(place.on_tree);
+    std::vector<TreePoint> on_tree;
+    on_tree.reserve(places.size());
+    for (const VertexPlace& place : places) on_tree.push_back(place.on_tree);
+    places_ = std::make_shared<const std::vector<TreePoint>>(std::move(on_tree));
+}
+
+FlowPart::~FlowPart() {
+    // All are told before any is waited for.
+    for (const auto& run : ended_) run->cancel();
+    if (run_) run_->cancel();
 }
 
 void FlowPart::inject(const Injection& injection) {
-    if (!(injection.mass_flow_g_s > 0.0))
-        throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
-                         "Give more than 0 g/s");
     const InjectionOptions options = injection_options(injection, tree_);
-    const bool alike = drug_of(options) == pure(options.liquid);
-    const Arrivals arrivals =
-        alike ? steady_arrivals(tree_, options) : stepped_arrivals(tree_, options);
+    if (!flows_like_blood(options)) {
+        auto run = std::make_unique<InjectionRun>(tree_, places_, injection);
+        end_run();
+        run_ = std::move(run);
+        drug_.computing = true;
+        return;
+    }
+    Job job;
+    DrugArrival arrival = drug_arrival(tree_, *places_, options, job);
+    end_run();
+    start(injection, std::move(arrival));
+}
 
-    auto arrival_s = std::make_shared<std::vector<float>>(places_.size());
-    for (std::size_t v = 0; v < places_.size(); ++v)
-        (*arrival_s)[v] = static_cast<float>(arrivals.times.arrival_s(places_[v]));
-    mass_error_relative_ = arrivals.mass_error_relative;
-    drug_.arrival_s = std::move(arrival_s);
-    drug_.injection = std::make_shared<const InjectionOptions>(options);
+void FlowPart::finish_injection() {
+    if (!run_) return;
+    const std::unique_ptr<InjectionRun> run = std::move(run_);
+    drug_.computing = false;
+    DrugArrival arrival = run->take();
+    start(run->injection(), std::move(arrival));
+}
+
+void FlowPart::start(const Injection& injection, DrugArrival arrival) {
+    injected_ = injection;
+    mass_error_relative_ = arrival.mass_error_relative;
+    drug_.arrival_s = std::move(arrival.arrival_s);
+    drug_.injection =
+        std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
     ++drug_.version;
     drug_.time_s = 0.0;
-    drug_.end_s = std::min({arrivals.times.end_s(), useful_end_s(*drug_.arrival_s),
-                            longest_run_in_fillings * filling_s(tree_, options)});
+    drug_.end_s = arrival.end_s;
     drug_.playing = true;
+    follow_topology();
+}
+
+// A run that was told to stop may still be in a step of its front: nobody waits for it here.
+void FlowPart::end_run() {
+    drop_ended_runs();
+    drug_.computing = false;
+    if (!run_) return;
+    run_->cancel();
+    ended_.push_back(std::move(run_));
+}
+
+void FlowPart::drop_ended_runs() {
+    ended_.remove_if([](const auto& run) { return run->ready(); });
+}
+
+// Vertices that were split off have the place and the arrival time of their parents.
+void FlowPart::follow_topology() {
+    if (places_->size() != topology_.vertex_count()) {
+        auto places = std::make_shared<std::vector<TreePoint>>(*places_);
+        inherit(topology_, *places);
+        places_ = std::move(places);
+    }
+    if (drug_.arrival_s && drug_.arrival_s->size() != topology_.vertex_count()) {
+        auto arrival_s = std::make_shared<std::vector<float>>(*drug_.arrival_s);
+        inherit(topology_, *arrival_s);
+        drug_.arrival_s = std::move(arrival_s);
+        ++drug_.version;
+    }
 }
 
 void FlowPart::remove_drug() {
+    end_run();
+    injected_.reset();
     drug_.arrival_s.reset();
     drug_.injection.reset();
     ++drug_.version;
@@ -134,6 +114,8 @@ void FlowPart::set_speed(double factor) {
 }
 
 void FlowPart::step(double dt_s) {
+    follow_topology();
+    drop_ended_runs();
     if (drug_.playing) drug_.time_s += speed_ * dt_s;
 }
 

@@ -1,46 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a world through which a drug runs: the network, the injection, its clock, and the
-// time at which the front reaches each vertex.
+// The part of a world through which a drug runs: the injection, its clock, and the time at which
+// the front reaches each vertex.
 #pragma once
 
-#include <cstdint>
+#include <list>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "core/flow/injection.h"
-#include "core/scene/default_injection.h"
+#include "core/mesh/body_topology.h"
+#include "core/scene/drug_arrival.h"
 #include "core/scene/frame.h"
+#include "core/scene/injection_run.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/vertex_places.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
-struct Injection {
-    TreePoint at;                                                    // on the tree at rest
-    double mass_flow_g_s = default_injection::mass_flow_g_s;         // > 0
-    double void_fraction = default_injection::void_fraction;         // of the second phase, [0, 1)
-    std::string second_phase = default_injection::second_phase;      // gas, lipiodol or carrier
-    std::string pressure_model = default_injection::pressure_model;  // published, consistent or
-                                                                     // regime
-    double drug_viscosity_pa_s = 0.0;  // > 0; 0: what the mixture gives
-};
-
-// The same as core/flow/injection.h takes it: through a free tip, at the place where a system is
-// supplied if the injection is within a radius of it.
-InjectionOptions injection_options(const Injection& injection, const VesselTree& tree);
-
 class FlowPart {
   public:
-    // `places` are those of the vertices shown. Throws InputError for an empty tree.
-    FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places, const FlowSpec& spec);
+    // `places` are those of the vertices of `topology`, which must outlive the part; what is kept
+    // per vertex follows it. Throws InputError for an empty tree.
+    FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places, const FlowSpec& spec,
+             const BodyTopology& topology);
+    ~FlowPart();  // cancels what is being computed
 
     // The vessels are full of blood, at rest but for the injection, and every outlet is at the same
-    // pressure. Solves the flow and starts the drug's clock. A drug unlike blood changes the splits
-    // as it advances: its times are those of the stepped front, else of the closed form. Throws
-    // InputError for values out of range; what was injected before then stays.
+    // pressure. A drug that flows like blood is there at once, in O(segments + vertices); another
+    // is computed on a thread of its own, and what was injected before stays until
+    // finish_injection(). Ends what was being computed. Throws InputError for values out of range;
+    // everything then stays as it was.
     void inject(const Injection& injection);
+    // An injection is being computed; and it is done, so that finish_injection() need not wait.
+    bool computing() const { return run_ != nullptr; }
+    bool injection_ready() const { return run_ != nullptr && run_->ready(); }
+    // Puts the injection that is being computed in the place of the last one and starts the drug's
+    // clock; waits for it where it is not done. Does nothing where none is being computed. Throws
+    // what computing it threw (InputError where nothing can flow); the last one then stays.
+    void finish_injection();
+    // Takes the drug away and ends what is being computed.
     void remove_drug();
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
     void set_time(double time_s);   // >= 0, else InputError
@@ -49,17 +48,27 @@ class FlowPart {
 
     const DrugView& drug() const { return drug_; }
     // The place on the tree that a vertex belongs to.
-    const TreePoint& place_of(int vertex) const { return places_[vertex]; }
+    const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
     double speed() const { return speed_; }
     // Largest imbalance of a node in the flow last injected, over what is injected.
     double mass_error_relative() const { return mass_error_relative_; }
 
   private:
+    void start(const Injection& injection, DrugArrival arrival);
+    void end_run();
+    void drop_ended_runs();
+    void follow_topology();
+
     VesselTree tree_;
-    std::vector<TreePoint> places_;
+    const BodyTopology& topology_;
+    // Replaced and never changed, because a run may be reading it.
+    std::shared_ptr<const std::vector<TreePoint>> places_;
     double speed_;
     double mass_error_relative_ = 0.0;
     DrugView drug_;
+    std::optional<Injection> injected_;               // what drug_ shows
+    std::unique_ptr<InjectionRun> run_;               // what is to take its place
+    std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, on their way out
 };
 
 }  // namespace hepatica

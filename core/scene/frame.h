@@ -33,8 +33,9 @@ struct DrugView {
     std::uint64_t version = 0;  // changes whenever arrival_s does
     double time_s = 0.0;        // since the injection began
     double end_s = 0.0;         // when most vertices have been reached; some may be later
-    bool playing = false;  // the drug's clock runs whenever the world is not paused; false where
-                           // nothing was injected
+    bool playing = false;    // the drug's clock runs whenever the world is not paused; false where
+                             // nothing was injected
+    bool computing = false;  // another injection is being computed and will take this one's place
 };
 
 struct FrameStatistics {

@@ -34,24 +34,30 @@ PartCost cost_of(const std::string& name, const std::function<void()>& build) {
 
 }  // namespace
 
-World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
+World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
+             const DeformBackEnd& back_end)
     : patient_(std::move(patient)), spec_(spec) {
     job.begin_stage("Building the scene");
     parts_.push_back(cost_of("shape", [&] {
-        surface_ = std::make_shared<const std::vector<std::array<int, 3>>>(
-            spec_.deform ? boundary_triangles(patient_->mesh) : patient_->surface.triangles);
+        if (spec_.deform)
+            topology_.emplace(patient_->mesh.vertices_mm.size(),
+                              boundary_triangles(patient_->mesh));
+        else
+            topology_.emplace(patient_->surface.vertices_mm.size(), patient_->surface.triangles);
     }));
     job.advance(0.1);
     if (spec_.deform)
-        parts_.push_back(cost_of(
-            "deform", [&] { deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform); }));
+        parts_.push_back(cost_of("deform", [&] {
+            deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
+                                                   back_end);
+        }));
     job.advance(0.8);
     if (spec_.flow)
         parts_.push_back(cost_of("flow", [&] {
             flow_ = std::make_unique<FlowPart>(
                 patient_->tree,
                 deform_ ? deform_->places() : places_of(rest_positions_mm(), patient_->tree),
-                *spec_.flow);
+                *spec_.flow, *topology_);
         }));
     job.advance(1.0);
 }
@@ -110,8 +116,8 @@ TreePoint World::place_near(const Vec3& point_mm) const {
 
 void World::fill(Frame& frame) const {
     frame.time_s = time_s_;
-    frame.topology_version = 1;
-    frame.surface = surface_;
+    frame.topology_version = topology_->version();
+    frame.surface = topology_->triangles();
     frame.positions_mm.resize(3 * vertex_count());
     const Vec3* positions = deform_ ? deform_->positions_mm().data() : rest_positions_mm().data();
     for (std::size_t v = 0; v < vertex_count(); ++v)

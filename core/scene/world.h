@@ -3,16 +3,18 @@
 // at step boundaries; not thread-safe.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/job.h"
 #include "core/deform/stepper/stepper.h"
+#include "core/mesh/body_topology.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 
@@ -32,7 +34,8 @@ struct PartCost {
 class World {
   public:
     // Throws InputError where the case lacks what a part needs; Cancelled.
-    World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job);
+    World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
+          const DeformBackEnd& back_end = cpu_back_end());
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -50,10 +53,8 @@ class World {
     // The vertices shown: those of the mesh where it deforms, else those of the surface.
     std::size_t vertex_count() const;
     Vec3 vertex_mm(int vertex) const;  // where it is now
-    // Surface triangles over the vertices; the same for the world's life.
-    const std::shared_ptr<const std::vector<std::array<int, 3>>>& surface() const {
-        return surface_;
-    }
+    // Of those vertices: the surface's triangles, and where each vertex comes from.
+    const BodyTopology& topology() const { return *topology_; }
     // The place on the tree that is nearest to a point of the present, deformed shape.
     TreePoint place_near(const Vec3& point_mm) const;
     // Vertices at rest.
@@ -75,7 +76,7 @@ class World {
   private:
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
-    std::shared_ptr<const std::vector<std::array<int, 3>>> surface_;
+    std::optional<BodyTopology> topology_;
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
     std::vector<PartCost> parts_;

@@ -41,6 +41,7 @@ struct Session::Apply {
         if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
         flow().inject(injection);
     }
+    void operator()(const FinishInjection&) const { flow().finish_injection(); }
     void operator()(const RemoveDrug&) const { flow().remove_drug(); }
     void operator()(const PlayDrug& c) const { flow().play(c.playing); }
     void operator()(const SetDrugTime& c) const { flow().set_time(c.time_s); }
@@ -97,8 +98,7 @@ void Session::Apply::operator()(const ResetWorld&) const {
 }
 
 void Session::Apply::operator()(const RestoreSnapshot&) const {
-    deform().release();
-    deform().set_state(*session.last_good_);
+    session.take_back();
     session.paused_ = false;
     session.forget_divergence();
 }

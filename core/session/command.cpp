@@ -40,6 +40,8 @@ void fields(InjectDrug& c, Visitor& v) {
     v("drug_viscosity_pa_s", c.drug_viscosity_pa_s);
 }
 template <class Visitor>
+void fields(FinishInjection&, Visitor&) {}
+template <class Visitor>
 void fields(RemoveDrug&, Visitor&) {}
 template <class Visitor>
 void fields(PlayDrug& c, Visitor& v) {
@@ -92,7 +94,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "inject_drug",    "remove_drug", "play_drug",        "set_drug_time",
     "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
     "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
-    "use_setting",    "set_wall"};
+    "use_setting",    "set_wall",    "finish_injection"};
 
 struct Writer {
     Json& json;

@@ -30,7 +30,8 @@ struct MoveGrab {
 struct ReleaseGrab {};
 
 // Injects at the point of the tree nearest to point_mm, seen in the present (deformed) shape.
-// Replaces an injection that was made before; the drug's clock starts at zero and plays.
+// Replaces an injection that was made before; the drug's clock starts at zero and plays. A drug
+// that does not flow like blood is computed beside the play until FinishInjection.
 struct InjectDrug {
     Vec3 point_mm = Vec3::Zero();
     double mass_flow_g_s = default_injection::mass_flow_g_s;     // > 0
@@ -40,6 +41,11 @@ struct InjectDrug {
         default_injection::pressure_model;        // published, consistent, regime
     std::optional<double> drug_viscosity_pa_s{};  // > 0; otherwise the fluid's own
 };
+// Shows the injection that is being computed (of a drug that does not flow like blood) and starts
+// its clock, waiting for it where it is not done. The session gives this command itself as soon as
+// the injection is done; scripts and replays give it at a step of theirs, so that they do not
+// depend on the machine. Does nothing where nothing is being computed.
+struct FinishInjection {};
 struct RemoveDrug {};
 struct PlayDrug {
     bool playing = true;
@@ -85,10 +91,10 @@ struct ResetWorld {};
 // After a divergence: back to the last good snapshot, and on.
 struct RestoreSnapshot {};
 
-using Command =
-    std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
-                 SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
-                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall>;
+using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
+                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
+                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
+                             UseSetting, SetWall, FinishInjection>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

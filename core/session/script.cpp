@@ -187,6 +187,7 @@ std::vector<std::vector<Command>> schedule(const Script& script, const VesselTre
             InjectDrug injection = std::get<InjectDrug>(*action.command);
             injection.point_mm = resolve(action.place, tree);
             add(first, injection);
+            add(first, FinishInjection{});
         } else {
             add(first, *action.command);
         }

@@ -46,7 +46,8 @@ struct Script {
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);
 
-// The commands of each step, for as many steps as asked. Throws InputError for an empty tree.
+// The commands of each step, for as many steps as asked. An injection is waited for at its own
+// step, so that what follows does not depend on the machine. Throws InputError for an empty tree.
 std::vector<std::vector<Command>> schedule(const Script& script, const VesselTree& tree,
                                            double dt_s, int steps);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -20,6 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t steps_between_snapshots = 60;
+constexpr std::size_t longest_message = 512;
 constexpr double most_for_drawing = 0.6;  // share of a frame that is left to slow pictures
 
 double milliseconds_since(Clock::time_point start) {
@@ -34,10 +37,12 @@ std::vector<double> costs_of(const QualityDial& dial) {
 
 }  // namespace
 
-Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job)
+Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
+                 const DeformBackEnd& back_end)
     : dial_(dial_of(*patient)),
       governor_(costs_of(dial_)),
-      world_(std::make_unique<World>(patient, spec, job)) {
+      world_(std::make_unique<World>(patient, spec, job, back_end)) {
+    message_.reserve(longest_message);
     recording_.patient_hash = hash_of(*patient);
     recording_.scene = spec;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
@@ -69,24 +74,23 @@ void Session::apply_waiting_commands() {
         commands.swap(queue_);
     }
     if (!commands.empty() && !diverged_) message_.clear();
-    std::vector<Command> recorded;
     if (std::exchange(setting_changed_, false))
-        recorded.push_back(UseSetting{world_->deform()->setting()});
+        recorded_.emplace_back(UseSetting{world_->deform()->setting()});
     for (const Command& command : commands) {
         try {
             apply(command);
-            record(command, recorded);
         } catch (const InputError& error) {
             message_ = error.what();
+            continue;
         }
+        recorded_.push_back(as_recorded(command));
     }
-    if (keep_recording_) recording_.steps.push_back({std::move(recorded), 0});
 }
 
-void Session::record(const Command& command, std::vector<Command>& recorded) const {
+Command Session::as_recorded(const Command& command) const {
     const bool dial = std::holds_alternative<SetQuality>(command) ||
                       std::holds_alternative<SetAutomaticQuality>(command);
-    recorded.push_back(dial ? Command(UseSetting{world_->deform()->setting()}) : command);
+    return dial ? Command(UseSetting{world_->deform()->setting()}) : command;
 }
 
 std::optional<std::size_t> Session::point_of(const StepperOptions& setting) const {
@@ -121,7 +125,7 @@ void Session::guard_state() {
     if (deform == nullptr) return;
     if (!deform->plausible()) {
         deform->release();
-        deform->set_state(*last_good_);
+        take_back();
         paused_ = true;
         diverged_ = true;
         message_ =
@@ -132,23 +136,80 @@ void Session::guard_state() {
     }
 }
 
+void Session::take_back() {
+    DeformPart* deform = world_->deform();
+    if (deform == nullptr) return;
+    deform->release();
+    deform->set_state(*last_good_);
+}
+
+template <class Work>
+void Session::shielded(const Work& work) noexcept {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        stop_after("there was not enough memory", "Close other programs or make the scene smaller");
+    } catch (const std::exception& error) {
+        stop_after(error.what(), "Save what you need: it may happen again");
+    } catch (...) {
+        stop_after("an error without a name", "Save what you need: it may happen again");
+    }
+}
+
+// Within the memory that message_ holds already.
+void Session::stop_after(const char* what, const char* remedy) noexcept {
+    failed_ = true;
+    paused_ = true;
+    diverged_ = true;
+    message_ = "The simulation stopped: ";
+    message_.append(what, std::min(std::strlen(what), longest_message / 2));
+    message_ += ". It goes back to its last good state; resume to go on. ";
+    message_ += remedy;
+}
+
+void Session::recover() {
+    if (world_->deform() != nullptr) world_->deform()->release();
+    take_back();
+    failed_ = false;
+    for (const Command& command :
+         {Command(ReleaseGrab{}), Command(RestoreSnapshot{}), Command(SetPaused{true})})
+        if (world_->deform() != nullptr || !std::holds_alternative<ReleaseGrab>(command))
+            recorded_.push_back(command);
+}
+
+void Session::keep_step(SessionStep& step) {
+    if (!keep_recording_) return;
+    step.state_hash = state_hash();
+    recording_.steps.push_back({std::move(recorded_), step.state_hash});
+}
+
 SessionStep Session::step() {
     const Clock::time_point start = Clock::now();
-    apply_waiting_commands();
     SessionStep done;
     done.step = ++step_;
-    done.paused = paused_;
-    if (!paused_) {
+    recorded_.clear();
+    shielded([&] {
+        if (failed_) recover();
+        apply_waiting_commands();
+        done.paused = paused_;
+        if (paused_) return;
         done.deform = world_->step();
         guard_state();
-    }
-    if (keep_recording_) {
-        done.state_hash = state_hash();
-        recording_.steps.back().state_hash = done.state_hash;
-    }
-    publish(done, start);
-    govern(done);
+    });
+    if (failed_) shielded([&] { recover(); });
+    shielded([&] { keep_step(done); });
+    shielded([&] {
+        publish(done, start);
+        govern(done);
+    });
     return done;
+}
+
+void Session::finish_ready_injection() {
+    if (world_->flow() == nullptr || !world_->flow()->injection_ready()) return;
+    const std::scoped_lock lock(queue_mutex_);
+    // Before what waits: another injection there must not be waited for.
+    queue_.insert(queue_.begin(), FinishInjection{});
 }
 
 void Session::run(const std::stop_token& stop) {
@@ -162,6 +223,7 @@ void Session::run(const std::stop_token& stop) {
         constexpr double smoothing = 0.05;  // over some twenty steps
         real_time_factor_ += smoothing * (factor - real_time_factor_);
         last = now;
+        shielded([&] { finish_ready_injection(); });
         step();
         due = std::max(due + period, Clock::now());  // late is late: no catching up
         std::this_thread::sleep_until(due);

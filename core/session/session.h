@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The play: owns the world, takes commands, advances the clock at 60 Hz and publishes a Frame per
 // step. The UI's simulation thread does nothing but run(); a script calls step() as fast as it can.
+// No error of a command or a step ends the program: the session stops, says what happened, and goes
+// back to its last good state.
 //
 //     UI thread                               simulation thread
 //     session.post(GrabPoint{p});             session.run(stop);      // or step() in a loop
@@ -22,6 +24,7 @@
 #include "core/deform/stepper/quality_dial.h"
 #include "core/deform/stepper/stepper.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
@@ -47,7 +50,8 @@ class Session {
   public:
     // Builds the world's parts and publishes a first frame of it at rest. Begins one stage of the
     // job. Throws InputError (a spec that the case cannot serve), Cancelled.
-    Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job);
+    Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
+            const DeformBackEnd& back_end = cpu_back_end());
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -68,7 +72,10 @@ class Session {
     const Frame& frame() const { return frames_.front(); }
 
     // --- the simulation thread (or any, while run() does not run) -------------------------------
-    // Applies the commands that wait, advances by one time step, publishes a frame.
+    // Applies the commands that wait, advances by one time step, publishes a frame. Commands that
+    // are refused are named in the frame's message and change nothing. Any other error (no memory,
+    // a defect) pauses the session, drops what is left of the step and its commands, and takes the
+    // world back to its last good state; the frame says `diverged` and why.
     SessionStep step();
     // Steps at the scene's rate until asked to stop. When a step takes longer than its period,
     // simulated time runs slower than the wall's, and the frames' real_time_factor says by how
@@ -89,7 +96,18 @@ class Session {
     struct Apply;  // one operator per command
     void apply(const Command& command);
     // What the recording keeps of a command that was applied.
-    void record(const Command& command, std::vector<Command>& recorded) const;
+    Command as_recorded(const Command& command) const;
+    // The one barrier: whatever `work` throws ends in stop_after().
+    template <class Work>
+    void shielded(const Work& work) noexcept;
+    void stop_after(const char* what, const char* remedy) noexcept;
+    // To the last good state. The hand opens unless it is closed there as well.
+    void take_back();
+    // From an error: takes the world back, and says so in the recording.
+    void recover();
+    void keep_step(SessionStep& step);
+    // Shows an injection as soon as it is computed.
+    void finish_ready_injection();
     // Of the dial's front, where the setting is one of its points.
     std::optional<std::size_t> point_of(const StepperOptions& setting) const;
     void use_point(std::size_t index);
@@ -110,7 +128,9 @@ class Session {
     std::uint64_t step_ = 0;
     bool paused_ = false;
     bool diverged_ = false;  // until somebody resumes, restores or resets
+    bool failed_ = false;    // the world may be half changed: until it was taken back
     std::string message_;
+    std::vector<Command> recorded_;  // of the step under way
     std::unique_ptr<BodyState> last_good_;
     double real_time_factor_ = 1.0;
 

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/flow/arrival_times.h"
@@ -29,9 +32,20 @@ std::vector<VertexPlace> places_along(const VesselTree& tree) {
     return places;
 }
 
+// A flow part with a vertex at each of these places.
+struct Shown {
+    explicit Shown(const VesselTree& tree)
+        : topology(places_along(tree).size(), {}), part(tree, places_along(tree), {}, topology) {}
+
+    BodyTopology topology;
+    FlowPart part;
+};
+
 std::vector<float> shown(const VesselTree& tree, const Injection& injection) {
-    FlowPart part(tree, places_along(tree), {});
+    Shown made(tree);
+    FlowPart& part = made.part;
     part.inject(injection);
+    part.finish_injection();
     EXPECT_LT(part.mass_error_relative(), 1e-9);
     return *part.drug().arrival_s;
 }
@@ -118,7 +132,8 @@ TEST(FlowPart, TheClockEndsThoughBloodStandsInMostOfTheVessels) {
     tree.segments = {segment(0, 1, -1, root, fork, 2.0), segment(1, 2, 0, fork, ends[0], 2.0),
                      segment(1, 3, 0, fork, ends[1], 0.02), segment(1, 4, 0, fork, ends[2], 0.02),
                      segment(1, 5, 0, fork, ends[3], 0.02)};
-    FlowPart part(tree, places_along(tree), {});
+    Shown made(tree);
+    FlowPart& part = made.part;
     Injection injection;
     injection.at = {0, 0.0, 0.0};
     part.inject(injection);
@@ -147,13 +162,105 @@ TEST(FlowPart, ADrugUnlikeBloodChangesTheSplitsAsItAdvances) {
 
 TEST(FlowPart, KeepsWhatWasInjectedWhereTheNextInjectionIsRefused) {
     const VesselTree& tree = test::small_patient()->tree;
-    FlowPart part(tree, places_along(tree), {});
+    Shown made(tree);
+    FlowPart& part = made.part;
     part.inject({.at = {0, 0.0, 0.0}});
     const auto before = part.drug().arrival_s;
     EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .void_fraction = 1.5}), InputError);
     EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .drug_viscosity_pa_s = -1.0}), InputError);
     EXPECT_THROW(part.inject({.at = {0, 0.0, 0.0}, .mass_flow_g_s = 0.0}), InputError);
     EXPECT_EQ(part.drug().arrival_s, before);
+    EXPECT_FALSE(part.computing());
+}
+
+const Injection unlike_blood{.at = {0, 0.0, 0.0}, .void_fraction = 0.4, .second_phase = "gas"};
+
+TEST(FlowPart, ADrugUnlikeBloodIsComputedBesideThePlayAndShownWhenItIsAskedFor) {
+    const VesselTree& tree = test::small_patient()->tree;
+    Shown made(tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_FALSE(part.computing());
+    const auto first = part.drug().arrival_s;
+    part.step(0.5);
+    part.inject(unlike_blood);
+    EXPECT_TRUE(part.computing());
+    EXPECT_TRUE(part.drug().computing);
+    while (!part.injection_ready()) std::this_thread::yield();
+    part.step(0.5);
+    EXPECT_EQ(part.drug().arrival_s, first);  // ready is not shown
+    EXPECT_EQ(part.drug().time_s, 1.0);
+    const std::uint64_t version = part.drug().version;
+    part.finish_injection();
+    EXPECT_NE(part.drug().arrival_s, first);
+    EXPECT_EQ(*part.drug().arrival_s, shown(tree, unlike_blood));
+    EXPECT_NE(part.drug().version, version);
+    EXPECT_EQ(part.drug().time_s, 0.0);
+    EXPECT_TRUE(part.drug().playing);
+    EXPECT_FALSE(part.computing());
+    EXPECT_FALSE(part.drug().computing);
+    const auto last = part.drug().arrival_s;
+    part.finish_injection();  // nothing to finish
+    EXPECT_EQ(part.drug().arrival_s, last);
+}
+
+// A tree whose front takes far longer than this test may.
+VesselTree slow_tree() {
+    return test::random_tree(7, 11, 6.0);
+}
+
+TEST(FlowPart, AnotherInjectionRemovingTheDrugAndTheEndCancelWhatIsComputed) {
+    const VesselTree tree = slow_tree();
+    const auto start = std::chrono::steady_clock::now();
+    {
+        Shown made(tree);
+        FlowPart& part = made.part;
+        part.inject(unlike_blood);
+        EXPECT_TRUE(part.computing());
+        part.inject({.at = {0, 0.0, 0.0}});  // like blood: there at once
+        EXPECT_FALSE(part.computing());
+        EXPECT_NE(part.drug().arrival_s, nullptr);
+        part.inject(unlike_blood);
+        part.remove_drug();
+        EXPECT_FALSE(part.computing());
+        EXPECT_FALSE(part.drug().computing);
+        EXPECT_EQ(part.drug().arrival_s, nullptr);
+        part.finish_injection();
+        EXPECT_EQ(part.drug().arrival_s, nullptr);
+        part.inject(unlike_blood);
+        EXPECT_FALSE(part.injection_ready());
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    // Computed to their ends the three would take minutes.
+    EXPECT_LT(passed.count(), 20.0);
+}
+
+// What the vertices of a split show is what their parents do.
+TEST(FlowPart, VerticesThatWereSplitOffHaveTheirParentsPlaceAndTime) {
+    const VesselTree& tree = test::small_patient()->tree;
+    Shown made(tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const std::vector<float> before = *part.drug().arrival_s;
+    const std::uint64_t version = part.drug().version;
+    const auto count = static_cast<int>(before.size());
+    made.topology.split(std::vector<int>{7, 3, count}, {{0, 1, count + 2}});
+    part.step(0.1);
+    const std::vector<float>& after = *part.drug().arrival_s;
+    ASSERT_EQ(after.size(), before.size() + 3);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
+    EXPECT_EQ(after[count], before[7]);
+    EXPECT_EQ(after[count + 1], before[3]);
+    EXPECT_EQ(after[count + 2], before[7]);
+    EXPECT_NE(before[7], before[3]);
+    EXPECT_NE(part.drug().version, version);
+    EXPECT_EQ(part.place_of(count + 2).arclength_mm, part.place_of(7).arclength_mm);
+    const std::uint64_t split = part.drug().version;
+    part.step(0.1);
+    EXPECT_EQ(part.drug().version, split);  // once
+    // A later injection reaches them as well.
+    part.inject({.at = {1, 0.0, 0.0}});
+    EXPECT_EQ(part.drug().arrival_s->size(), after.size());
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ std::vector<Command> one_of_each() {
             RestoreSnapshot{},
             SetAutomaticQuality{false},
             UseSetting{},
-            SetWall{odd}};
+            SetWall{odd},
+            FinishInjection{}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/body_topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace hepatica {
+
+namespace {
+
+void require_vertices(const BodyTopology::Triangles& triangles, std::size_t vertex_count) {
+    const auto exists = [&](int vertex) {
+        return vertex >= 0 && static_cast<std::size_t>(vertex) < vertex_count;
+    };
+    for (const std::array<int, 3>& triangle : triangles)
+        if (!std::ranges::all_of(triangle, exists))
+            throw std::logic_error("a triangle of the surface names a vertex that is not there");
+}
+
+}  // namespace
+
+BodyTopology::BodyTopology(std::size_t vertex_count, Triangles triangles)
+    : parents_(vertex_count), triangles_(std::make_shared<const Triangles>(std::move(triangles))) {
+    require_vertices(*triangles_, vertex_count);
+    std::iota(parents_.begin(), parents_.end(), 0);
+}
+
+void BodyTopology::split(std::span<const int> parents, Triangles triangles) {
+    std::vector<int> all = parents_;
+    for (const int parent : parents) {
+        if (parent < 0 || static_cast<std::size_t>(parent) >= all.size())
+            throw std::logic_error("a vertex was split from one that is not there");
+        all.push_back(parent);
+    }
+    require_vertices(triangles, all.size());
+    triangles_ = std::make_shared<const Triangles>(std::move(triangles));
+    parents_ = std::move(all);
+    ++version_;
+}
+
+}  // namespace hepatica

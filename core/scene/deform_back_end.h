@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which program computes the body that deforms: a name for recordings, and a way to make its
+// stepper.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/deform/stepper/live_region.h"
+#include "core/deform/stepper/stepper.h"
+
+namespace hepatica {
+
+struct DeformBackEnd {
+    std::string name;
+    // Throws InputError where body or options are not valid.
+    std::function<std::unique_ptr<Stepper>(const BodyDescription&, const StepperOptions&,
+                                           const LiveRegionOptions&)>
+        make;
+};
+
+// The reference: on the processor, in double precision. Where tissue holds the vessels only the
+// stretches near the hand and those that move are computed.
+DeformBackEnd cpu_back_end();
+
+}  // namespace hepatica

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/drug_arrival.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/flow/arrival_times.h"
+#include "core/flow/flow_solution.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Arrivals {
+    ArrivalTimes times;
+    double mass_error_relative = 0.0;
+};
+
+// A drug like the blood that it displaces leaves the flow as it is, and the times are exact.
+Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options) {
+    FlowNetwork network = network_of(tree, options.shape);
+    const int tip = place_catheter(network, *options.tip, options.wedged);
+    FlowConditions conditions;
+    conditions.law = options.law;
+    conditions.resident = pure(options.liquid);
+    conditions.inlets = {{tip, InletKind::mass_flow, options.mass_flow_g_s, conditions.resident}};
+    const FlowSolution solution = solve_flow(network, conditions);
+    return {arrival_times(network, solution, {tip}), solution.mass_error_relative};
+}
+
+// Another drug changes the splits of the bifurcations as it advances.
+Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& options, Job& job) {
+    const InjectionResult result = inject(tree, options, job);
+    return {result.arrival,
+            std::max({result.begin.mass_error_relative, result.end.mass_error_relative,
+                      result.balance.error_relative()})};
+}
+
+// Five times the time by which half of the vertices that are ever reached have been: links in which
+// the blood all but stands would stretch clock and colours over days.
+double useful_end_s(const std::vector<float>& arrival_s) {
+    std::vector<float> reached;
+    for (const float time_s : arrival_s)
+        if (std::isfinite(time_s)) reached.push_back(time_s);
+    if (reached.empty()) return std::numeric_limits<double>::infinity();
+    const auto middle = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() / 2);
+    std::nth_element(reached.begin(), middle, reached.end());
+    return 5.0 * static_cast<double>(*middle);
+}
+
+// How long the catheter takes to inject the volume of all vessels.
+double filling_s(const VesselTree& tree, const InjectionOptions& options) {
+    return volume_mm3(network_of(tree, options.shape)) * options.liquid.density_g_mm3 /
+           options.mass_flow_g_s;
+}
+
+// A tip within a radius of the place where a system is supplied means that place: nothing would be
+// left behind it but a stump.
+TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
+    const VesselSegment& segment = tree.segments[tip.segment];
+    const bool begins_system = segment.parent < 0 && !segment.closes_loop;
+    if (begins_system && tip.arclength_mm < segment.radii_mm.front()) tip.arclength_mm = 0.0;
+    return tip;
+}
+
+}  // namespace
+
+InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
+    if (!(injection.mass_flow_g_s > 0.0))
+        throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
+                         "Give more than 0 g/s");
+    InjectionOptions options;
+    options.tip = at_supply_where_near(injection.at, tree);
+    options.wedged = false;
+    options.mass_flow_g_s = injection.mass_flow_g_s;
+    options.law = pressure_law(injection.pressure_model);
+    options.second_phase = second_phase(injection.second_phase);
+    options.void_fraction = injection.void_fraction;
+    if (injection.drug_viscosity_pa_s != 0.0)
+        options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
+    return options;
+}
+
+bool flows_like_blood(const InjectionOptions& options) {
+    return drug_of(options) == pure(options.liquid);
+}
+
+DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
+                         const InjectionOptions& options, Job& job) {
+    const Arrivals arrivals = flows_like_blood(options) ? steady_arrivals(tree, options)
+                                                        : stepped_arrivals(tree, options, job);
+    std::vector<float> arrival_s(places.size());
+    for (std::size_t v = 0; v < places.size(); ++v)
+        arrival_s[v] = static_cast<float>(arrivals.times.arrival_s(places[v]));
+    DrugArrival arrival;
+    arrival.mass_error_relative = arrivals.mass_error_relative;
+    arrival.end_s = std::min({arrivals.times.end_s(), useful_end_s(arrival_s),
+                              longest_run_in_fillings * filling_s(tree, options)});
+    arrival.arrival_s = std::make_shared<const std::vector<float>>(std::move(arrival_s));
+    return arrival;
+}
+
+}  // namespace hepatica

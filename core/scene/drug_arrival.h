@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an injection comes to: when the drug reaches each vertex of what is shown. A drug that flows
+// like the blood it displaces has the times of the closed form, in O(segments + vertices); another
+// changes the splits of the bifurcations as it advances and has those of the stepped front, which
+// take seconds for a large tree.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/flow/injection.h"
+#include "core/scene/default_injection.h"
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+struct Injection {
+    TreePoint at;                                                    // on the tree at rest
+    double mass_flow_g_s = default_injection::mass_flow_g_s;         // > 0
+    double void_fraction = default_injection::void_fraction;         // of the second phase, [0, 1)
+    std::string second_phase = default_injection::second_phase;      // gas, lipiodol or carrier
+    std::string pressure_model = default_injection::pressure_model;  // published, consistent or
+                                                                     // regime
+    double drug_viscosity_pa_s = 0.0;  // > 0; 0: what the mixture gives
+};
+
+// The same as core/flow/injection.h takes it: through a free tip, at the place where a system is
+// supplied if the injection is within a radius of it. Throws InputError for a value out of range.
+InjectionOptions injection_options(const Injection& injection, const VesselTree& tree);
+
+// The drug has the density and viscosity of blood, so that its times are the closed form's.
+bool flows_like_blood(const InjectionOptions& options);
+
+struct DrugArrival {
+    std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached
+    double end_s = 0.0;  // when most vertices have been reached; some may be later
+    // Largest imbalance of a node of the flow, over what is injected.
+    double mass_error_relative = 0.0;
+};
+
+// `places` are those of the vertices on the tree. The same bits on any thread. Throws InputError
+// where nothing can flow, Cancelled.
+DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
+                         const InjectionOptions& options, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A back end that fails when it is told to, in the ways in which a real one may: the reference with
+// a fault before each of its calls.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/scene/deform_back_end.h"
+
+namespace hepatica::test {
+
+// Called with the name of what is about to be done: "make", "step", "set_gravity", "positions".
+// What it throws is what goes wrong.
+using Fault = std::function<void(const std::string& call)>;
+
+class FailingStepper final : public Stepper {
+  public:
+    FailingStepper(std::unique_ptr<Stepper> stepper, std::shared_ptr<Fault> fault)
+        : stepper_(std::move(stepper)), fault_(std::move(fault)) {}
+
+    void set_grabs(std::span<const Grab> grabs) override { stepper_->set_grabs(grabs); }
+    void set_gravity(const Vec3& gravity_mm_per_s2) override {
+        meet("set_gravity");
+        stepper_->set_gravity(gravity_mm_per_s2);
+    }
+    bool set_options(const StepperOptions& options) override {
+        return stepper_->set_options(options);
+    }
+    StepReport step(double dt_s) override {
+        const StepReport report = stepper_->step(dt_s);
+        meet("step");  // with the state changed already
+        return report;
+    }
+    std::span<const Vec3> positions_mm() const override {
+        meet("positions");
+        return stepper_->positions_mm();
+    }
+    std::span<const Vec3> velocities_mm_per_s() const override {
+        return stepper_->velocities_mm_per_s();
+    }
+    EnergyLedger energies() const override { return stepper_->energies(); }
+    BodyState state() const override { return stepper_->state(); }
+    void set_state(std::span<const Vec3> positions_mm,
+                   std::span<const Vec3> velocities_mm_per_s) override {
+        stepper_->set_state(positions_mm, velocities_mm_per_s);
+    }
+
+  private:
+    void meet(const char* call) const {
+        if (*fault_) (*fault_)(call);
+    }
+
+    std::unique_ptr<Stepper> stepper_;
+    std::shared_ptr<Fault> fault_;
+};
+
+inline DeformBackEnd failing_back_end(const std::shared_ptr<Fault>& fault) {
+    DeformBackEnd back_end = cpu_back_end();
+    back_end.make = [make = back_end.make, fault](const BodyDescription& body,
+                                                  const StepperOptions& options,
+                                                  const LiveRegionOptions& region) {
+        if (*fault) (*fault)("make");
+        return std::make_unique<FailingStepper>(make(body, options, region), fault);
+    };
+    return back_end;
+}
+
+}  // namespace hepatica::test
