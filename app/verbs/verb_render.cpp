@@ -12,7 +12,7 @@
 #include "core/patient/patient_case.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
-#include "core/session/recording.h"
+#include "core/session/recording_file.h"
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
 

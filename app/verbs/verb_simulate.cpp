@@ -16,6 +16,7 @@
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
+#include "core/session/recording_file.h"
 #include "core/session/script.h"
 #include "core/session/session.h"
 
@@ -105,15 +106,6 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
     return result;
 }
 
-void keep(const Session& session, const Options& options) {
-    Recording recording = session.recording();
-    recording.patient_path =
-        std::filesystem::proximate(options.patient,
-                                   std::filesystem::absolute(options.record).parent_path())
-            .string();
-    write_recording(options.record, recording);
-}
-
 SceneSpec scene_of(const Options& options, const Script& script) {
     SceneSpec spec = script.scene.value_or(default_scene());
     if (options.dt_s > 0.0) spec.dt_s = options.dt_s;
@@ -134,13 +126,17 @@ Json run(const Options& options, Job& job) {
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
     const SceneSpec spec = scene_of(options, script);
     Session session(patient, spec, job);
-    session.keep_recording(!options.record.empty());
+    std::optional<RecordingWriter> recording;
+    if (!options.record.empty()) {
+        recording.emplace(options.record, session.recording_start());
+        session.record([&](RecordedStep step) { recording->append(std::move(step)); });
+    }
     job.begin_stage("Simulating");
     if (options.automatic) session.post(SetAutomaticQuality{true});
     auto commands = schedule(script, patient->tree, spec.dt_s, options.steps);
     if (options.as_published) use_as_published(commands);
     const Play played = play(session, commands, options.fit_velocity_error, job);
-    if (!options.record.empty()) keep(session, options);
+    if (recording) recording->close();
     FlowPart* flow = session.world().flow();
     session.update_frame();
     const FrameStatistics& statistics = session.frame().statistics;
@@ -171,6 +167,7 @@ Json run(const Options& options, Job& job) {
             {"entropy", nullptr},
             {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
             {"finite", played.finite},
+            {"stopped_because", statistics.diverged ? Json(statistics.message) : Json(nullptr)},
             {"state_hash", to_hex(session.state_hash())}};
 }
 
@@ -200,7 +197,8 @@ void add_simulate(CommandLine& line) {
         ->capture_default_str();
     verb.add_option("--threads", options->threads, "At most so many threads")
         ->check(CLI::Range(1, 1024));
-    verb.add_option("--record", options->record, "Recording to write, NAME.hrec");
+    verb.add_option("--record", options->record,
+                    "Recording to write, NAME.hrec; it grows as the play goes");
     CLI::Option* as_published = verb.add_flag(
         "--as-published", options->as_published,
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");

@@ -2,21 +2,26 @@
 #include "core/scene/deform_part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
+#include "core/scene/setting_json.h"
 
 namespace hepatica {
 
 namespace {
 
-// The hand's springs together are as stiff as a piece of the vessel one radius long, and pull no
-// harder than would stretch the vessel by two fifths: less than that, and tissue keeps it.
+// The hand's springs together are as stiff as a piece of the vessel one radius long. They pull at
+// most as hard as stretches the vessel by this strain; a weaker hand could not move a vessel that
+// the tissue around it holds.
 constexpr double hand_strain = 0.4;
 
 Material material_named(const std::string& name) {
@@ -41,6 +46,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
                        const LiveRegionOptions& live_region, DeformBackEnd back_end)
     : region_(live_region),
       back_end_(std::move(back_end)),
+      wall_mm_(spec.wall_mm),
       gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
@@ -125,7 +131,7 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const Vec3 centre_at_rest = body_.mesh.vertices_mm[vertex];
     Hold hold;
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        // Near now and near at rest: not another vessel that happens to lie beside this one.
+        // Near at rest as well: another vessel that only lies beside this one now is not held.
         const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
                           (body_.mesh.vertices_mm[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
         if (near && body_.fixed[v] == 0) hold.vertices.push_back(static_cast<int>(v));
@@ -206,6 +212,7 @@ void DeformPart::set_wall(double wall_mm) {
     body.stiffness_factor.clear();
     if (wall_mm > 0.0) make_hollow(body, wall_mm);
     rebuild(std::move(body), setting_);
+    wall_mm_ = wall_mm;
 }
 
 void DeformPart::use(const StepperOptions& setting) {
@@ -225,6 +232,56 @@ void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
         velocities = velocities.first(vertices);
     }
     stepper.set_state(positions, velocities);
+}
+
+DeformSettings DeformPart::settings() const {
+    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_};
+}
+
+void DeformPart::use(const DeformSettings& settings) {
+    if (settings.gravity_mm_per_s2 != gravity_mm_per_s2_) set_gravity(settings.gravity_mm_per_s2);
+    if (settings.tether_pa_per_mm2 != body_.tether_pa_per_mm2)
+        set_tether(settings.tether_pa_per_mm2);
+    if (settings.wall_mm != wall_mm_) set_wall(settings.wall_mm);
+    if (!same_setting(settings.stepper, setting_)) use(settings.stepper);
+}
+
+DeformCheckpoint DeformPart::checkpoint() const {
+    return {settings(), hold_, stepper_->checkpoint()};
+}
+
+void DeformPart::restore(const DeformCheckpoint& checkpoint) {
+    if (checkpoint.hold) {
+        const Hold& hold = *checkpoint.hold;
+        const auto exists = [&](int v) {
+            return v >= 0 && static_cast<std::size_t>(v) < body_.mesh.vertices_mm.size();
+        };
+        if (hold.offsets_mm.size() != hold.vertices.size() ||
+            !std::ranges::all_of(hold.vertices, exists))
+            throw InputError("holds vertices that the body does not have", "checkpoint",
+                             "Give a checkpoint of the same patient");
+    }
+    use(checkpoint.settings);
+    stepper_->restore(checkpoint.stepper);
+    hold_ = checkpoint.hold;
+}
+
+std::uint64_t DeformPart::state_hash() const {
+    Hasher hasher;
+    const std::uint64_t stepper = stepper_->state_hash();
+    const std::string setting = to_json(setting_).dump();
+    const std::array<double, 2> body{body_.tether_pa_per_mm2, wall_mm_};
+    hasher.add_bytes(&stepper, sizeof stepper);
+    hasher.add_bytes(setting.data(), setting.size());
+    hasher.add(std::span<const double>(body));
+    if (hold_) {
+        const std::array<double, 2> spring{hold_->stiffness_un_per_mm, hold_->force_limit_un};
+        hasher.add(std::span<const int>(hold_->vertices));
+        for (const Vec3& offset : hold_->offsets_mm) hasher.add_bytes(offset.data(), sizeof(Vec3));
+        hasher.add_bytes(hold_->target_mm.data(), sizeof(Vec3));
+        hasher.add(std::span<const double>(spring));
+    }
+    return hasher.value();
 }
 
 bool DeformPart::plausible() const {

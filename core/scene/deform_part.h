@@ -12,6 +12,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/stepper.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
@@ -19,6 +20,30 @@
 #include "core/scene/vertex_places.h"
 
 namespace hepatica {
+
+// What a person chooses of the body while it plays.
+struct DeformSettings {
+    Vec3 gravity_mm_per_s2 = Vec3::Zero();
+    double tether_pa_per_mm2 = 0.0;
+    double wall_mm = 0.0;
+    StepperOptions stepper;
+};
+
+// The hand, closed around some vertices.
+struct Hold {
+    std::vector<int> vertices;
+    std::vector<Vec3> offsets_mm;  // from the held point, when the hand closed
+    Vec3 target_mm = Vec3::Zero();
+    double stiffness_un_per_mm = 0.0;  // of each spring
+    double force_limit_un = 0.0;       // of each spring
+};
+
+// All that determines the part's steps to come, apart from the case and the scene's spec.
+struct DeformCheckpoint {
+    DeformSettings settings;
+    std::optional<Hold> hold;
+    StepperCheckpoint stepper;
+};
 
 class DeformPart {
   public:
@@ -50,6 +75,9 @@ class DeformPart {
     void set_wall(double wall_mm);  // see DeformSpec
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
+    DeformSettings settings() const;
+    // What is as it is already costs nothing and leaves the bits of the steps to come as they are.
+    void use(const DeformSettings& settings);
 
     StepReport step(double dt_s) { return stepper_->step(dt_s); }
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
@@ -61,6 +89,14 @@ class DeformPart {
     BodyState state() const { return stepper_->state(); }
     void set_state(const BodyState& state) { give_state(*stepper_, state); }
 
+    // Costs a copy of a few arrays.
+    DeformCheckpoint checkpoint() const;
+    // Goes on with the same bits as the part that the checkpoint was taken from, on the same case
+    // and spec. Costs a factorisation. Throws InputError where it is not of this body.
+    void restore(const DeformCheckpoint& checkpoint);
+    // Of all that a checkpoint holds: equal hashes, equal steps to come.
+    std::uint64_t state_hash() const;
+
     const std::vector<VertexPlace>& places() const { return places_; }
 
     // False where a position is not finite or further from its place at rest than ten times the
@@ -68,14 +104,6 @@ class DeformPart {
     bool plausible() const;
 
   private:
-    struct Hold {
-        std::vector<int> vertices;
-        std::vector<Vec3> offsets_mm;  // from the held point, when the hand closed
-        Vec3 target_mm;
-        double stiffness_un_per_mm;  // of each spring
-        double force_limit_un;       // of each spring
-    };
-
     void give_state(Stepper& stepper, const BodyState& state) const;
     void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Around the place of a vertex; the held point is where the hand is.
@@ -92,6 +120,7 @@ class DeformPart {
     std::vector<int> surface_vertices_;
     std::vector<VertexPlace> places_;  // per vertex
     StepperOptions setting_;
+    double wall_mm_;
     Vec3 gravity_mm_per_s2_;
     double size_mm_ = 0.0;
     std::optional<Hold> hold_;

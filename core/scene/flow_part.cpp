@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/flow_part.h"
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 
 namespace hepatica {
 
@@ -53,8 +56,7 @@ void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     injected_ = injection;
     mass_error_relative_ = arrival.mass_error_relative;
     drug_.arrival_s = std::move(arrival.arrival_s);
-    drug_.injection =
-        std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
+    drug_.injection = std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
     ++drug_.version;
     drug_.time_s = 0.0;
     drug_.end_s = arrival.end_s;
@@ -117,6 +119,74 @@ void FlowPart::step(double dt_s) {
     follow_topology();
     drop_ended_runs();
     if (drug_.playing) drug_.time_s += speed_ * dt_s;
+}
+
+FlowCheckpoint FlowPart::checkpoint() const {
+    FlowCheckpoint checkpoint;
+    checkpoint.injected = injected_;
+    if (run_) checkpoint.computing = run_->injection();
+    checkpoint.time_s = drug_.time_s;
+    checkpoint.playing = drug_.playing;
+    checkpoint.speed = speed_;
+    checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_};
+    return checkpoint;
+}
+
+void FlowPart::restore(const FlowCheckpoint& checkpoint) {
+    require_place(checkpoint.injected);
+    require_place(checkpoint.computing);
+    DrugArrival arrival = checkpoint.arrival;
+    if (checkpoint.injected && !arrival.arrival_s) {
+        Job job;
+        arrival =
+            drug_arrival(tree_, *places_, injection_options(*checkpoint.injected, tree_), job);
+    }
+    std::unique_ptr<InjectionRun> run;
+    if (checkpoint.computing)
+        run = std::make_unique<InjectionRun>(tree_, places_, *checkpoint.computing);
+    set_time(checkpoint.time_s);
+    set_speed(checkpoint.speed);
+    end_run();
+    run_ = std::move(run);
+    injected_ = checkpoint.injected;
+    drug_.injection = checkpoint.injected ? std::make_shared<const InjectionOptions>(
+                                                injection_options(*checkpoint.injected, tree_))
+                                          : nullptr;
+    mass_error_relative_ = arrival.mass_error_relative;
+    drug_.computing = run_ != nullptr;
+    drug_.arrival_s = std::move(arrival.arrival_s);
+    drug_.end_s = arrival.end_s;
+    ++drug_.version;
+    play(checkpoint.playing);
+    follow_topology();
+}
+
+void FlowPart::require_place(const std::optional<Injection>& injection) const {
+    if (!injection) return;
+    const int segment = injection->at.segment;
+    if (segment < 0 || static_cast<std::size_t>(segment) >= tree_.segments.size())
+        throw InputError("injects into segment " + std::to_string(segment) + ", which is not there",
+                         "checkpoint", "Give a checkpoint of the same patient");
+}
+
+std::uint64_t FlowPart::state_hash() const {
+    Hasher hasher;
+    const auto add = [&hasher](const Injection* injection) {
+        const int segment = injection != nullptr ? injection->at.segment : -1;
+        hasher.add_bytes(&segment, sizeof segment);
+        if (injection == nullptr) return;
+        const std::array<double, 4> numbers{injection->at.arclength_mm, injection->mass_flow_g_s,
+                                            injection->void_fraction,
+                                            injection->drug_viscosity_pa_s};
+        hasher.add(std::span<const double>(numbers));
+        for (const std::string& name : {injection->second_phase, injection->pressure_model})
+            hasher.add_bytes(name.c_str(), name.size() + 1);
+    };
+    add(injected_ ? &*injected_ : nullptr);
+    add(run_ ? &run_->injection() : nullptr);
+    const std::array<double, 3> clock{drug_.time_s, speed_, drug_.playing ? 1.0 : 0.0};
+    hasher.add(std::span<const double>(clock));
+    return hasher.value();
 }
 
 }  // namespace hepatica

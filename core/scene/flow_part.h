@@ -3,6 +3,7 @@
 // the front reaches each vertex.
 #pragma once
 
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <optional>
@@ -17,6 +18,18 @@
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
+
+// All that determines the part's steps to come, apart from the case and the scene's spec.
+struct FlowCheckpoint {
+    std::optional<Injection> injected;
+    std::optional<Injection> computing;
+    double time_s = 0.0;
+    bool playing = false;
+    double speed = 1.0;
+    // What came of `injected`, so that going back costs nothing; computed anew where it is empty,
+    // as it is in a file.
+    DrugArrival arrival{};
+};
 
 class FlowPart {
   public:
@@ -46,6 +59,14 @@ class FlowPart {
     void set_speed(double factor);  // > 0, else InputError
     void step(double dt_s);
 
+    FlowCheckpoint checkpoint() const;
+    // Goes on as the part that the checkpoint was taken from, on the same case; what was being
+    // computed is begun anew. Throws InputError where the checkpoint is not of this tree, and
+    // changes nothing then.
+    void restore(const FlowCheckpoint& checkpoint);
+    // Of all that a checkpoint holds but `arrival`, which follows from it.
+    std::uint64_t state_hash() const;
+
     const DrugView& drug() const { return drug_; }
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
@@ -58,6 +79,7 @@ class FlowPart {
     void end_run();
     void drop_ended_runs();
     void follow_topology();
+    void require_place(const std::optional<Injection>& injection) const;
 
     VesselTree tree_;
     const BodyTopology& topology_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/world.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/heap_use.h"
+#include "core/scene/world_checkpoint.h"
 
 namespace hepatica {
 
@@ -127,20 +129,29 @@ void World::fill(Frame& frame) const {
     frame.drug = flow_ ? flow_->drug() : DrugView{};
 }
 
+WorldCheckpoint World::checkpoint() const {
+    WorldCheckpoint checkpoint;
+    checkpoint.time_s = time_s_;
+    if (deform_) checkpoint.deform = deform_->checkpoint();
+    if (flow_) checkpoint.flow = flow_->checkpoint();
+    return checkpoint;
+}
+
+void World::restore(const WorldCheckpoint& checkpoint) {
+    if (checkpoint.deform.has_value() != (deform_ != nullptr) ||
+        checkpoint.flow.has_value() != (flow_ != nullptr))
+        throw InputError("is of a scene with other parts", "checkpoint",
+                         "Give a checkpoint of this scene");
+    if (deform_) deform_->restore(*checkpoint.deform);
+    if (flow_) flow_->restore(*checkpoint.flow);
+    time_s_ = checkpoint.time_s;
+}
+
 std::uint64_t World::state_hash() const {
+    const std::array<std::uint64_t, 2> parts{deform_ ? deform_->state_hash() : 0,
+                                             flow_ ? flow_->state_hash() : 0};
     Hasher hasher;
-    if (deform_) {
-        for (const Vec3& position : deform_->positions_mm())
-            hasher.add_bytes(position.data(), sizeof(Vec3));
-        for (const Vec3& velocity : deform_->velocities_mm_per_s())
-            hasher.add_bytes(velocity.data(), sizeof(Vec3));
-    }
-    if (flow_) {
-        const DrugView& drug = flow_->drug();
-        const std::array<double, 3> clock{drug.time_s, drug.end_s, drug.playing ? 1.0 : 0.0};
-        hasher.add(std::span<const double>(clock));
-        if (drug.arrival_s) hasher.add(std::span<const float>(*drug.arrival_s));
-    }
+    hasher.add(std::span<const std::uint64_t>(parts));
     return hasher.value();
 }
 

@@ -22,6 +22,7 @@ namespace hepatica {
 
 class DeformPart;
 class FlowPart;
+struct WorldCheckpoint;
 
 // What a part costs: its name, the heap that it holds, the time that building it took.
 struct PartCost {
@@ -70,7 +71,14 @@ class World {
     // Fills in positions, surface, grab, drug and time; statistics stay as they are.
     void fill(Frame& frame) const;
 
-    // Of everything that the next step depends on: equal states have equal hashes.
+    // Everything that determines the steps to come, apart from case and spec: a world of the same
+    // two goes on from it with the same bits. Taking it costs a copy of a few arrays, going back a
+    // factorisation. restore() throws InputError where the checkpoint is of another case or scene;
+    // the world is then to be restored to another checkpoint or reset.
+    WorldCheckpoint checkpoint() const;
+    void restore(const WorldCheckpoint& checkpoint);
+    // Of all that determines the steps to come, and of nothing else: not of the time that has
+    // passed.
     std::uint64_t state_hash() const;
 
   private:

@@ -41,7 +41,7 @@ struct Session::Apply {
         if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
         flow().inject(injection);
     }
-    void operator()(const FinishInjection&) const { flow().finish_injection(); }
+    void operator()(const FinishInjection&) const;
     void operator()(const RemoveDrug&) const { flow().remove_drug(); }
     void operator()(const PlayDrug& c) const { flow().play(c.playing); }
     void operator()(const SetDrugTime& c) const { flow().set_time(c.time_s); }
@@ -62,6 +62,16 @@ struct Session::Apply {
     void operator()(const ResetWorld&) const;
     void operator()(const RestoreSnapshot&) const;
 };
+
+// What cannot flow is found only while it is computed; that it is then no longer being computed is a
+// change of the world, so the command is not refused.
+void Session::Apply::operator()(const FinishInjection&) const {
+    try {
+        flow().finish_injection();
+    } catch (const InputError& error) {
+        session.message_ = error.what();
+    }
+}
 
 void Session::Apply::operator()(const SetQuality& c) const {
     if (!(c.quality >= 0.0 && c.quality <= 1.0))
@@ -92,13 +102,14 @@ void Session::Apply::operator()(const SetPaused& c) const {
 
 void Session::Apply::operator()(const ResetWorld&) const {
     world.reset();
-    if (world.deform() != nullptr) *session.last_good_ = world.deform()->state();
+    session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
     session.paused_ = false;
     session.forget_divergence();
 }
 
 void Session::Apply::operator()(const RestoreSnapshot&) const {
-    session.take_back();
+    const bool holding = world.deform() != nullptr && world.deform()->holding();
+    session.take_back(!holding);
     session.paused_ = false;
     session.forget_divergence();
 }

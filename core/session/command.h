@@ -88,7 +88,8 @@ struct SetPaused {
 };
 // Back to the rest shape: no grab, no drug, step count goes on.
 struct ResetWorld {};
-// After a divergence: back to the last good snapshot, and on.
+// Back to the last good state, a second ago at most, and on. What was set since then stays set, and
+// a hand that has opened since stays open.
 struct RestoreSnapshot {};
 
 using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,

@@ -1,49 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session that can be played again: which patient and scene it began with, the commands of every
-// step, and a hash of the state after each. Replay runs the commands and says where it diverged.
+// A session that can be played again to the last bit: which patient and scene it began with, the
+// commands of every step, a hash of the state after each, and every ten seconds of play a state in
+// which a replay can begin. Nothing in it names the patient: only a hash of tree and mesh does.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/base/job.h"
-#include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/world_checkpoint.h"
 #include "core/session/command.h"
 
 namespace hepatica {
 
+// A session after a step in which it was not paused, so that it is not.
+struct Keyframe {
+    std::uint64_t step = 0;          // the number of that step
+    std::uint64_t played_steps = 0;  // of all up to it, those that were not paused
+    bool automatic = false;          // the session picked the setting
+    WorldCheckpoint world;
+};
+
 struct RecordedStep {
-    std::vector<Command> commands;  // applied before the step, in order
-    std::uint64_t state_hash = 0;   // after it
+    std::vector<Command> commands;             // applied before the step, in order
+    std::uint64_t state_hash = 0;              // after it
+    std::shared_ptr<const Keyframe> keyframe;  // after it; usually none
 };
 
 struct Recording {
-    std::string patient_path;        // the case; relative paths start at the recording's folder
+    std::string program;             // its version
+    std::string back_end;            // that computed the body, see DeformBackEnd
     std::uint64_t patient_hash = 0;  // of tree and mesh, see hash_of(PatientCase)
     SceneSpec scene;
     std::vector<RecordedStep> steps;
+    std::vector<std::string> warnings;  // of reading it
 };
 
-// JSON lines: a header, then one line per step. Written atomically; throw InputError that names the
-// file and line.
-void write_recording(const std::filesystem::path& file, const Recording& recording);
-Recording read_recording(const std::filesystem::path& file);
-
-struct ReplayResult {
-    std::uint64_t steps = 0;
-    std::optional<std::uint64_t> diverged_at;  // first step (from 1) whose hash differs
-    std::uint64_t state_hash = 0;              // after the last step
-};
-
-// Plays a recording on its patient from the start. Throws InputError if the patient is another one,
-// Cancelled. Progress through the job.
-ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
-                    Job& job);
+// The version of this program, as recordings name it.
+std::string program_version();
 
 }  // namespace hepatica

@@ -2,13 +2,16 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <new>
+#include <span>
 #include <thread>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/measured_dial.h"
@@ -21,7 +24,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t steps_between_snapshots = 60;
+constexpr std::uint64_t steps_between_snapshots = 60;   // a second of play
+constexpr std::uint64_t steps_between_keyframes = 600;  // every tenth snapshot is one
 constexpr std::size_t longest_message = 512;
 constexpr double most_for_drawing = 0.6;  // share of a frame that is left to slow pictures
 
@@ -43,14 +47,15 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
       governor_(costs_of(dial_)),
       world_(std::make_unique<World>(patient, spec, job, back_end)) {
     message_.reserve(longest_message);
-    recording_.patient_hash = hash_of(*patient);
-    recording_.scene = spec;
+    recording_start_.program = program_version();
+    recording_start_.back_end = back_end.name;
+    recording_start_.patient_hash = hash_of(*patient);
+    recording_start_.scene = spec;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
-        recording_.scene.deform->setting = deform->setting();
+        recording_start_.scene.deform->setting = deform->setting();
         point_ = point_of(deform->setting());
     }
-    if (world_->deform() != nullptr)
-        last_good_ = std::make_unique<BodyState>(world_->deform()->state());
+    last_good_ = std::make_shared<const Keyframe>(keyframe());
     SessionStep first;
     publish(first, Clock::now());
 }
@@ -75,7 +80,7 @@ void Session::apply_waiting_commands() {
     }
     if (!commands.empty() && !diverged_) message_.clear();
     if (std::exchange(setting_changed_, false))
-        recorded_.emplace_back(UseSetting{world_->deform()->setting()});
+        recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
     for (const Command& command : commands) {
         try {
             apply(command);
@@ -83,7 +88,7 @@ void Session::apply_waiting_commands() {
             message_ = error.what();
             continue;
         }
-        recorded_.push_back(as_recorded(command));
+        recorded_.commands.push_back(as_recorded(command));
     }
 }
 
@@ -120,27 +125,47 @@ void Session::forget_divergence() {
     diverged_ = false;
 }
 
+Keyframe Session::keyframe() const {
+    return {step_, played_steps_, automatic_, world_->checkpoint()};
+}
+
+void Session::restore(const Keyframe& keyframe) {
+    world_->restore(keyframe.world);
+    step_ = keyframe.step;
+    played_steps_ = keyframe.played_steps;
+    automatic_ = keyframe.automatic;
+    setting_changed_ = paused_ = diverged_ = failed_ = false;
+    message_.clear();
+    if (world_->deform() != nullptr) point_ = point_of(world_->deform()->setting());
+    last_good_ = std::make_shared<const Keyframe>(keyframe);
+}
+
 void Session::guard_state() {
-    DeformPart* deform = world_->deform();
-    if (deform == nullptr) return;
-    if (!deform->plausible()) {
-        deform->release();
-        take_back();
+    ++played_steps_;
+    if (world_->deform() != nullptr && !world_->deform()->plausible()) {
+        take_back(true);
         paused_ = true;
         diverged_ = true;
         message_ =
             "The simulation diverged: it was taken back to its last good state and stopped. "
             "Resume to go on";
-    } else if (step_ % steps_between_snapshots == 0) {
-        *last_good_ = deform->state();
+    } else if (played_steps_ % steps_between_snapshots == 0) {
+        last_good_ = std::make_shared<const Keyframe>(keyframe());
+        if (played_steps_ % steps_between_keyframes == 0) recorded_.keyframe = last_good_;
     }
 }
 
-void Session::take_back() {
+void Session::take_back(bool open_hand) {
     DeformPart* deform = world_->deform();
+    FlowPart* flow = world_->flow();
+    std::optional<DeformSettings> chosen;
+    if (deform != nullptr) chosen = deform->settings();
+    const double drug_speed = flow != nullptr ? flow->speed() : 1.0;
+    world_->restore(last_good_->world);
+    if (flow != nullptr) flow->set_speed(drug_speed);
     if (deform == nullptr) return;
-    deform->release();
-    deform->set_state(*last_good_);
+    if (open_hand) deform->release();
+    deform->use(*chosen);
 }
 
 template <class Work>
@@ -168,26 +193,30 @@ void Session::stop_after(const char* what, const char* remedy) noexcept {
 }
 
 void Session::recover() {
-    if (world_->deform() != nullptr) world_->deform()->release();
-    take_back();
+    take_back(true);
     failed_ = false;
-    for (const Command& command :
-         {Command(ReleaseGrab{}), Command(RestoreSnapshot{}), Command(SetPaused{true})})
-        if (world_->deform() != nullptr || !std::holds_alternative<ReleaseGrab>(command))
-            recorded_.push_back(command);
+    recorded_.keyframe.reset();
+    if (world_->deform() != nullptr) recorded_.commands.emplace_back(ReleaseGrab{});
+    recorded_.commands.emplace_back(RestoreSnapshot{});
+    recorded_.commands.emplace_back(SetPaused{true});
 }
 
 void Session::keep_step(SessionStep& step) {
-    if (!keep_recording_) return;
-    step.state_hash = state_hash();
-    recording_.steps.push_back({std::move(recorded_), step.state_hash});
+    if (!keep_) return;
+    try {
+        step.state_hash = recorded_.state_hash = state_hash();
+        keep_(std::move(recorded_));
+    } catch (...) {
+        keep_ = nullptr;  // a recording with a gap would be worth nothing from there on
+        throw;
+    }
 }
 
 SessionStep Session::step() {
     const Clock::time_point start = Clock::now();
     SessionStep done;
     done.step = ++step_;
-    recorded_.clear();
+    recorded_ = {};
     shielded([&] {
         if (failed_) recover();
         apply_waiting_commands();
@@ -225,13 +254,16 @@ void Session::run(const std::stop_token& stop) {
         last = now;
         shielded([&] { finish_ready_injection(); });
         step();
-        due = std::max(due + period, Clock::now());  // late is late: no catching up
+        due = std::max(due + period, Clock::now());  // time that was lost is not made up for
         std::this_thread::sleep_until(due);
     }
 }
 
 std::uint64_t Session::state_hash() const {
-    return world_->state_hash();
+    const std::array<std::uint64_t, 2> state{world_->state_hash(), paused_ ? 1U : 0U};
+    Hasher hasher;
+    hasher.add(std::span<const std::uint64_t>(state));
+    return hasher.value();
 }
 
 void Session::publish(SessionStep& step, Clock::time_point start) {

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -35,7 +36,6 @@
 namespace hepatica {
 
 class World;
-struct BodyState;
 
 // What one step did, for scripts and measurements.
 struct SessionStep {
@@ -82,16 +82,22 @@ class Session {
     // much; it never tries to catch up.
     void run(const std::stop_token& stop);
 
-    // Keeps the commands and a state hash of every step, from the first one on: call it before.
-    void keep_recording(bool on) { keep_recording_ = on; }
-    // Everything since the start; patient_path is the caller's to fill in.
-    const Recording& recording() const { return recording_; }
+    // Hands every step to `keep`, on the thread that steps, from the first one on: call it before.
+    // Where `keep` throws, the recording ends there, and the session stops as for any error.
+    void record(std::function<void(RecordedStep)> keep) { keep_ = std::move(keep); }
+    // What a recording of this session begins with; no steps.
+    const Recording& recording_start() const { return recording_start_; }
+    // Goes on from a keyframe of a session of the same patient and scene, with the same bits.
+    // Throws InputError where it is of another.
+    void restore(const Keyframe& keyframe);
 
+    // Of all that determines the steps to come.
     std::uint64_t state_hash() const;
     World& world() { return *world_; }
     const World& world() const { return *world_; }
 
   private:
+    Keyframe keyframe() const;
     void apply_waiting_commands();
     struct Apply;  // one operator per command
     void apply(const Command& command);
@@ -101,8 +107,9 @@ class Session {
     template <class Work>
     void shielded(const Work& work) noexcept;
     void stop_after(const char* what, const char* remedy) noexcept;
-    // To the last good state. The hand opens unless it is closed there as well.
-    void take_back();
+    // To the last good state, but with the settings of now: what a person has chosen stays chosen.
+    // A hand that is closed there closes again unless it is to be open.
+    void take_back(bool open_hand);
     // From an error: takes the world back, and says so in the recording.
     void recover();
     void keep_step(SessionStep& step);
@@ -130,16 +137,17 @@ class Session {
     bool diverged_ = false;  // until somebody resumes, restores or resets
     bool failed_ = false;    // the world may be half changed: until it was taken back
     std::string message_;
-    std::vector<Command> recorded_;  // of the step under way
-    std::unique_ptr<BodyState> last_good_;
+    RecordedStep recorded_;           // the step under way
+    std::uint64_t played_steps_ = 0;  // not paused
+    std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
 
     std::mutex queue_mutex_;
     std::vector<Command> queue_;
 
     TripleBuffer<Frame> frames_;
-    bool keep_recording_ = false;
-    Recording recording_;
+    std::function<void(RecordedStep)> keep_;  // none: nothing is recorded
+    Recording recording_start_;
 };
 
 }  // namespace hepatica

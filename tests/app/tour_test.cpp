@@ -162,6 +162,19 @@ TEST_F(Tour, SimulatesRecordsAndReplaysAlikeForAnyNumberOfThreads) {
     EXPECT_EQ(replayed["steps"], 90);
     EXPECT_TRUE(replayed["diverged_at"].is_null());
     EXPECT_EQ(replayed["state_hash"], hash);
+    EXPECT_EQ(replayed["began_at"], 0);
+    // Moved away from its case it names the hash, and takes the case that is given.
+    fs::create_directories(path("moved"));
+    fs::copy_file(path("drag.hrec"), path("moved/drag.hrec"));
+    const Outcome alone = run_cli({"replay", path("moved/drag.hrec")});
+    EXPECT_EQ(alone.exit_code, 1);
+    EXPECT_NE(alone.errors.find("--patient"), std::string::npos) << alone.errors;
+    EXPECT_EQ(answer({"replay", path("moved/drag.hrec"), "--patient", path("p.hep")})["state_hash"],
+              hash);
+    std::ifstream recorded(path("drag.hrec"));
+    const std::string text{std::istreambuf_iterator<char>(recorded), {}};
+    EXPECT_EQ(text.find("p.hep"), std::string::npos);
+    EXPECT_EQ(text.find(fs::path(path("p.hep")).parent_path().string()), std::string::npos);
 }
 
 // What the program does not have is null and not 0; the expected error names its reference.

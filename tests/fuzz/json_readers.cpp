@@ -3,7 +3,7 @@
 
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
-#include "core/session/recording.h"
+#include "core/session/recording_file.h"
 #include "core/session/script.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/fuzz/input_file.h"

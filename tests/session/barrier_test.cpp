@@ -11,8 +11,10 @@
 
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
+#include "core/session/replay.h"
 #include "core/session/session.h"
 #include "tests/session/failing_stepper.h"
+#include "tests/session/recorded.h"
 #include "tests/session/small_patient.h"
 
 namespace hepatica {
@@ -39,12 +41,13 @@ std::vector<Error> errors() {
 struct Faulty {
     std::shared_ptr<Fault> fault = std::make_shared<Fault>();
     std::unique_ptr<Session> session;
+    std::shared_ptr<Recording> recording;
 
     Faulty() {
         Job job;
         session = std::make_unique<Session>(small_patient(), default_scene(), job,
                                             test::failing_back_end(fault));
-        session->keep_recording(true);
+        recording = test::keep_recording(*session);
         session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
         session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
     }
@@ -91,7 +94,7 @@ void expect_to_go_on(Faulty& play) {
     const std::uint64_t end = play.play(20).state_hash;
     EXPECT_NE(play.shape(), before);
     Job job;
-    const ReplayResult replayed = replay(play.session->recording(), small_patient(), job);
+    const ReplayResult replayed = replay(*play.recording, small_patient(), job);
     EXPECT_FALSE(replayed.diverged_at.has_value()) << *replayed.diverged_at;
     EXPECT_EQ(replayed.state_hash, end);
 }

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/session/recording.h"
+#include "core/session/recording_file.h"
 
 namespace hepatica {
 namespace {
@@ -67,13 +67,15 @@ TEST(Command, NamesWhatIsWrong) {
 TEST(Recording, SurvivesTheDisk) {
     const auto file = std::filesystem::path(testing::TempDir()) / "session.hrec";
     Recording recording;
-    recording.patient_path = "some wäy.hep";
+    recording.program = program_version();
+    recording.back_end = cpu_back_end().name;
     recording.patient_hash = 0x0123456789abcdefULL;
     recording.scene = default_scene();
-    recording.steps = {{one_of_each(), 1}, {{}, 0xffffffffffffffffULL}};
+    recording.steps = {{one_of_each(), 1, nullptr}, {{}, 0xffffffffffffffffULL, nullptr}};
     write_recording(file, recording);
     const Recording back = read_recording(file);
-    EXPECT_EQ(back.patient_path, recording.patient_path);
+    EXPECT_EQ(back.program, recording.program);
+    EXPECT_EQ(back.back_end, "cpu");
     EXPECT_EQ(back.patient_hash, recording.patient_hash);
     ASSERT_EQ(back.steps.size(), 2u);
     EXPECT_EQ(back.steps[0].commands.size(), one_of_each().size());

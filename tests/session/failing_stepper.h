@@ -7,11 +7,13 @@
 #include <memory>
 #include <string>
 
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/scene/deform_back_end.h"
 
 namespace hepatica::test {
 
-// Called with the name of what is about to be done: "make", "step", "set_gravity", "positions".
+// Called with the name of what is about to be done: "make", "step", "set_gravity", "positions",
+// "restore".
 // What it throws is what goes wrong.
 using Fault = std::function<void(const std::string& call)>;
 
@@ -45,6 +47,11 @@ class FailingStepper final : public Stepper {
     void set_state(std::span<const Vec3> positions_mm,
                    std::span<const Vec3> velocities_mm_per_s) override {
         stepper_->set_state(positions_mm, velocities_mm_per_s);
+    }
+    StepperCheckpoint checkpoint() const override { return stepper_->checkpoint(); }
+    void restore(const StepperCheckpoint& checkpoint) override {
+        meet("restore");
+        stepper_->restore(checkpoint);
     }
 
   private:

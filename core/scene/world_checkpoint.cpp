@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/world_checkpoint.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/base64.h"
+#include "core/base/error.h"
+#include "core/scene/setting_json.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& problem) {
+    throw InputError(problem, "keyframe", "The recording is damaged");
+}
+
+Json to_json(const Vec3& vector) {
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+Vec3 vector_from(const Json& json) {
+    const auto numbers = json.get<std::array<double, 3>>();
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+Json to_json(const Hold& hold) {
+    Json offsets = Json::array();
+    for (const Vec3& offset : hold.offsets_mm) offsets.push_back(to_json(offset));
+    return {{"vertices", hold.vertices},
+            {"offsets_mm", std::move(offsets)},
+            {"target_mm", to_json(hold.target_mm)},
+            {"stiffness_un_per_mm", hold.stiffness_un_per_mm},
+            {"force_limit_un", hold.force_limit_un}};
+}
+
+Hold hold_from(const Json& json) {
+    Hold hold;
+    hold.vertices = json.at("vertices").get<std::vector<int>>();
+    for (const Json& offset : json.at("offsets_mm")) hold.offsets_mm.push_back(vector_from(offset));
+    hold.target_mm = vector_from(json.at("target_mm"));
+    hold.stiffness_un_per_mm = json.at("stiffness_un_per_mm").get<double>();
+    hold.force_limit_un = json.at("force_limit_un").get<double>();
+    return hold;
+}
+
+Json to_json(const DeformCheckpoint& checkpoint) {
+    const DeformSettings& settings = checkpoint.settings;
+    Json json{{"gravity_mm_per_s2", to_json(settings.gravity_mm_per_s2)},
+              {"tether_pa_per_mm2", settings.tether_pa_per_mm2},
+              {"wall_mm", settings.wall_mm},
+              {"setting", to_json(settings.stepper)}};
+    if (checkpoint.hold) json["hold"] = to_json(*checkpoint.hold);
+    json["stepper"] = to_base64(to_bytes(checkpoint.stepper));
+    return json;
+}
+
+DeformCheckpoint deform_from(const Json& json) {
+    DeformCheckpoint checkpoint;
+    DeformSettings& settings = checkpoint.settings;
+    settings.gravity_mm_per_s2 = vector_from(json.at("gravity_mm_per_s2"));
+    settings.tether_pa_per_mm2 = json.at("tether_pa_per_mm2").get<double>();
+    settings.wall_mm = json.at("wall_mm").get<double>();
+    settings.stepper = setting_from_json(json.at("setting"));
+    if (json.contains("hold")) checkpoint.hold = hold_from(json.at("hold"));
+    const auto bytes = from_base64(json.at("stepper").get_ref<const std::string&>());
+    if (!bytes) refuse("the stepper's bytes are not base64");
+    checkpoint.stepper = checkpoint_from_bytes(*bytes);
+    return checkpoint;
+}
+
+Json to_json(const Injection& injection) {
+    return {{"segment", injection.at.segment},
+            {"arclength_mm", injection.at.arclength_mm},
+            {"mass_flow_g_s", injection.mass_flow_g_s},
+            {"void_fraction", injection.void_fraction},
+            {"second_phase", injection.second_phase},
+            {"pressure_model", injection.pressure_model},
+            {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
+}
+
+Injection injection_from(const Json& json) {
+    Injection injection;
+    injection.at.segment = json.at("segment").get<int>();
+    injection.at.arclength_mm = json.at("arclength_mm").get<double>();
+    injection.mass_flow_g_s = json.at("mass_flow_g_s").get<double>();
+    injection.void_fraction = json.at("void_fraction").get<double>();
+    injection.second_phase = json.at("second_phase").get<std::string>();
+    injection.pressure_model = json.at("pressure_model").get<std::string>();
+    injection.drug_viscosity_pa_s = json.at("drug_viscosity_pa_s").get<double>();
+    return injection;
+}
+
+Json to_json(const FlowCheckpoint& checkpoint) {
+    Json json{{"time_s", checkpoint.time_s},
+              {"playing", checkpoint.playing},
+              {"speed", checkpoint.speed}};
+    if (checkpoint.injected) json["injected"] = to_json(*checkpoint.injected);
+    if (checkpoint.computing) json["computing"] = to_json(*checkpoint.computing);
+    return json;
+}
+
+FlowCheckpoint flow_from(const Json& json) {
+    FlowCheckpoint checkpoint;
+    checkpoint.time_s = json.at("time_s").get<double>();
+    checkpoint.playing = json.at("playing").get<bool>();
+    checkpoint.speed = json.at("speed").get<double>();
+    if (json.contains("injected")) checkpoint.injected = injection_from(json.at("injected"));
+    if (json.contains("computing")) checkpoint.computing = injection_from(json.at("computing"));
+    return checkpoint;
+}
+
+}  // namespace
+
+Json to_json(const WorldCheckpoint& checkpoint) {
+    Json json{{"time_s", checkpoint.time_s}};
+    if (checkpoint.deform) json["deform"] = to_json(*checkpoint.deform);
+    if (checkpoint.flow) json["flow"] = to_json(*checkpoint.flow);
+    return json;
+}
+
+WorldCheckpoint world_checkpoint_from_json(const Json& json) {
+    try {
+        WorldCheckpoint checkpoint;
+        checkpoint.time_s = json.at("time_s").get<double>();
+        if (json.contains("deform")) checkpoint.deform = deform_from(json.at("deform"));
+        if (json.contains("flow")) checkpoint.flow = flow_from(json.at("flow"));
+        return checkpoint;
+    } catch (const Json::exception& error) {
+        refuse(error.what());
+    }
+}
+
+}  // namespace hepatica

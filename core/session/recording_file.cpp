@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/recording_file.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int format_version = 2;
+constexpr const char* how_to_record = "Give a file written by simulate --record";
+
+std::uint64_t from_hex(const std::string& text) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value, 16);
+    if (error != std::errc{} || rest != end || text.size() != 16)
+        throw InputError("\"" + text + "\" is not a hash", "", "The recording is damaged");
+    return value;
+}
+
+std::string header_of(const Recording& recording) {
+    const Json header{{"format", "hepatica-recording"},
+                      {"version", format_version},
+                      {"program", recording.program},
+                      {"back_end", recording.back_end},
+                      {"patient_hash", to_hex(recording.patient_hash)},
+                      {"scene", to_json(recording.scene)}};
+    return header.dump() + "\n";
+}
+
+std::string lines_of(const RecordedStep& step) {
+    Json line{{"hash", to_hex(step.state_hash)}};
+    for (const Command& command : step.commands) line["commands"].push_back(to_json(command));
+    std::string text = line.dump() + "\n";
+    if (step.keyframe) {
+        const Keyframe& keyframe = *step.keyframe;
+        const Json state{{"keyframe", keyframe.step},
+                         {"played_steps", keyframe.played_steps},
+                         {"automatic", keyframe.automatic},
+                         {"world", to_json(keyframe.world)}};
+        text += state.dump() + "\n";
+    }
+    return text;
+}
+
+void read_header(const Json& json, Recording& recording) {
+    if (json.value("format", "") != "hepatica-recording")
+        throw InputError("is not a recording", "", how_to_record);
+    if (json.value("version", 0) != format_version)
+        throw InputError("is of format " + std::to_string(json.value("version", 0)) +
+                             ", and this program reads format " + std::to_string(format_version),
+                         "", "Record the session again");
+    recording.program = json.at("program").get<std::string>();
+    recording.back_end = json.at("back_end").get<std::string>();
+    if (recording.program != program_version())
+        throw InputError("was recorded by version " + recording.program + ", and this is " +
+                             program_version() + ", whose steps do not have the same bits",
+                         "", "Replay it with version " + recording.program);
+    if (recording.back_end != cpu_back_end().name)
+        throw InputError("was computed by the back end \"" + recording.back_end +
+                             "\", which this program does not have",
+                         "", "Replay it with the program that recorded it");
+    recording.patient_hash = from_hex(json.at("patient_hash").get<std::string>());
+    recording.scene = scene_from_json(json.at("scene"));
+}
+
+void read_step(const Json& json, Recording& recording) {
+    RecordedStep step;
+    step.state_hash = from_hex(json.at("hash").get<std::string>());
+    if (json.contains("commands"))
+        for (const Json& command : json.at("commands"))
+            step.commands.push_back(command_from_json(command));
+    recording.steps.push_back(std::move(step));
+}
+
+// It stands behind the line of its step.
+void read_keyframe(const Json& json, Recording& recording) {
+    auto keyframe = std::make_shared<Keyframe>();
+    keyframe->step = json.at("keyframe").get<std::uint64_t>();
+    keyframe->played_steps = json.at("played_steps").get<std::uint64_t>();
+    keyframe->automatic = json.at("automatic").get<bool>();
+    keyframe->world = world_checkpoint_from_json(json.at("world"));
+    if (recording.steps.empty() || keyframe->step != recording.steps.size())
+        throw InputError("a keyframe of step " + std::to_string(keyframe->step) +
+                             " stands behind step " + std::to_string(recording.steps.size()),
+                         "", "The recording is damaged");
+    recording.steps.back().keyframe = std::move(keyframe);
+}
+
+void read_line(const Json& json, bool first, Recording& recording) {
+    if (first)
+        read_header(json, recording);
+    else if (json.contains("keyframe"))
+        read_keyframe(json, recording);
+    else
+        read_step(json, recording);
+}
+
+}  // namespace
+
+std::string program_version() {
+    return HEPATICA_VERSION;
+}
+
+RecordingWriter::RecordingWriter(std::filesystem::path file, const Recording& start)
+    : file_(std::move(file)) {
+    std::error_code ignored;  // what cannot be made cannot be opened either
+    std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), ignored);
+    out_.open(file_, std::ios::binary | std::ios::trunc);
+    out_ << header_of(start) << std::flush;
+    if (!out_)
+        throw InputError("cannot be written", file_.string(),
+                         "Choose a folder that exists and can be written to");
+    waiting_ = start.steps;
+    thread_ = std::jthread([this] { write_until_closed(); });
+}
+
+RecordingWriter::~RecordingWriter() {
+    finish();
+}
+
+void RecordingWriter::append(RecordedStep step) {
+    {
+        const std::scoped_lock lock(mutex_);
+        waiting_.push_back(std::move(step));
+    }
+    changed_.notify_one();
+}
+
+void RecordingWriter::write_until_closed() {
+    for (;;) {
+        std::vector<RecordedStep> steps;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
+            steps.swap(waiting_);
+            if (steps.empty()) return;
+        }
+        try {
+            for (const RecordedStep& step : steps) out_ << lines_of(step);
+            out_.flush();
+        } catch (...) {  // no memory for a line: what follows would be behind a gap
+            out_.setstate(std::ios::badbit);
+        }
+        failed_ = failed_ || !out_;
+    }
+}
+
+void RecordingWriter::finish() noexcept {
+    if (!thread_.joinable()) return;
+    {
+        const std::scoped_lock lock(mutex_);
+        closing_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+    out_.close();
+}
+
+void RecordingWriter::close() {
+    finish();
+    if (failed_ || !out_)
+        throw InputError("could not be written to its end", file_.string(),
+                         "Is the disk full? What was written before can be replayed");
+}
+
+void write_recording(const std::filesystem::path& file, const Recording& recording) {
+    RecordingWriter(file, recording).close();
+}
+
+Recording read_recording(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError("cannot be read", file.string(), "Give a recording");
+    Recording recording;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        const std::string place = file.string() + ", line " + std::to_string(++number);
+        const Json json = Json::parse(line, nullptr, false);
+        const bool damaged = json.is_discarded() || !json.is_object();
+        const bool last = in.peek() == std::ifstream::traits_type::eof();
+        if (damaged && last && number > 1) {
+            recording.warnings.push_back(place + " was not written to its end and is left out");
+            break;
+        }
+        if (damaged)
+            throw InputError(number == 1 ? "is not a recording" : "is damaged", place,
+                             number == 1 ? how_to_record : "Record the session again");
+        try {
+            read_line(json, number == 1, recording);
+        } catch (const InputError& error) {
+            const std::string what = error.place().empty() ? "" : error.place() + " ";
+            throw InputError(what + error.problem(), place, error.remedy());
+        } catch (const Json::exception& error) {
+            throw InputError(error.what(), place, "The recording is damaged");
+        }
+    }
+    if (number == 0) throw InputError("is empty", file.string(), how_to_record);
+    return recording;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/replay.h"
+
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/session/session.h"
+
+namespace hepatica {
+
+namespace {
+
+// Null: the start.
+const RecordedStep* keyframe_before(const Recording& recording, std::uint64_t step) {
+    if (step > recording.steps.size())
+        throw InputError("step " + std::to_string(step) + " is behind the end", "recording",
+                         "It has " + std::to_string(recording.steps.size()) + " steps");
+    for (std::uint64_t i = step; i > 0; --i)
+        if (recording.steps[i - 1].keyframe) return &recording.steps[i - 1];
+    return nullptr;
+}
+
+}  // namespace
+
+ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
+                    Job& job, std::uint64_t from_step) {
+    if (hash_of(*patient) != recording.patient_hash)
+        throw InputError(
+            "is not the patient that was recorded", "patient",
+            "Give the case whose tree and mesh have the hash " + to_hex(recording.patient_hash));
+    const RecordedStep* start = keyframe_before(recording, from_step);
+    Session session(std::move(patient), recording.scene, job);
+    ReplayResult result;
+    if (start != nullptr) {
+        Keyframe keyframe = *start->keyframe;
+        keyframe.automatic = false;  // the recording says which settings were used
+        session.restore(keyframe);
+        result.began_at = result.steps = start->keyframe->step;
+        result.state_hash = session.state_hash();
+        if (result.state_hash != start->state_hash)
+            throw InputError("the keyframe of step " + std::to_string(result.steps) +
+                                 " is not the state that was recorded",
+                             "recording", "Begin at an earlier step");
+    }
+    session.record([](const RecordedStep&) {});  // for the hash of every step
+    job.begin_stage("Replaying");
+    const std::uint64_t count = recording.steps.size();
+    while (result.steps < count) {
+        const RecordedStep& step = recording.steps[result.steps];
+        for (const Command& command : step.commands) session.post(command);
+        result.state_hash = session.step().state_hash;
+        ++result.steps;
+        if (!result.diverged_at && result.state_hash != step.state_hash)
+            result.diverged_at = result.steps;
+        job.advance(static_cast<double>(result.steps - result.began_at) /
+                    static_cast<double>(count - result.began_at));
+    }
+    return result;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings on disk, and replays that begin at a keyframe: the same bits, or the reason why not.
+#include "core/session/recording_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/scene/flow_part.h"
+#include "core/scene/world.h"
+#include "core/session/replay.h"
+#include "tests/session/recorded.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::keep_recording;
+using test::middle_of;
+using test::small_patient;
+using testing::HasSubstr;
+
+std::unique_ptr<Session> new_session() {
+    Job job;
+    return std::make_unique<Session>(small_patient(), default_scene(), job);
+}
+
+void play(Session& session, int steps) {
+    for (int i = 0; i < steps; ++i) session.step();
+}
+
+// 1300 steps with all that a keyframe has to hold: another tether, wall, gravity and setting, a
+// hand, a pause, a drug whose clock runs at another speed, parts of the body that sleep.
+std::shared_ptr<Recording> eventful_recording() {
+    static const std::shared_ptr<Recording> recording = [] {
+        const VesselTree& tree = small_patient()->tree;
+        const auto session = new_session();
+        auto kept = keep_recording(*session);
+        session->post(SetTether{35.0});
+        session->post(SetWall{0.6});
+        session->post(SetDrugSpeed{0.25});
+        session->post(InjectDrug{.point_mm = tree.nodes[0].position_mm});
+        play(*session, 100);
+        session->post(SetPaused{true});
+        play(*session, 30);
+        session->post(SetPaused{false});
+        session->post(UseSetting{{.newton_iterations = 2, .substeps = 2}});
+        session->post(SetGravity{Vec3(0, 1000, 0)});
+        play(*session, 300);
+        session->post(SetGravity{Vec3::Zero()});
+        session->post(GrabPoint{middle_of(tree, 4)});
+        for (int i = 0; i < 250; ++i) {
+            session->post(MoveGrab{middle_of(tree, 4) + Vec3(0.02 * i, 0, 0)});
+            session->step();
+        }
+        play(*session, 100);  // over the first keyframe with a closed hand
+        session->post(ReleaseGrab{});
+        session->post(InjectDrug{
+            .point_mm = tree.nodes[0].position_mm, .void_fraction = 0.4, .second_phase = "gas"});
+        play(*session, 480);  // over the second with an injection that is being computed
+        session->post(FinishInjection{});
+        session->post(GrabPoint{middle_of(tree, 1)});
+        session->post(MoveGrab{middle_of(tree, 1) + Vec3(0, 4, 0)});
+        play(*session, 40);
+        return kept;
+    }();
+    return recording;
+}
+
+std::vector<std::uint64_t> keyframes_of(const Recording& recording) {
+    std::vector<std::uint64_t> steps;
+    for (const RecordedStep& step : recording.steps)
+        if (step.keyframe) steps.push_back(step.keyframe->step);
+    return steps;
+}
+
+std::string written(const Recording& recording) {
+    const fs::path file = fs::path(testing::TempDir()) / "written.hrec";
+    write_recording(file, recording);
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+// What reading it says; empty where it is read.
+std::string refusal_of(const std::string& text) {
+    const fs::path file = fs::path(testing::TempDir()) / "refused.hrec";
+    std::ofstream(file) << text;
+    try {
+        read_recording(file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+Recording few_steps() {
+    const auto session = new_session();
+    const auto recording = keep_recording(*session);
+    session->post(GrabPoint{middle_of(small_patient()->tree, 1)});
+    play(*session, 4);
+    return *recording;
+}
+
+TEST(Keyframes, AreTakenEveryTenSecondsOfPlay) {
+    const Recording& recording = *eventful_recording();
+    EXPECT_EQ(recording.steps.size(), 1300u);
+    EXPECT_EQ(keyframes_of(recording), (std::vector<std::uint64_t>{630, 1230}));  // 30 were paused
+}
+
+TEST(Keyframes, AReplayFromOneGoesOnWithTheSameBits) {
+    const fs::path file = fs::path(testing::TempDir()) / "eventful.hrec";
+    write_recording(file, *eventful_recording());
+    const Recording recording = read_recording(file);
+    EXPECT_TRUE(recording.warnings.empty());
+    ASSERT_EQ(keyframes_of(recording), keyframes_of(*eventful_recording()));
+    EXPECT_TRUE(recording.steps[629].keyframe->world.deform->hold.has_value());
+    EXPECT_TRUE(recording.steps[1229].keyframe->world.flow->computing.has_value());
+    Job job;
+    for (const auto& [from, begins] : {std::pair<std::uint64_t, std::uint64_t>{0, 0},
+                                       {630, 630},
+                                       {700, 630},
+                                       {1229, 630},
+                                       {1230, 1230},
+                                       {1300, 1230}}) {
+        const ReplayResult result = replay(recording, small_patient(), job, from);
+        EXPECT_EQ(result.began_at, begins);
+        EXPECT_EQ(result.steps, 1300u);
+        EXPECT_FALSE(result.diverged_at.has_value())
+            << "from " << from << ": step " << *result.diverged_at;
+        EXPECT_EQ(result.state_hash, recording.steps.back().state_hash);
+    }
+    EXPECT_THROW(replay(recording, small_patient(), job, 1301), InputError);
+    Recording begun = recording;
+    begun.steps.resize(635);
+    EXPECT_EQ(replay(begun, small_patient(), job, 629).began_at, 0u);
+}
+
+// Of everything that a keyframe holds, whatever is changed is found: by the hash of its state or by
+// what reading it says.
+TEST(Keyframes, ADamagedOneIsRefused) {
+    Recording recording = *eventful_recording();
+    const Keyframe whole = *recording.steps[629].keyframe;
+    Job job;
+    const auto refused = [&](const std::function<void(Keyframe&)>& damage) {
+        auto keyframe = std::make_shared<Keyframe>(whole);
+        damage(*keyframe);
+        recording.steps[629].keyframe = keyframe;
+        try {
+            replay(recording, small_patient(), job, 630);
+        } catch (const InputError&) {
+            return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(refused([](Keyframe&) {}));
+    EXPECT_TRUE(
+        refused([](Keyframe& k) { k.world.deform->stepper.nodes.positions_mm[5].x() += 1e-9; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->settings.tether_pa_per_mm2 = 34.0; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->settings.wall_mm = 0.5; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->settings.stepper.substeps = 1; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->hold.reset(); }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->hold->target_mm.x() += 0.1; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.deform->hold->vertices[0] = 1 << 30; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->time_s += 0.1; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->speed = 1.0; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->playing = false; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->injected->mass_flow_g_s = 1.0; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->injected->at.segment = 99; }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow->injected.reset(); }));
+    EXPECT_TRUE(refused([](Keyframe& k) { k.world.flow.reset(); }));
+}
+
+TEST(RecordingFile, NamesNobody) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    patient->source.image_path = "/home/Doe^John/DOE_JOHN_1970";
+    Job job;
+    Session session(patient, default_scene(), job);
+    const auto recording = keep_recording(session);
+    play(session, 3);
+    const std::string text = written(*recording);
+    for (const char* name : {"Doe", "DOE", "john", "1970", "/home"})
+        EXPECT_EQ(text.find(name), std::string::npos) << name;
+}
+
+TEST(RecordingFile, OfAnotherVersionIsRefusedWithTheReason) {
+    const std::string text = written(few_steps());
+    EXPECT_EQ(refusal_of(text), "");
+    EXPECT_THAT(refusal_of(replaced(text, "\"version\":2", "\"version\":1")),
+                HasSubstr("is of format 1, and this program reads format 2"));
+    EXPECT_THAT(refusal_of(replaced(text, "\"program\":\"" + program_version() + "\"",
+                                    "\"program\":\"0.0.7\"")),
+                HasSubstr("was recorded by version 0.0.7"));
+    EXPECT_THAT(refusal_of(replaced(text, "\"back_end\":\"cpu\"", "\"back_end\":\"cuda\"")),
+                HasSubstr("\"cuda\", which this program does not have"));
+    EXPECT_THAT(refusal_of("{\"format\": \"else\"}\n"), HasSubstr("is not a recording"));
+    EXPECT_THAT(refusal_of("a text"), HasSubstr("is not a recording"));
+    EXPECT_THAT(refusal_of(""), HasSubstr("is empty"));
+    EXPECT_THAT(refusal_of(text.substr(0, 40)), HasSubstr("is not a recording"));
+}
+
+// Wherever a program dies while it writes its last line.
+TEST(RecordingFile, ATornLastLineIsLeftOutWithAWarning) {
+    const Recording recording = few_steps();
+    const std::string text = written(recording);
+    const std::size_t last_line = text.rfind('\n', text.size() - 2) + 1;
+    const fs::path file = fs::path(testing::TempDir()) / "torn.hrec";
+    for (std::size_t length = last_line; length < text.size(); ++length) {
+        std::ofstream(file) << text.substr(0, length);
+        const Recording read = read_recording(file);
+        const bool torn = length > last_line && length + 1 < text.size();
+        EXPECT_EQ(read.steps.size(), length + 1 < text.size() ? 3u : 4u) << length;
+        EXPECT_EQ(read.warnings.size(), torn ? 1u : 0u) << length;
+        if (torn) {
+            EXPECT_THAT(read.warnings[0], HasSubstr("line 5"));
+        }
+    }
+    // A keyframe, too.
+    const std::string eventful = written(*eventful_recording());
+    const std::size_t keyframe = eventful.find("{\"keyframe\"");
+    std::ofstream(file) << eventful.substr(0, keyframe + 1000);
+    const Recording read = read_recording(file);
+    EXPECT_EQ(read.steps.size(), 630u);
+    EXPECT_EQ(read.warnings.size(), 1u);
+    Job job;
+    EXPECT_FALSE(replay(read, small_patient(), job).diverged_at.has_value());
+}
+
+TEST(RecordingFile, ADamagedLineInTheMiddleIsRefusedByItsNumber) {
+    const std::string text = written(few_steps());
+    const std::size_t second = text.find('\n') + 1;
+    const std::size_t third = text.find('\n', second) + 1;
+    EXPECT_THAT(refusal_of(text.substr(0, third) + "{\"hash\": \n" + text.substr(third)),
+                HasSubstr("line 3"));
+    EXPECT_THAT(refusal_of(text.substr(0, third) + "{\"hash\": \"12\"}\n" + text.substr(third)),
+                HasSubstr("line 3"));
+    EXPECT_THAT(refusal_of(text + "{\"hash\": \"12\"}\n"), HasSubstr("line 6"));
+    EXPECT_THAT(refusal_of(text + "{\"keyframe\": 9, \"played_steps\": 9, \"automatic\": false, "
+                                  "\"world\": {\"time_s\": 1}}\n"),
+                HasSubstr("a keyframe of step 9 stands behind step 4"));
+    EXPECT_THAT(refusal_of(text + "{\"keyframe\": 4, \"played_steps\": 4, \"automatic\": false, "
+                                  "\"world\": {}}\n"),
+                HasSubstr("line 6"));
+}
+
+// What is in the file while the session still goes on is a recording.
+TEST(RecordingFile, GrowsAsTheSessionGoes) {
+    const fs::path file = fs::path(testing::TempDir()) / "growing.hrec";
+    const auto session = new_session();
+    RecordingWriter writer(file, session->recording_start());
+    session->record([&](RecordedStep step) { writer.append(std::move(step)); });
+    std::size_t seen = 0;
+    for (int i = 0; i < 2000 && seen < 3; ++i) {
+        session->step();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        seen = read_recording(file).steps.size();
+    }
+    EXPECT_GE(seen, 3u);
+    session->post(GrabPoint{middle_of(small_patient()->tree, 1)});
+    const SessionStep last = session->step();
+    writer.close();
+    const Recording read = read_recording(file);
+    EXPECT_EQ(read.steps.size(), last.step);
+    Job job;
+    EXPECT_EQ(replay(read, small_patient(), job).state_hash, last.state_hash);
+}
+
+TEST(RecordingFile, SaysWhereItCannotBeWritten) {
+    const auto session = new_session();
+    EXPECT_THROW(RecordingWriter("/dev/null/all.hrec", session->recording_start()), InputError);
+    if (!fs::exists("/dev/full")) GTEST_SKIP();
+    EXPECT_THROW(write_recording("/dev/full", few_steps()), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica
