@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/vascular_system.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
@@ -28,10 +29,10 @@ struct PictureOptions {
     double turn_right_deg = 0.0;  // away from the view, as by the mouse
     double turn_up_deg = 0.0;
     std::string caption;
-    bool annotations = true;          // legend, scale bar, orientation
-    std::vector<int> vertex_systems;  // vascular system per vertex; empty: all portal
-    std::vector<BridgeView> bridges;  // gaps that might be bridged
-    TriangleMesh liver;               // drawn as a ghost; may be empty
+    bool annotations = true;                     // legend, scale bar, orientation
+    std::vector<VascularSystem> vertex_systems;  // one per vertex; empty: all unknown
+    std::vector<BridgeView> bridges;             // gaps that might be bridged
+    TriangleMesh liver;                          // drawn as a ghost; may be empty
 };
 
 struct OffscreenPicture {

@@ -17,18 +17,20 @@ constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
                                             {0.996, 0.79, 0.38},
                                             {1.000, 0.96, 0.72}}};
 
-constexpr std::array<Colour, 6> system_colours{{{0.47, 0.43, 0.80},
-                                                {0.27, 0.55, 0.85},
-                                                {0.83, 0.27, 0.25},
-                                                {0.33, 0.62, 0.60},
-                                                {0.66, 0.47, 0.66},
-                                                {0.55, 0.60, 0.68}}};
-
 }  // namespace
 
-Colour vessel_system(int system) {
-    const int count = static_cast<int>(system_colours.size());
-    return system_colours[static_cast<std::size_t>(((system % count) + count) % count)];
+Colour vessel_system(VascularSystem system) {
+    switch (system) {
+        case VascularSystem::portal:
+            return {0.47, 0.43, 0.80};
+        case VascularSystem::hepatic:
+            return {0.27, 0.55, 0.85};
+        case VascularSystem::artery:
+            return {0.83, 0.27, 0.25};
+        case VascularSystem::unknown:
+            break;
+    }
+    return {0.58, 0.60, 0.72};
 }
 
 Colour drug(double fraction) {

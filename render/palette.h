@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 
+#include "core/base/vascular_system.h"
+
 namespace hepatica {
 
 // Red, green, blue in [0, 1], sRGB.
@@ -21,9 +23,9 @@ inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour text{0.88, 0.90, 0.92};
 inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 
-// The vessel's own colour. System 0 is portal (blue-violet), 1 hepatic veins (blue), 2 artery
-// (red); further systems cycle through quiet hues.
-Colour vessel_system(int system);
+// The vessel's own colour: portal vein blue-violet, hepatic veins blue, artery red; a vessel of an
+// unknown system is a bluish grey.
+Colour vessel_system(VascularSystem system);
 
 // The drug's colour at `fraction` in [0, 1] of the map; values outside are clamped.
 Colour drug(double fraction);

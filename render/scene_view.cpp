@@ -153,7 +153,7 @@ void SceneView::render(double pixel_ratio) {
     parts_->window.Render();
 }
 
-void SceneView::set_vertex_systems(std::vector<int> systems) {
+void SceneView::set_vertex_systems(std::vector<VascularSystem> systems) {
     parts_->tree.set_vertex_systems(std::move(systems));
 }
 

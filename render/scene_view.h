@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/vascular_system.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
@@ -56,7 +57,7 @@ class SceneView {
     // Draws into the window. `pixel_ratio`: device pixels per point (1 on plain screens).
     void render(double pixel_ratio = 1.0);
 
-    void set_vertex_systems(std::vector<int> systems);
+    void set_vertex_systems(std::vector<VascularSystem> systems);
     void set_highlight(std::vector<std::uint8_t> vertices);
     // Gaps that might be bridged; drawn as dashed lines.
     void set_bridges(std::vector<BridgeView> bridges);

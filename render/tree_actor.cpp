@@ -72,7 +72,7 @@ bool TreeActor::update(const Frame& frame) {
     return change != SurfaceGeometry::Change::none || new_drug || drug_moved;
 }
 
-void TreeActor::set_vertex_systems(std::vector<int> systems) {
+void TreeActor::set_vertex_systems(std::vector<VascularSystem> systems) {
     systems_ = std::move(systems);
     upload_colours();
 }
@@ -118,7 +118,8 @@ void TreeActor::upload_colours() {
     for (const int vertex : surface_.frame_vertices()) {
         const auto v = static_cast<std::size_t>(vertex);
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
-        for (double channel : palette::vessel_system(v < systems_.size() ? systems_[v] : 0)) {
+        const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
+        for (double channel : palette::vessel_system(system)) {
             if (lit) channel = 0.45 * channel + 0.55;
             *out++ = static_cast<unsigned char>(std::lround(255.0 * channel));
         }

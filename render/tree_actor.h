@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
 #include "render/rounded_surface.h"
 #include "render/surface_geometry.h"
@@ -30,8 +31,8 @@ class TreeActor {
     bool update(const Frame& frame);
 
     // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
-    // the end count as system 0.
-    void set_vertex_systems(std::vector<int> systems);
+    // the end count as unknown.
+    void set_vertex_systems(std::vector<VascularSystem> systems);
     // Vertices of the frame to light up, 1 or 0 each; empty lights none.
     void set_highlight(std::vector<std::uint8_t> highlight);
     // Depths (mm from the camera) between which the tree fades into the background.
@@ -48,7 +49,7 @@ class TreeActor {
 
     SurfaceGeometry surface_;
     RoundedSurface rounded_;
-    std::vector<int> systems_;
+    std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> highlight_;
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;

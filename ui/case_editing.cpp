@@ -31,7 +31,7 @@ QString text_of(const TreeEdit& edit) {
         case TreeEditKind::reassign_system:
             break;
     }
-    return QString("Given to system %1").arg(edit.system);
+    return "Given to: " + QString::fromStdString(title_of(edit.system));
 }
 
 QString text_of(const Bridge& bridge) {
@@ -88,7 +88,7 @@ void CaseEditing::click(const TreePoint& point) {
     TreeEdit edit;
     edit.kind = panel_.tool();
     edit.at_mm = position_of(workspace_.patient()->tree, point);
-    edit.system = edit.kind == TreeEditKind::reassign_system ? panel_.system() : 0;
+    if (edit.kind == TreeEditKind::reassign_system) edit.system = panel_.system();
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             link_from_mm_ = edit.at_mm;

@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <array>
 
@@ -68,9 +67,11 @@ QWidget* EditPanel::make_tools() {
     tip->setObjectName("quiet");
     tip->setWordWrap(true);
     form->addRow(tip);
-    system_ = new QSpinBox(box);
-    system_->setRange(0, 99);
-    system_->setToolTip("0 portal vein, 1 hepatic veins, 2 artery, or as the seeds were numbered");
+    system_ = new QComboBox(box);
+    system_->setAccessibleName("System that a branch is given to");
+    system_->setObjectName("EditSystem");
+    for (const VascularSystem system : vascular_systems)
+        system_->addItem(QString::fromStdString(title_of(system)), number_of(system));
     system_->setEnabled(false);
     form->addRow("System", system_);
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
@@ -124,8 +125,8 @@ TreeEditKind EditPanel::tool() const {
     return tools.at(static_cast<std::size_t>(tool_->currentIndex())).kind;
 }
 
-int EditPanel::system() const {
-    return system_->value();
+VascularSystem EditPanel::system() const {
+    return system_numbered(system_->currentData().toInt()).value_or(VascularSystem::unknown);
 }
 
 void EditPanel::show_bridges(const QStringList& lines) {

@@ -13,7 +13,6 @@ class QComboBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
-class QSpinBox;
 
 namespace hepatica {
 
@@ -31,7 +30,7 @@ class EditPanel : public QWidget {
     void set_callbacks(Callbacks callbacks) { callbacks_ = std::move(callbacks); }
 
     TreeEditKind tool() const;
-    int system() const;  // for reassign_system
+    VascularSystem system() const;  // for reassign_system
 
     void show_bridges(const QStringList& lines);
     void show_edits(const QStringList& lines, bool can_undo, bool can_redo);
@@ -44,7 +43,7 @@ class EditPanel : public QWidget {
 
     Callbacks callbacks_;
     QComboBox* tool_ = nullptr;
-    QSpinBox* system_ = nullptr;
+    QComboBox* system_ = nullptr;
     QListWidget* bridges_ = nullptr;
     QPushButton* accept_ = nullptr;
     QListWidget* edits_ = nullptr;

@@ -19,7 +19,7 @@ namespace hepatica {
 
 namespace {
 
-void add_seeds(const QLineEdit& edit, const std::string& field, std::uint8_t system,
+void add_seeds(const QLineEdit& edit, const std::string& field, VascularSystem system,
                std::vector<VesselSeed>& seeds) {
     const std::vector<double> numbers = numbers_in(edit.text(), field);
     if (numbers.size() % 3 != 0) {
@@ -135,8 +135,8 @@ ReconstructOptions PatientWizard::options() const {
         throw InputError("a window is two numbers, the lower one first", "Window",
                          "write for example 140 260, or leave it empty");
     }
-    add_seeds(*portal_seeds_, "Portal vein seeds", 1, options.seeds);
-    add_seeds(*hepatic_seeds_, "Hepatic vein seeds", 2, options.seeds);
+    add_seeds(*portal_seeds_, "Portal vein seeds", VascularSystem::portal, options.seeds);
+    add_seeds(*hepatic_seeds_, "Hepatic vein seeds", VascularSystem::hepatic, options.seeds);
     return options;
 }
 

@@ -2,32 +2,18 @@
 #include "app/verbs/reconstruction_json.h"
 
 #include "core/mesh/quality.h"
+#include "core/tree/files/tree_json.h"
 
 namespace hepatica {
 
 Json to_json(const VesselTree& tree) {
-    double root_radius_mm = 0.0;
-    Vec3 root_mm = Vec3::Zero();  // of the widest root
-    for (const int root : roots(tree)) {
-        const VesselSegment& segment = tree.segments[root];
-        if (segment.radii_mm.front() <= root_radius_mm) continue;
-        root_radius_mm = segment.radii_mm.front();
-        root_mm = segment.points_mm.front();
-    }
-    Json systems = Json::object();  // length of each
-    for (const VesselSegment& segment : tree.segments) {
-        Json& length = systems[std::to_string(segment.system)];
-        length = (length.is_null() ? 0.0 : length.get<double>()) + length_mm(segment);
-    }
     return {{"segments", tree.segments.size()},
             {"bifurcations", bifurcation_count(tree)},
             {"ends", end_count(tree)},
             {"components", roots(tree).size()},
             {"length_mm", length_mm(tree)},
             {"bridged_mm", bridged_length_mm(tree)},
-            {"length_mm_of_system", systems},
-            {"root_radius_mm", root_radius_mm},
-            {"root_mm", {root_mm[0], root_mm[1], root_mm[2]}}};
+            {"systems", json_of(systems_of(tree))}};
 }
 
 Json to_json(const TetMesh& mesh) {

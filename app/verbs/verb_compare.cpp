@@ -13,6 +13,7 @@
 #include "core/image/filters.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
+#include "core/tree/files/tree_json.h"
 
 namespace hepatica {
 
@@ -101,6 +102,7 @@ Json run(const Options& options, Job& job) {
             {"components", found.components},
             {"truth_components", found.truth_components},
             {"voxel_mm", found.voxel_mm},
+            {"systems", json_of(systems_of(patient.tree))},
             {"warnings", warnings}};
 }
 

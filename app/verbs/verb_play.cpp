@@ -24,6 +24,7 @@ namespace {
 
 struct Options {
     fs::path patient;  // CT or case; empty: the built-in patient
+    std::string name;
     fs::path out = "out";
 };
 
@@ -59,15 +60,16 @@ int play_stages(const Options& options) {
     return stage_count(ReconstructOptions{}) + building_playing_injecting;
 }
 
-Opened reconstructed(const fs::path& ct, const fs::path& case_folder, Job& job) {
-    ReconstructOptions options;
-    options.ct = ct;
-    Reconstruction made = reconstruct(options, job);
+Opened reconstructed(const Options& options, Job& job) {
+    ReconstructOptions how;
+    how.ct = options.patient;
+    how.name = options.name;
+    Reconstruction made = reconstruct(how, job);
     Opened opened;
     opened.patient = std::move(made.patient);
     opened.stages = table_of(made.stages);
     opened.warnings = std::move(made.warnings);
-    write_case(case_folder, opened.patient);
+    write_case(options.out / "patient.hep", opened.patient);
     return opened;
 }
 
@@ -97,12 +99,11 @@ Opened open(const Options& options, Job& job) {
     if (is_case(options.patient)) {
         opened.patient = read_case_without_voxels(options.patient);
     } else {
-        const fs::path named = options.patient.has_filename()
-                                   ? options.patient.filename()
-                                   : options.patient.parent_path().filename();
-        opened = reconstructed(options.patient, options.out / (named.string() + ".hep"), job);
+        opened = reconstructed(options, job);
     }
-    opened.title = options.patient.string();
+    // No file or folder is named: it may be called after the patient, and a report is passed on.
+    const std::string& kept = opened.patient.source.name;
+    opened.title = !options.name.empty() ? options.name : !kept.empty() ? kept : "a patient";
     return opened;
 }
 
@@ -164,6 +165,7 @@ void add_play(CommandLine& line) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = line.add_verb("play", "Play a session without a window: pictures and a report",
                                    [options](Job& job) { return run(*options, job); });
+    verb.add_option("--name", options->name, "What the report calls the patient");
     verb.add_option("patient", options->patient, "CT or case; none: the built-in patient");
     verb.add_option("--out", options->out,
                     "Folder for pictures and report.html, which appear together at the end")

@@ -26,10 +26,43 @@ struct Options {
     fs::path vessel_mask;
     std::vector<double> window;
     std::vector<std::string> seeds;
+    std::vector<std::string> vessel_labels;
     std::string method = "coherent";
     std::string thinning = "queue";
     bool as_published = false;
 };
+
+VascularSystem parse_system(const std::string& option, const std::string& text) {
+    if (const auto system = system_named(text)) return *system;
+    throw UsageError("\"" + text + "\" is no vascular system", option,
+                     "Choose a name or a number: " + list_of_systems());
+}
+
+// "LABEL=SYSTEM", or "LABEL" for vessels of an unknown system.
+VesselLabel parse_vessel_label(const std::string& text) {
+    VesselLabel named;
+    const std::size_t equals = text.find('=');
+    const char* end = text.data() + std::min(equals, text.size());
+    const auto [rest, error] = std::from_chars(text.data(), end, named.label);
+    if (error != std::errc{} || rest != end || named.label < 1 || named.label > 65535)
+        throw UsageError("\"" + text + "\" names no label", "--vessel-label",
+                         "Write LABEL=SYSTEM, for example 64=portal; labels go from 1 to 65535");
+    if (equals != std::string::npos)
+        named.system = parse_system("--vessel-label", text.substr(equals + 1));
+    return named;
+}
+
+std::vector<VesselLabel> parse_vessel_labels(const std::vector<std::string>& texts) {
+    std::vector<VesselLabel> labels;
+    for (const std::string& text : texts) {
+        if (texts.size() > 1 && text.find('=') == std::string::npos)
+            throw UsageError("it is not said which system the label " + text + " is",
+                             "--vessel-label",
+                             "Write LABEL=SYSTEM,LABEL=SYSTEM; systems: " + list_of_systems());
+        labels.push_back(parse_vessel_label(text));
+    }
+    return labels;
+}
 
 // "X,Y,Z" or "X,Y,Z,SYSTEM".
 VesselSeed parse_seed(const std::string& text) {
@@ -37,11 +70,7 @@ VesselSeed parse_seed(const std::string& text) {
     std::string position = text;
     if (std::ranges::count(text, ',') == 3) {
         const std::size_t comma = text.rfind(',');
-        const char* end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data() + comma + 1, end, seed.system);
-        if (error != std::errc{} || rest != end || seed.system == 0)
-            throw UsageError("\"" + text.substr(comma + 1) + "\" is no system", "--seed-mm",
-                             "Number the vascular systems from 1");
+        seed.system = parse_system("--seed-mm", text.substr(comma + 1));
         position = text.substr(0, comma);
     }
     const auto numbers = parse_triple("--seed-mm", position);
@@ -63,6 +92,7 @@ void parse(Options& options) {
         reconstruct.window_hu = {options.window[0], options.window[1]};
     }
     for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
+    reconstruct.vessel_labels = parse_vessel_labels(options.vessel_labels);
     reconstruct.method = methods.at(options.method);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
     if (options.as_published) use_as_published(reconstruct);
@@ -118,20 +148,27 @@ void add_reconstruct(CommandLine& line) {
                     "Which series of a DICOM folder, as the warnings number them; 1 is the best")
         ->check(CLI::Range(1, 10000));
     verb.add_option("--out", options->out, "Case to make, NAME.hep (a folder)")->required();
+    verb.add_option("--name", reconstruct.name,
+                    "What pictures and reports call the patient; nothing else names them");
     verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
     verb.add_option("--vessel-mask", options->vessel_mask,
-                    "Image whose nonzero voxels are vessels: nothing is segmented");
+                    "Image of the vessels, its labels their systems: nothing is segmented");
     verb.add_option("--window", options->window, "Vessels lie within LO,HI [HU]")->delimiter(',');
-    verb.add_option("--seed-mm", options->seeds,
-                    "X,Y,Z[,SYSTEM] inside a vessel [LPS mm]; may be repeated");
+    verb.add_option(
+        "--seed-mm", options->seeds,
+        "X,Y,Z[,SYSTEM] inside a vessel [LPS mm], SYSTEM portal, hepatic or artery; may be "
+        "repeated");
     verb.add_option("--method", options->method, "How vessels are segmented")
         ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
         ->capture_default_str();
     verb.add_option("--liver-label", reconstruct.liver_labels,
                     "Labels of the liver mask that are liver; without it all that are not 0")
         ->delimiter(',');
-    verb.add_option("--vessel-label", reconstruct.vessel_labels,
-                    "Labels of the vessel mask that are vessels: systems 1, 2 ... in this order")
+    verb.add_option(
+            "--vessel-label", options->vessel_labels,
+            "LABEL=SYSTEM,LABEL=SYSTEM: labels of the vessel mask that are vessels; without "
+            "it a single label is an unknown system, several are 1 portal, 2 hepatic, "
+            "3 artery, 255 unknown")
         ->delimiter(',');
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")

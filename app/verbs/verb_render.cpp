@@ -104,8 +104,8 @@ std::unique_ptr<Session> played(const Options& options, const Recording& recordi
     return session;
 }
 
-std::vector<int> vertex_systems(const World& world, const VesselTree& tree) {
-    std::vector<int> systems(world.vertex_count(), 0);
+std::vector<VascularSystem> vertex_systems(const World& world, const VesselTree& tree) {
+    std::vector<VascularSystem> systems(world.vertex_count());
     for (std::size_t v = 0; v < systems.size(); ++v) {
         const TreePoint place = nearest_point(tree, world.rest_positions_mm()[v]);
         systems[v] = tree.segments[static_cast<std::size_t>(place.segment)].system;
@@ -132,7 +132,7 @@ Json run(const Options& options, Job& job) {
     job.begin_stage("Drawing");
     picture.vertex_systems = vertex_systems(session->world(), patient->tree);
     picture.bridges = views_of(open_bridges(*patient));
-    picture.caption = options.patient.stem().string();
+    picture.caption = patient->source.name;
     const OffscreenPicture drawn = draw_frame(frame, picture);
     write_png(options.out, drawn.picture);
     return {{"renderer", drawn.renderer},

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/image/filters.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
@@ -117,9 +118,7 @@ std::optional<double> median_distance_mm(const VesselTree& from, const VesselTre
              resampled({segment.points_mm, segment.radii_mm}, 0.5 * voxel_mm).points_mm)
             distances.push_back(
                 locator.nearest(point, std::numeric_limits<double>::max())->distance_mm);
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::ranges::nth_element(distances, middle);
-    return *middle;
+    return median(std::move(distances));
 }
 
 struct Bifurcation {

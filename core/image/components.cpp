@@ -1,38 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
 
 namespace {
-
-// Sets of runs that touch (union by smaller number, so the root is the first run).
-class RunSets {
-  public:
-    std::uint32_t add() {
-        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-        return parent_.back();
-    }
-    std::uint32_t root(std::uint32_t run) {
-        while (parent_[run] != run) run = parent_[run] = parent_[parent_[run]];
-        return run;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        if (a < b)
-            parent_[b] = a;
-        else
-            parent_[a] = b;
-    }
-    std::size_t size() const { return parent_.size(); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
 
 // Object voxels in a row: [begin, end).
 struct Run {
@@ -65,14 +40,14 @@ struct RunTable {
 
 // Joins the touching runs of two rows; reach 1 lets diagonal neighbours touch.
 void join_rows(const RunTable& table, std::size_t row, std::size_t other, int reach,
-               RunSets& sets) {
+               DisjointSets& sets) {
     std::size_t i = table.first_of_row[row];
     std::size_t j = table.first_of_row[other];
     while (i < table.first_of_row[row + 1] && j < table.first_of_row[other + 1]) {
         const Run& a = table.runs[i];
         const Run& b = table.runs[j];
         if (a.begin < b.end + reach && b.begin < a.end + reach)
-            sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+            sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
         if (a.end < b.end)
             ++i;
         else
@@ -80,9 +55,8 @@ void join_rows(const RunTable& table, std::size_t row, std::size_t other, int re
     }
 }
 
-RunSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connectivity) {
-    RunSets sets;
-    for (std::size_t i = 0; i < table.runs.size(); ++i) sets.add();
+DisjointSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connectivity) {
+    DisjointSets sets(table.runs.size());
     const bool diagonal = connectivity == Connectivity::all26;
     const int reach = diagonal ? 1 : 0;
     const int ny = grid.dims[1];
@@ -99,7 +73,7 @@ RunSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connec
 }
 
 // For each set: its voxels; indexed by the set's first run, 0 for other runs.
-std::vector<std::size_t> set_sizes(const RunTable& table, RunSets& sets) {
+std::vector<std::size_t> set_sizes(const RunTable& table, DisjointSets& sets) {
     std::vector<std::size_t> sizes(table.runs.size(), 0);
     for (std::size_t i = 0; i < table.runs.size(); ++i)
         sizes[sets.root(static_cast<std::uint32_t>(i))] += table.runs[i].end - table.runs[i].begin;
@@ -118,7 +92,7 @@ void for_each_run(const RunTable& table, const Grid& grid, const Visit& visit) {
 
 Components connected_components(const Mask& mask, Connectivity connectivity) {
     const RunTable table(mask, true);
-    RunSets sets = joined_runs(table, mask.grid, connectivity);
+    DisjointSets sets = joined_runs(table, mask.grid, connectivity);
     const std::vector<std::size_t> sizes = set_sizes(table, sets);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < sizes.size(); ++i)
@@ -156,7 +130,7 @@ Mask largest_components(const Mask& mask, Connectivity connectivity, int count,
 Mask fill_holes(const Mask& mask) {
     const Grid& grid = mask.grid;
     const RunTable table(mask, false);
-    RunSets sets = joined_runs(table, grid, Connectivity::faces6);
+    DisjointSets sets = joined_runs(table, grid, Connectivity::faces6);
     std::vector<char> open(table.runs.size(), 0);  // by first run: reaches the border
     const int ny = grid.dims[1];
     for_each_run(table, grid, [&](std::uint32_t run, std::size_t begin, std::size_t) {

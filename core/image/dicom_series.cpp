@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 
 namespace hepatica {
 
@@ -95,9 +96,7 @@ double median_gap_mm(const std::vector<DicomSlice>& slices) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < slices.size(); ++i)
         gaps.push_back(slices[i].along_normal_mm() - slices[i - 1].along_normal_mm());
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    return *middle;
+    return median(std::move(gaps));
 }
 
 void require_even_gaps(const std::vector<DicomSlice>& slices) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/surface.h"
 
 namespace hepatica {
@@ -16,42 +17,17 @@ namespace {
 
 constexpr double degrees = 180.0 / M_PI;
 
-// Disjoint sets of vertices; a set's name is its smallest vertex.
-class Components {
-  public:
-    explicit Components(std::size_t count) : owner_(count) {
-        std::iota(owner_.begin(), owner_.end(), 0);
-    }
-    int find(int vertex) {
-        while (owner_[vertex] != vertex) vertex = owner_[vertex] = owner_[owner_[vertex]];
-        return vertex;
-    }
-    void unite(int a, int b) {
-        a = find(a);
-        b = find(b);
-        owner_[std::max(a, b)] = std::min(a, b);
-    }
-    int count_of(const std::vector<char>& used) {
-        int count = 0;
-        for (std::size_t v = 0; v < owner_.size(); ++v)
-            count += used[v] != 0 && find(static_cast<int>(v)) == static_cast<int>(v);
-        return count;
-    }
-
-  private:
-    std::vector<int> owner_;
-};
-
 template <class Cells>
 int components_of(std::size_t vertices, const Cells& cells) {
-    Components components(vertices);
+    DisjointSets sets(vertices);
     std::vector<char> used(vertices, 0);
     for (const auto& cell : cells)
         for (const int vertex : cell) {
             used[vertex] = 1;
-            components.unite(cell[0], vertex);
+            sets.unite(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(vertex));
         }
-    return components.count_of(used);
+    // A vertex of no cell is a set of its own.
+    return static_cast<int>(sets.count()) - static_cast<int>(std::ranges::count(used, 0));
 }
 
 }  // namespace

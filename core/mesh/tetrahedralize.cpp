@@ -10,6 +10,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/manifold_attempts.h"
@@ -46,21 +47,16 @@ double radius_factor(double facet_size_in_radii) {
 
 // Segments that hang together through nodes, links of loops included; sorted by smallest id.
 std::vector<std::vector<int>> connected_components(const VesselTree& tree) {
-    std::vector<int> owner(tree.nodes.size());
-    std::iota(owner.begin(), owner.end(), 0);
-    const auto find = [&](int node) {
-        while (owner[node] != node) node = owner[node] = owner[owner[node]];
-        return node;
-    };
-    for (const VesselSegment& segment : tree.segments) {
-        const int a = find(segment.proximal_node), b = find(segment.distal_node);
-        owner[std::max(a, b)] = std::min(a, b);
-    }
-    std::map<int, std::size_t> number;
+    DisjointSets nodes(tree.nodes.size());
+    for (const VesselSegment& segment : tree.segments)
+        nodes.unite(static_cast<std::uint32_t>(segment.proximal_node),
+                    static_cast<std::uint32_t>(segment.distal_node));
+    std::map<std::uint32_t, std::size_t> number;
     std::vector<std::vector<int>> components;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
-        const auto [entry, added] =
-            number.try_emplace(find(tree.segments[s].proximal_node), components.size());
+        const auto [entry, added] = number.try_emplace(
+            nodes.root(static_cast<std::uint32_t>(tree.segments[s].proximal_node)),
+            components.size());
         if (added) components.emplace_back();
         components[entry->second].push_back(static_cast<int>(s));
     }

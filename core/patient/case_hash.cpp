@@ -10,7 +10,7 @@ std::uint64_t hash_of(const PatientCase& patient) {
     Hasher hasher;
     for (const VesselSegment& segment : patient.tree.segments) {
         const std::array<int, 4> links{segment.proximal_node, segment.distal_node, segment.parent,
-                                       segment.system};
+                                       number_of(segment.system)};
         hasher.add(std::span<const int>(links));
         for (const Vec3& point : segment.points_mm) hasher.add_bytes(point.data(), sizeof(Vec3));
         hasher.add(std::span<const double>(segment.radii_mm));

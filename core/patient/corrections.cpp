@@ -75,7 +75,7 @@ std::vector<Bridge> open_bridges(const PatientCase& patient) {
 
 TreeEdit acceptance_of(const Bridge& bridge) {
     return {TreeEditKind::add_link, bridge.path_mm.front(), bridge.path_mm.back(), bridge.path_mm,
-            0};
+            VascularSystem::unknown};
 }
 
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {

@@ -7,10 +7,12 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
-#include "core/base/hash.h"
+#include "core/base/text_file.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/mesh/mesh_io.h"
+#include "core/patient/case_header.h"
+#include "core/patient/format_1.h"
 #include "core/tree/files/tree_io.h"
 
 namespace hepatica {
@@ -20,137 +22,86 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int case_version = 1;
-constexpr const char* mask_file = "mask.nii.gz";
-constexpr const char* skeleton_file = "skeleton.nii.gz";
-constexpr const char* tree_file = "tree.vtp";
-constexpr const char* swc_file = "tree.swc";
-constexpr const char* surface_file = "surface.vtp";
-constexpr const char* mesh_file = "mesh.vtu";
-constexpr const char* corrections_file = "corrections.json";
-constexpr const char* extracted_file = "tree_extracted.vtp";
-constexpr const char* dial_file = "dial.json";
-
-[[noreturn]] void refuse(const fs::path& place, const std::string& problem) {
-    throw InputError(problem, place.string(),
-                     "Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep");
-}
-
-Json to_json(const Vec3& vector) {
-    return {vector.x(), vector.y(), vector.z()};
-}
-
-Vec3 vector_from(const Json& json) {
-    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-Json to_json(const Grid& grid) {
-    Json directions = Json::array();
-    for (int axis = 0; axis < 3; ++axis) directions.push_back(to_json(grid.direction.col(axis)));
-    return {{"dims", grid.dims},
-            {"spacing_mm", to_json(grid.spacing_mm)},
-            {"origin_mm", to_json(grid.origin_mm)},
-            {"direction", directions}};
-}
-
-Grid grid_from(const Json& json) {
-    Grid grid;
-    grid.dims = json.at("dims").get<Index3>();
-    grid.spacing_mm = vector_from(json.at("spacing_mm"));
-    grid.origin_mm = vector_from(json.at("origin_mm"));
-    for (int axis = 0; axis < 3; ++axis)
-        grid.direction.col(axis) = vector_from(json.at("direction").at(axis));
-    return grid;
-}
-
-Json read_header(const fs::path& folder) {
-    const fs::path file = folder / "case.json";
-    std::ifstream in(file);
-    if (!in) refuse(folder, "is not a patient's case: it holds no case.json");
-    const Json header = Json::parse(in, nullptr, false);
-    if (header.is_discarded() || !header.is_object()) refuse(file, "is damaged");
-    if (header.value("format", "") != "hepatica-case")
-        refuse(file, "was not written by this program");
-    const int version = header.value("version", 0);
-    if (version != case_version)
-        refuse(file, "has version " + std::to_string(version) + "; this program reads version " +
-                         std::to_string(case_version));
-    return header;
-}
-
-void check_file(const fs::path& folder, const Json& header, const char* name) {
-    const fs::path file = folder / name;
-    if (!fs::is_regular_file(file)) refuse(file, "is missing");
-    const std::string promised = header.at("hashes").value(name, "");
-    if (to_hex(hash_of_file(file)) != promised)
-        refuse(file, "is not the file that case.json was written for (its hash differs)");
-}
-
 // Whether the case holds a file that not every case has; it is checked then.
-bool holds(const fs::path& folder, const Json& header, const char* name) {
-    if (!header.at("hashes").contains(name)) return false;
-    check_file(folder, header, name);
+bool holds(const fs::path& folder, const CaseHeader& header, const char* name) {
+    if (!header.digests.contains(name)) return false;
+    check_case_file(folder, header, name);
     return true;
 }
 
-Mask read_voxels(const fs::path& folder, const Json& header, const char* name) {
+Mask read_voxels(const fs::path& folder, const CaseHeader& header, const char* name) {
     if (!holds(folder, header, name)) return {};
     Job job;
     const LabelMap labels = read_label_map(folder / name, job);
     return narrow_labels(labels, (folder / name).string());
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse(file, "cannot be read");
-    return {std::istreambuf_iterator<char>(in), {}};
+VesselTree extracted_tree(const fs::path& folder, const CaseHeader& header) {
+    if (!holds(folder, header, case_file::extracted)) return {};
+    return read_tree_vtp(folder / case_file::extracted);
 }
 
-Corrections read_corrections(const fs::path& folder, const Json& header) {
-    Corrections corrections;
-    if (holds(folder, header, corrections_file)) {
-        const fs::path file = folder / corrections_file;
-        const Json json = Json::parse(text_of(file));
+void read_corrections(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
+    Corrections& corrections = patient.corrections;
+    corrections.extracted = extracted_tree(folder, header);
+    const bool old = header.version == 1;
+    const bool seeded = is_seeded_format_1(
+        corrections.extracted.segments.empty() ? patient.tree : corrections.extracted);
+    if (holds(folder, header, case_file::corrections)) {
+        const fs::path file = folder / case_file::corrections;
+        const Json json =
+            Json::parse(read_text_file(file, "Reconstruct the patient again"), nullptr, true);
+        const std::string edits = json.at("edits").dump();
         corrections.bridges = bridges_from_json(json.at("bridges").dump(), file.string());
-        corrections.edits = edits_from_json(json.at("edits").dump(), file.string());
+        corrections.edits =
+            edits_from_json(old ? edits_of_format_1(edits, seeded) : edits, file.string());
     }
-    if (holds(folder, header, extracted_file))
-        corrections.extracted = read_tree_vtp(folder / extracted_file);
     if (corrections.edits.empty() != corrections.extracted.segments.empty())
-        refuse(folder, "holds edits without the tree that they were made on");
-    return corrections;
+        refuse_case(folder, "holds edits without the tree that they were made on");
+    if (old && !seeded) rename_systems_of_format_1(patient.tree);
+}
+
+void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
+    patient.mask = read_voxels(folder, header, case_file::mask);
+    patient.skeleton = read_voxels(folder, header, case_file::skeleton);
+    patient.organs = read_voxels(folder, header, case_file::organs);
+    if (header.version > 1) return;
+    const VesselTree extracted = extracted_tree(folder, header);
+    relabel_format_1(patient.mask, extracted.segments.empty()
+                                       ? read_tree_vtp(folder / case_file::tree)
+                                       : extracted);
 }
 
 void write_corrections(const fs::path& folder, const Corrections& corrections) {
     if (corrections.bridges.empty() && corrections.edits.empty()) return;
     const Json json{{"bridges", Json::parse(bridges_to_json(corrections.bridges))},
                     {"edits", Json::parse(edits_to_json(corrections.edits))}};
-    write_text_atomically(folder / corrections_file, json.dump(1) + "\n");
-    if (!corrections.edits.empty()) write_tree_vtp(folder / extracted_file, corrections.extracted);
+    write_text_atomically(folder / case_file::corrections, json.dump(1) + "\n");
+    if (!corrections.edits.empty())
+        write_tree_vtp(folder / case_file::extracted, corrections.extracted);
+}
+
+void write_voxels(const fs::path& file, const Mask& mask) {
+    if (!mask.voxels.empty()) write_nifti(file, mask);
 }
 
 PatientCase read(const fs::path& folder, bool with_voxels) {
     PatientCase patient;
+    const CaseHeader header = read_case_header(folder);
+    patient.source = header.source;
+    for (const char* name : {case_file::tree, case_file::surface, case_file::mesh})
+        check_case_file(folder, header, name);
+    patient.tree = read_tree_vtp(folder / case_file::tree);
     try {
-        const Json header = read_header(folder);
-        const Json& source = header.at("source");
-        patient.source.image_path = source.at("image").get<std::string>();
-        patient.source.image_grid = grid_from(source.at("grid"));
-        patient.source.parameters_json = header.at("parameters").dump();
-        for (const char* name : {tree_file, surface_file, mesh_file})
-            check_file(folder, header, name);
-        patient.corrections = read_corrections(folder, header);
-        if (with_voxels) {
-            patient.mask = read_voxels(folder, header, mask_file);
-            patient.skeleton = read_voxels(folder, header, skeleton_file);
-        }
+        read_corrections(folder, header, patient);
     } catch (const nlohmann::json::exception& error) {
-        refuse(folder / "case.json", std::string("is damaged (") + error.what() + ")");
+        refuse_case(folder / case_file::corrections,
+                    std::string("is damaged (") + error.what() + ")");
     }
-    patient.tree = read_tree_vtp(folder / tree_file);
-    patient.surface = read_vtp(folder / surface_file);
-    patient.mesh = read_vtu(folder / mesh_file);
-    if (std::ifstream dial(folder / dial_file); dial)
+    if (with_voxels) read_all_voxels(folder, header, patient);
+    patient.surface = read_vtp(folder / case_file::surface);
+    patient.mesh = read_vtu(folder / case_file::mesh);
+    if (std::ifstream dial(folder / case_file::dial); dial)
         patient.dial_json.assign(std::istreambuf_iterator<char>(dial), {});
     return patient;
 }
@@ -158,7 +109,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
 }  // namespace
 
 bool is_case(const fs::path& path) {
-    return fs::is_regular_file(path / "case.json");
+    return fs::is_regular_file(path / case_file::header);
 }
 
 void write_case(const fs::path& folder, const PatientCase& patient) {
@@ -166,40 +117,26 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         throw InputError("is there already and is not a patient's case", folder.string(),
                          "Give --out another name; only an older case is replaced");
     write_folder_atomically(folder, [&](const fs::path& temporary) {
-        if (!patient.mask.voxels.empty()) write_nifti(temporary / mask_file, patient.mask);
-        if (!patient.skeleton.voxels.empty())
-            write_nifti(temporary / skeleton_file, patient.skeleton);
-        write_tree_vtp(temporary / tree_file, patient.tree);
-        write_tree_swc(temporary / swc_file, patient.tree);
-        write_vtp(temporary / surface_file, patient.surface);
-        write_vtu(temporary / mesh_file, patient.mesh);
+        write_voxels(temporary / case_file::mask, patient.mask);
+        write_voxels(temporary / case_file::skeleton, patient.skeleton);
+        write_voxels(temporary / case_file::organs, patient.organs);
+        write_tree_vtp(temporary / case_file::tree, patient.tree);
+        write_tree_swc(temporary / case_file::swc, patient.tree);
+        write_vtp(temporary / case_file::surface, patient.surface);
+        write_vtu(temporary / case_file::mesh, patient.mesh);
         write_corrections(temporary, patient.corrections);
         if (!patient.dial_json.empty())
-            write_text_atomically(temporary / dial_file, patient.dial_json);
-
-        Json header;
-        header["format"] = "hepatica-case";
-        header["version"] = case_version;
-        header["program"] = HEPATICA_VERSION;
-        header["source"] = {{"image", patient.source.image_path},
-                            {"grid", to_json(patient.source.image_grid)}};
-        header["parameters"] = Json::parse(patient.source.parameters_json);
-        for (const char* name : {mask_file, skeleton_file, tree_file, swc_file, surface_file,
-                                 mesh_file, corrections_file, extracted_file})
-            if (fs::exists(temporary / name))
-                header["hashes"][name] = to_hex(hash_of_file(temporary / name));
-        write_text_atomically(temporary / "case.json", header.dump(2) + "\n");
+            write_text_atomically(temporary / case_file::dial, patient.dial_json);
+        write_case_header(temporary, patient);
     });
 }
 
 void add_voxels(const fs::path& folder, PatientCase& patient) {
-    const Json header = read_header(folder);
-    patient.mask = read_voxels(folder, header, mask_file);
-    patient.skeleton = read_voxels(folder, header, skeleton_file);
+    read_all_voxels(folder, read_case_header(folder), patient);
 }
 
 void write_dial(const fs::path& folder, const std::string& dial_json) {
-    write_text_atomically(folder / dial_file, dial_json);
+    write_text_atomically(folder / case_file::dial, dial_json);
 }
 
 PatientCase read_case(const fs::path& folder) {

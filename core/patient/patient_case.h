@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One patient on disk: NAME.hep, a folder of open formats.
-//   case.json (version, source, parameters, hashes of the rest), mask.nii.gz, skeleton.nii.gz,
-//   tree.vtp, tree.swc, surface.vtp, mesh.vtu, and where the tree was corrected by hand
-//   corrections.json (bridges offered, edits) and tree_extracted.vtp (the tree before the edits)
-// The CT itself is referred to, not copied.
+//   case.json (version, digest of the CT, parameters, the tree in numbers, SHA-256 of the rest),
+//   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, tree.vtp, tree.swc,
+//   surface.vtp, mesh.vtu, and where the tree was corrected by hand corrections.json (bridges
+//   offered, edits) and tree_extracted.vtp (the tree before the edits)
+// The CT is not copied, and no path of it or of a mask is kept: folders are often called after the
+// patient. This is format 2; format 1 is read, too (format_1.h).
 #pragma once
 
 #include <cstdint>
@@ -21,8 +23,9 @@ namespace hepatica {
 
 // Where a case came from and how it was made.
 struct CaseSource {
-    std::string image_path;              // the CT, as given
-    Grid image_grid;                     // its geometry
+    std::string name;                    // what the user wants it called; may be empty
+    std::string image_sha256;            // content of the CT (image_digest.h); empty: not known
+    Grid image_grid;                     // geometry of the CT
     std::string parameters_json = "{}";  // options of the reconstruction, one JSON object
 };
 
@@ -33,10 +36,18 @@ struct Corrections {
     VesselTree extracted;         // the tree before the first edit; empty where there are none
 };
 
+// Labels of organs.nii.gz.
+namespace organ_label {
+inline constexpr std::uint8_t liver = 1;
+inline constexpr std::uint8_t cava = 2;
+inline constexpr std::uint8_t first_tumour = 10;  // one label each, from here on
+}  // namespace organ_label
+
 struct PatientCase {
     CaseSource source;
-    Mask mask;      // vessels, on the grid they were segmented on; may be empty
+    Mask mask;      // numbers of vascular systems, on the grid they were segmented on; may be empty
     Mask skeleton;  // its unit-width skeleton, same grid; may be empty
+    Mask organs;    // organ_label, on a grid of its own; empty where none was given or found
     VesselTree tree;
     TriangleMesh surface;  // boundary of `mesh`
     TetMesh mesh;
@@ -53,11 +64,11 @@ bool is_case(const std::filesystem::path& path);
 // Throws InputError where the place cannot be written or the disk is full.
 void write_case(const std::filesystem::path& folder, const PatientCase& patient);
 
-// Reads and checks a case. Throws InputError that says why where the version is another, a file is
-// missing, or a file's hash is not the one that case.json holds.
+// Reads and checks a case of this format or an older one. Throws InputError that says why where the
+// version is not known, a file is missing, or a file's digest is not the one that case.json holds.
 PatientCase read_case(const std::filesystem::path& folder);
 
-// The same without the voxels (mask and skeleton stay empty): for simulation, which needs neither.
+// The same without the voxels (mask, skeleton, organs stay empty): simulation needs none of them.
 PatientCase read_case_without_voxels(const std::filesystem::path& folder);
 
 // Reads a case's voxels into a patient that was read without them.

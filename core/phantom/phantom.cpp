@@ -87,7 +87,7 @@ VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, 
     centrelines.point_spacing_mm = options.spacing_mm.minCoeff() / scale;
     const std::vector<std::vector<GrownBranch>> grown = grow_trees(requests, random, job);
     for (std::size_t i = 0; i < grown.size(); ++i) {
-        centrelines.system = static_cast<int>(i);
+        centrelines.system = i == 0 ? VascularSystem::portal : VascularSystem::hepatic;
         centrelines.obstacles = capsules_of(tree);
         for (std::size_t later = i + 1; later < grown.size(); ++later)
             append_chords(centrelines.obstacles, grown[later], centrelines);
@@ -116,7 +116,7 @@ Phantom make_phantom(const PhantomOptions& options, Job& job) {
     Phantom phantom;
     phantom.tree = grow_systems(body, options, view.scale, job);
     scale_tree(phantom.tree, view.scale);
-    phantom.vessels = lumen_share(phantom.tree, view.grid, -1, job);
+    phantom.vessels = lumen_share(phantom.tree, view.grid, std::nullopt, job);
     for (std::uint8_t& voxel : phantom.vessels.voxels) voxel = voxel >= 32 ? 1 : 0;
     scan(phantom, body, options, view.scale, job);
     return phantom;

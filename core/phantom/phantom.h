@@ -16,7 +16,7 @@ struct PhantomOptions {
     std::uint64_t seed = 1;
     // Each system has 2^generations ends, as a symmetric tree of that depth has; 1 to 10.
     int generations = 6;
-    // 1: portal vein. 2: portal vein (system 0) and hepatic veins (system 1), which do not touch.
+    // 1: portal vein. 2: portal vein and hepatic veins, which do not touch.
     int systems = 1;
     // The anatomy has the size of an adult's (liver 195 x 150 x 150 mm) where the field of view
     // can hold it, and is scaled down as a whole, vessels and all, where it cannot.
@@ -33,7 +33,7 @@ struct PhantomOptions {
 
 struct Phantom {
     Volume ct;
-    Mask vessels;     // voxels of which at least half is lumen
+    Mask vessels;     // voxels of which at least half is lumen: number of the system, else 0
     Mask liver;       // voxels of which at least half is liver, vessels included
     VesselTree tree;  // centrelines and radii that the CT was drawn from
 };

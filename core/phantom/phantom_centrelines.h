@@ -15,7 +15,7 @@ struct CentrelineRequest {
     double root_radius_mm = 6.0;
     double murray_exponent = 3.0;
     double point_spacing_mm = 1.0;
-    int system = 0;
+    VascularSystem system = VascularSystem::portal;
     std::vector<Capsule> obstacles;  // vessels of the other systems
 };
 

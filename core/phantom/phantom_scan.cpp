@@ -38,10 +38,11 @@ struct Cone {
     }
 };
 
-std::vector<Cone> cones_of(const VesselTree& tree, const Grid& grid, int system) {
+std::vector<Cone> cones_of(const VesselTree& tree, const Grid& grid,
+                           std::optional<VascularSystem> system) {
     std::vector<Cone> cones;
     for (const VesselSegment& segment : tree.segments) {
-        if (system >= 0 && segment.system != system) continue;
+        if (system && segment.system != *system) continue;
         for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
             const Vec3 a = grid.to_index(segment.points_mm[i - 1]).cwiseProduct(grid.spacing_mm);
             const Vec3 b = grid.to_index(segment.points_mm[i]).cwiseProduct(grid.spacing_mm);
@@ -124,9 +125,10 @@ float clean_voxel(const PhantomOptions& options, double base_hu, int portal, int
 FloatVolume draw_clean(Phantom& phantom, const PhantomBody& body, const PhantomOptions& options,
                        double scale, Job& job) {
     const Grid& grid = phantom.vessels.grid;
-    const Image<std::uint8_t> portal = lumen_share(phantom.tree, grid, 0, job);
+    const Image<std::uint8_t> portal = lumen_share(phantom.tree, grid, VascularSystem::portal, job);
     const Image<std::uint8_t> hepatic =
-        options.systems > 1 ? lumen_share(phantom.tree, grid, 1, job) : Image<std::uint8_t>(grid);
+        options.systems > 1 ? lumen_share(phantom.tree, grid, VascularSystem::hepatic, job)
+                            : Image<std::uint8_t>(grid);
     FloatVolume image(grid);
     phantom.liver = Mask(grid);
     const double softness_mm = std::cbrt(grid.spacing_mm.prod()) / scale;
@@ -139,6 +141,10 @@ FloatVolume draw_clean(Phantom& phantom, const PhantomBody& body, const PhantomO
                 const std::size_t i = grid.offset(x, y, z);
                 const Vec3 p = grid.to_mm(x, y, z) / scale;
                 const double liver_mm = body.liver_distance_mm(p);
+                if (phantom.vessels.voxels[i] != 0)
+                    phantom.vessels.voxels[i] = static_cast<std::uint8_t>(
+                        hepatic.voxels[i] > portal.voxels[i] ? VascularSystem::hepatic
+                                                             : VascularSystem::portal);
                 phantom.liver.voxels[i] = liver_mm <= 0.0 || phantom.vessels.voxels[i] ? 1 : 0;
                 image.voxels[i] = clean_voxel(options, body.hu(p, liver_mm, softness_mm),
                                               portal.voxels[i], hepatic.voxels[i]);
@@ -189,7 +195,8 @@ void add_noise_and_round(const FloatVolume& image, const PhantomOptions& options
 
 }  // namespace
 
-Image<std::uint8_t> lumen_share(const VesselTree& tree, const Grid& grid, int system, Job& job) {
+Image<std::uint8_t> lumen_share(const VesselTree& tree, const Grid& grid,
+                                std::optional<VascularSystem> system, Job& job) {
     const std::vector<Cone> cones = cones_of(tree, grid, system);
     const SliceSampler sampler(grid, cones);
     Image<std::uint8_t> share(grid);

@@ -11,6 +11,7 @@ ReconstructOptions built_in_options(const std::filesystem::path& folder) {
     ReconstructOptions options;
     options.ct = folder / "ct.nii.gz";
     options.liver_mask = folder / "liver.nii.gz";
+    options.seeds = {{Vec3::Zero(), VascularSystem::portal}};
     return options;
 }
 
@@ -25,7 +26,10 @@ BuiltInPatient reconstruct_built_in(const std::filesystem::path& folder, Job& jo
     job.expect_stages(built_in_stage_count());
     BuiltInPatient patient;
     patient.truth = make_phantom(PhantomOptions{}, job);
-    const ReconstructOptions options = built_in_options(folder);
+    ReconstructOptions options = built_in_options(folder);
+    const VesselTree& tree = patient.truth.tree;
+    const VesselSegment& trunk = tree.segments[roots(tree).front()];
+    options.seeds.front().position_mm = trunk.points_mm[trunk.points_mm.size() / 2];
     write_nifti(options.ct, patient.truth.ct);
     write_nifti(*options.liver_mask, patient.truth.liver);
     patient.reconstruction = reconstruct(options, job);

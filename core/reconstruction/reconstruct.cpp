@@ -2,18 +2,20 @@
 #include "core/reconstruction/reconstruct.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <limits>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
 #include "core/mesh/surface.h"
+#include "core/patient/image_digest.h"
+#include "core/reconstruction/mask_of_tree.h"
+#include "core/reconstruction/reconstruct_parameters.h"
+#include "core/reconstruction/seed_checks.h"
 #include "core/segmentation/gaussian_refinement.h"
+#include "core/segmentation/vessel_systems.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
@@ -22,42 +24,6 @@
 namespace hepatica {
 
 namespace {
-
-std::string name_of(SegmentationMethod method) {
-    switch (method) {
-        case SegmentationMethod::multi_layer:
-            return "multi_layer";
-        case SegmentationMethod::vesselness:
-            return "vesselness";
-        case SegmentationMethod::coherent:
-            break;
-    }
-    return "coherent";
-}
-
-nlohmann::ordered_json parameters_of(const ReconstructOptions& options) {
-    nlohmann::ordered_json json;
-    json["liver_mask"] = options.liver_mask ? options.liver_mask->string() : "";
-    json["vessel_mask"] = options.vessel_mask ? options.vessel_mask->string() : "";
-    json["method"] = name_of(options.method);
-    if (options.window_hu)
-        json["window_hu"] = {options.window_hu->first, options.window_hu->second};
-    for (const VesselSeed& seed : options.seeds)
-        json["seeds"].push_back(
-            {{"position_mm", {seed.position_mm.x(), seed.position_mm.y(), seed.position_mm.z()}},
-             {"system", seed.system}});
-    if (!options.liver_labels.empty()) json["liver_labels"] = options.liver_labels;
-    if (!options.vessel_labels.empty()) json["vessel_labels"] = options.vessel_labels;
-    json["thinning"] = options.thinning == ThinningMethod::queue ? "queue" : "parallel";
-    json["bridge_confidence"] = options.bridge_confidence;
-    json["refinement_recursions"] = options.refinement_recursions;
-    json["spacing_mm"] = options.spacing_mm;
-    json["mesh"] = {{"facet_size_in_radii", options.mesh.facet_size_in_radii},
-                    {"cell_size_in_radii", options.mesh.cell_size_in_radii},
-                    {"target_tetrahedra", options.mesh.target_tetrahedra},
-                    {"minimum_radius_mm", options.mesh.minimum_radius_mm}};
-    return json;
-}
 
 // Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
 // takes the system of the voxel before it in the row, which borders the hole.
@@ -80,103 +46,62 @@ void require_vessels(const Mask& mask, const std::string& place) {
                          "vessel mask (--vessel-mask)");
 }
 
-// Labels that are named become 1, 2 ..., the others 0; without names all stay what they are.
-void keep_named(LabelMap& labels, const std::vector<int>& names) {
-    if (names.empty()) return;
-    for (std::uint16_t& label : labels.voxels) {
-        const auto name = std::ranges::find(names, static_cast<int>(label));
-        label = name == names.end() ? 0 : static_cast<std::uint16_t>(name - names.begin() + 1);
-    }
+// What the image shows or somebody drew, before it becomes a tree.
+struct Anatomy {
+    Mask vessels;  // numbers of systems
+    Mask organs;   // organ_label; empty where no liver was given or found
+};
+
+// The liver as a case keeps it, cut to what it fills.
+Mask organs_of(const Mask& liver) {
+    constexpr double margin_mm = 2.0;
+    Mask organs = crop(liver, grow_box(bounding_box(liver), liver.grid, margin_mm));
+    for (std::uint8_t& voxel : organs.voxels)
+        if (voxel != 0) voxel = organ_label::liver;
+    return organs;
 }
 
-// A map of all organs is no mask of vessels.
-void require_few_systems(const Mask& mask, const std::string& place) {
-    constexpr int most_systems = 16;
-    std::array<std::uint8_t, 256> seen{};
-    for (const std::uint8_t label : mask.voxels) seen[label] = 1;
-    const auto labels = std::count(seen.begin() + 1, seen.end(), 1);
-    if (labels > most_systems)
-        throw InputError("holds " + std::to_string(labels) + " labels", place,
-                         "Name those that are vessels, one label a system: --vessel-label A,B");
+std::optional<Mask> given_liver(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
+    if (!options.liver_mask) return std::nullopt;
+    return on_grid_of(ct_grid, read_mask(*options.liver_mask, job, options.liver_labels),
+                      options.liver_mask->string());
 }
 
-// A mask that somebody drew, cut to what it holds.
-Mask given_vessels(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
-    LabelMap labels = on_grid_of(ct_grid, read_label_map(*options.vessel_mask, job),
-                                 options.vessel_mask->string());
-    keep_named(labels, options.vessel_labels);
-    Mask mask = narrow_labels(labels, options.vessel_mask->string());
-    require_few_systems(mask, options.vessel_mask->string());
-    require_vessels(mask, options.vessel_mask->string());
-    constexpr double margin_mm = 5.0;
-    mask = crop(mask, grow_box(bounding_box(mask), mask.grid, margin_mm));
+Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
+                      std::vector<std::string>& warnings, Job& job) {
+    Anatomy anatomy;
+    if (const auto liver = given_liver(options, ct_grid, job)) anatomy.organs = organs_of(*liver);
+    const Mask mask =
+        read_given_vessels(*options.vessel_mask, options.vessel_labels, ct_grid, warnings, job);
     job.begin_stage("Smoothing the vessels");
-    return refine(mask, options.refinement_recursions, job);
-}
-
-std::string text_of(const Vec3& position_mm) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", position_mm.x(), position_mm.y(),
-                  position_mm.z());
-    return text;
-}
-
-void require_seeds_in_image(const ReconstructOptions& options, const Grid& grid) {
-    for (const VesselSeed& seed : options.seeds) {
-        const Vec3 index = grid.to_index(seed.position_mm);
-        bool inside = true;
-        for (int axis = 0; axis < 3; ++axis)
-            inside = inside && index[axis] >= -0.5 && index[axis] <= grid.dims[axis] - 0.5;
-        if (inside) continue;
-        const Vec3 corner = grid.to_mm(0, 0, 0);
-        const Vec3 opposite = grid.to_mm(grid.dims[0] - 1, grid.dims[1] - 1, grid.dims[2] - 1);
-        throw InputError(text_of(seed.position_mm) +
-                             " lies outside the image, which reaches from " + text_of(corner) +
-                             " to " + text_of(opposite),
-                         "--seed-mm",
-                         "Give a place inside a vessel in patient space (LPS, mm); other programs "
-                         "may show RAS: there change the sign of X and Y");
+    anatomy.vessels = refine(mask, options.refinement_recursions, job);
+    if (!options.seeds.empty()) {
+        job.begin_stage("Telling the systems apart");
+        anatomy.vessels = label_systems(anatomy.vessels, options.seeds, job);
     }
+    return anatomy;
 }
 
-// The trunks leave the liver, but not far from it.
-void require_seeds_near_liver(const ReconstructOptions& options, const Mask& liver) {
-    constexpr double reach_mm = 10.0;
-    for (const VesselSeed& seed : options.seeds) {
-        double nearest_mm = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
-            if (liver.voxels[i] == 0) continue;
-            const auto [x, y, z] = liver.grid.index_of(i);
-            nearest_mm =
-                std::min(nearest_mm, (liver.grid.to_mm(x, y, z) - seed.position_mm).norm());
-            if (nearest_mm <= reach_mm) break;
-        }
-        if (nearest_mm <= reach_mm) continue;
-        throw InputError(text_of(seed.position_mm) + " lies " +
-                             std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
-                             options.liver_mask->string(),
-                         "--seed-mm", "Give a place inside a vessel in or at the liver (LPS, mm)");
-    }
-}
-
-Mask segmented_vessels(const ReconstructOptions& options, const Volume& ct,
-                       std::vector<std::string>& warnings, Job& job) {
+Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
+                          std::vector<std::string>& warnings, Job& job) {
     SegmentationOptions segmentation;
     segmentation.method = options.method;
     segmentation.window_hu = options.window_hu;
     segmentation.seeds = options.seeds;
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
-    if (options.liver_mask) {
-        segmentation.liver =
-            on_grid_of(ct.grid, read_mask(*options.liver_mask, job, options.liver_labels),
-                       options.liver_mask->string());
-        require_seeds_near_liver(options, *segmentation.liver);
+    segmentation.liver = given_liver(options, ct.grid, job);
+    Anatomy anatomy;
+    if (segmentation.liver) {
+        require_seeds_near_liver(options.seeds, *segmentation.liver, options.liver_mask->string());
+        anatomy.organs = organs_of(*segmentation.liver);
     }
     Segmentation found = segment_vessels(ct, segmentation, job);
     warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     require_vessels(found.mask, options.ct.string());
-    return std::move(found.mask);
+    anatomy.vessels = std::move(found.mask);
+    if (!segmentation.liver) anatomy.organs = organs_of(found.liver);
+    return anatomy;
 }
 
 // Portal and hepatic veins that touch make loops, which a tree of one system has none of.
@@ -191,9 +116,47 @@ void warn_of_loops(const VesselTree& tree, std::vector<std::string>& warnings) {
         "The vessels are one system with " + std::to_string(loops) +
         (loops == 1 ? " loop" : " loops") +
         ", made where branches touch or where portal and hepatic veins do. If both veins are in "
-        "it, "
-        "tell them apart by a seed inside each, --seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2; other "
-        "loops can be cut: hepatica-cli edit.");
+        "it, tell them apart by a seed inside each, --seed-mm X,Y,Z,portal and --seed-mm "
+        "X,Y,Z,hepatic; other loops can be cut: hepatica-cli edit.");
+}
+
+void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,
+                      std::vector<std::string>& warnings) {
+    const auto say = [&](const RemovedPieces& pieces, const std::string& why) {
+        if (pieces.count == 0) return;
+        const bool one = pieces.count == 1;
+        warnings.push_back(std::to_string(pieces.count) + (one ? " piece" : " pieces") +
+                           " of vessels, " + std::to_string(std::lround(pieces.length_mm)) +
+                           " mm in all, " + (one ? "was" : "were") + " left out of the tree: " +
+                           why + ". A seed inside such a piece keeps it.");
+    };
+    say(extraction.too_short, "pieces shorter than " +
+                                  std::to_string(std::lround(options.minimum_component_mm)) +
+                                  " mm that nothing joins are often noise");
+    say(extraction.unseeded, "no seed is connected with them, not even over a gap");
+}
+
+// Fills tree and bridges of the case, and takes what is left out of a seeded tree out of its
+// voxels.
+void build_tree(const ReconstructOptions& options, const Volume& ct, Reconstruction& result,
+                std::vector<std::string>& warnings, Job& job) {
+    PatientCase& patient = result.patient;
+    TreeOptions tree_options;
+    tree_options.seeds = options.seeds;
+    // What somebody drew is a vessel; what was found without a seed may be anything.
+    tree_options.only_seeded = !options.seeds.empty() && !options.vessel_mask;
+    tree_options.bridging.confidence = options.bridge_confidence;
+    TreeExtraction extraction =
+        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
+    warn_of_left_out(extraction, tree_options, warnings);
+    patient.tree = std::move(extraction.tree);
+    patient.corrections.bridges = std::move(extraction.bridges);
+    if (!follow_tree(patient.mask, patient.tree, tree_options.only_seeded)) return;
+    for (std::size_t i = 0; i < patient.mask.voxels.size(); ++i)
+        if (patient.mask.voxels[i] == 0) patient.skeleton.voxels[i] = 0;
+    result.mask = counts_of(patient.mask);
+    result.skeleton = counts_of(patient.skeleton);
+    result.crowded_points = crowded_point_count(patient.skeleton);
 }
 
 // `warnings` holds what was found so far, also where it throws.
@@ -203,11 +166,13 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     PatientCase& patient = result.patient;
     const Volume ct = read_volume(options.ct, job, &warnings, options.series);
     require_plausible_ct(ct, options.ct.string());
-    require_seeds_in_image(options, ct.grid);
-    patient.source = {options.ct.string(), ct.grid, parameters_of(options).dump()};
+    require_seeds_in_image(options.seeds, ct.grid);
+    patient.source = {options.name, digest_of(ct), ct.grid, parameters_json(options)};
 
-    patient.mask = options.vessel_mask ? given_vessels(options, ct.grid, job)
-                                       : segmented_vessels(options, ct, warnings, job);
+    Anatomy anatomy = options.vessel_mask ? given_anatomy(options, ct.grid, warnings, job)
+                                          : segmented_anatomy(options, ct, warnings, job);
+    patient.mask = std::move(anatomy.vessels);
+    patient.organs = std::move(anatomy.organs);
     fill_cavities(patient.mask);
     job.advance(0.8);
     result.mask = counts_of(patient.mask);
@@ -221,14 +186,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     result.crowded_points = crowded_point_count(patient.skeleton);
 
     job.begin_stage("Extracting the tree");
-    TreeOptions tree_options;
-    for (const VesselSeed& seed : options.seeds)
-        tree_options.seeds.push_back({seed.position_mm, seed.system});
-    tree_options.bridging.confidence = options.bridge_confidence;
-    TreeExtraction extraction =
-        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
-    patient.tree = std::move(extraction.tree);
-    patient.corrections.bridges = std::move(extraction.bridges);
+    build_tree(options, ct, result, warnings, job);
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
@@ -248,9 +206,9 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 int stage_count(const ReconstructOptions& options) {
     constexpr int reading = 1, from_skeleton_to_mesh = 4;
     constexpr int given_mask = 2, segmentation = 6, telling_systems_apart = 1;
-    if (options.vessel_mask) return reading + given_mask + from_skeleton_to_mesh;
-    return reading + segmentation + (options.seeds.empty() ? 0 : telling_systems_apart) +
-           from_skeleton_to_mesh;
+    const int given_liver = options.liver_mask ? 1 : 0;
+    return reading + (options.vessel_mask ? given_liver + given_mask : segmentation) +
+           (options.seeds.empty() ? 0 : telling_systems_apart) + from_skeleton_to_mesh;
 }
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {

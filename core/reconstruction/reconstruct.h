@@ -12,6 +12,7 @@
 #include "core/base/job.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
+#include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/vessel_segmentation.h"
 #include "core/skeleton/thinning.h"
 
@@ -20,16 +21,15 @@ namespace hepatica {
 struct ReconstructOptions {
     std::filesystem::path ct;  // DICOM folder or volume file
     int series = 0;            // of the folder, as list_series numbers them; 0: the best
+    std::string name;          // what the patient shall be called on the screen and in case.json
     std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
                                                          // or a box of its voxels
-    std::optional<std::filesystem::path> vessel_mask;    // nonzero = vessel: no segmentation is
-                                                         // done; several labels: several systems
+    std::optional<std::filesystem::path> vessel_mask;    // no segmentation is done; labels are
+                                                         // systems, see given_vessels.h
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
-    // Which labels of the masks count; empty: all. Vessel labels that are named become the systems
-    // 1, 2 ... in the order in which they stand.
-    std::vector<int> liver_labels;
-    std::vector<int> vessel_labels;
+    std::vector<int> liver_labels;           // of the liver mask; empty: all that are not 0
+    std::vector<VesselLabel> vessel_labels;  // of the vessel mask; see given_vessels.h
     // Gaps in a vessel are bridged from this confidence on (see gap_bridging.h), and the stretch is
     // marked; the others are only offered.
     double bridge_confidence = BridgeOptions{}.confidence;

@@ -24,7 +24,7 @@ struct SegmentationOptions {
     std::optional<Mask> liver;
     // Hounsfield window of the vessels; without one it follows from the image's own statistics.
     std::optional<std::pair<double, double>> window_hu;
-    // With seeds only what is connected to one of them is kept, and labelled with its system.
+    // What is connected with a seed is labelled with its system (vessel_systems.h).
     std::vector<VesselSeed> seeds;
     // Recursions of the Gaussian refinement (gaussian_refinement.h); 0 leaves the surface alone.
     int refinement_recursions = 0;
@@ -41,8 +41,8 @@ struct ContrastStatistics {
 };
 
 struct Segmentation {
-    // 0 background, else the system's number (1 where no seed was given). On a grid of cubes that
-    // covers the liver and lies in the CT's frame.
+    // 0 background, else the system's number (unknown where no seed reaches). On a grid that
+    // covers the liver with cubic voxels and lies in the CT's frame.
     Mask mask;
     Mask liver;             // closed; same grid as the mask
     FloatVolume intensity;  // CT resampled to that grid, in HU: for radii below the voxel

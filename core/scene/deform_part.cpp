@@ -49,7 +49,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
       wall_mm_(spec.wall_mm),
       gravity_mm_per_s2_(spec.gravity_mm_per_s2) {
     if (patient.mesh.tetrahedra.empty())
-        throw InputError("has no mesh, so its vessels cannot be moved", patient.source.image_path,
+        throw InputError("has no mesh, so its vessels cannot be moved", "the case",
                          "Reconstruct the patient again");
     setting_ = spec.setting ? *spec.setting : dial_of(patient).at(spec.quality).options;
     setting_.velocity_error = spec.velocity_error;

@@ -48,8 +48,8 @@ TreePoint SurfaceAnatomy::tree_point(int vertex) const {
     return vertex >= 0 && index < points_.size() ? points_[index] : TreePoint{};
 }
 
-std::vector<int> SurfaceAnatomy::vertex_systems() const {
-    std::vector<int> systems;
+std::vector<VascularSystem> SurfaceAnatomy::vertex_systems() const {
+    std::vector<VascularSystem> systems;
     systems.reserve(points_.size());
     for (const TreePoint& point : points_) systems.push_back(system_of(point.segment));
     return systems;
@@ -90,8 +90,9 @@ std::string SurfaceAnatomy::describe(const TreePoint& point,
     if (point.segment < 0) return {};
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(0) << "Branch " << point.segment << ", "
-         << point.arclength_mm << " of " << length_mm_[static_cast<std::size_t>(point.segment)]
+    text << std::fixed << std::setprecision(0) << "Branch " << point.segment << " ("
+         << title_of(system_of(point.segment)) << "), " << point.arclength_mm << " of "
+         << length_mm_[static_cast<std::size_t>(point.segment)]
          << " mm along: " << ends_downstream_of(point.segment) << " of "
          << ends_in_system_of(point.segment) << " ends lie downstream";
     if (static_cast<std::size_t>(point.segment) < flow_shares.size()) {
@@ -102,8 +103,8 @@ std::string SurfaceAnatomy::describe(const TreePoint& point,
     return text.str();
 }
 
-int SurfaceAnatomy::system_of(int segment) const {
-    return segment < 0 ? 0 : system_[static_cast<std::size_t>(segment)];
+VascularSystem SurfaceAnatomy::system_of(int segment) const {
+    return segment < 0 ? VascularSystem::unknown : system_[static_cast<std::size_t>(segment)];
 }
 
 }  // namespace hepatica

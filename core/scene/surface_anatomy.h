@@ -24,7 +24,7 @@ class SurfaceAnatomy {
 
     // Per vertex; what no index finds is a point of segment -1.
     TreePoint tree_point(int vertex) const;
-    std::vector<int> vertex_systems() const;
+    std::vector<VascularSystem> vertex_systems() const;
 
     // 1 for the vertices downstream of `from` (its own segment from there on, and all that branches
     // off later), else 0.
@@ -33,18 +33,18 @@ class SurfaceAnatomy {
     int ends_downstream_of(int segment) const;
     int ends_in_system_of(int segment) const;
 
-    int system_of(int segment) const;
+    VascularSystem system_of(int segment) const;
 
     // For the user: where on its branch a point is, what lies downstream of it, and its share of
     // the flow (per segment; may be empty). Empty for segment -1.
     std::string describe(const TreePoint& point, std::span<const double> flow_shares) const;
 
   private:
-    std::vector<TreePoint> points_;  // per vertex
-    std::vector<int> parent_;        // per segment
-    std::vector<int> system_;        // per segment
-    std::vector<double> length_mm_;  // per segment
-    std::vector<int> ends_;          // per segment: ends of the tree downstream of it
+    std::vector<TreePoint> points_;       // per vertex
+    std::vector<int> parent_;             // per segment
+    std::vector<VascularSystem> system_;  // per segment
+    std::vector<double> length_mm_;       // per segment
+    std::vector<int> ends_;               // per segment: ends of the tree downstream of it
 };
 
 }  // namespace hepatica

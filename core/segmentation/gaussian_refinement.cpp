@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/vascular_system.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/segmentation/neighbours.h"
@@ -52,6 +53,17 @@ Mask level_set(const Mask& object, const RefinementOptions& options, Job& job) {
     return inside;
 }
 
+// The mask's own label where it has only one, else that of an unknown system.
+std::uint8_t label_of_islands(const Mask& labels) {
+    std::uint8_t only = 0;
+    for (const std::uint8_t label : labels.voxels) {
+        if (label == 0 || label == only) continue;
+        if (only != 0) return static_cast<std::uint8_t>(VascularSystem::unknown);
+        only = label;
+    }
+    return only;
+}
+
 // Every voxel of the surface takes its old label, new ones the smallest label around them, layer
 // by layer.
 Mask labelled(const Mask& surface, const Mask& labels) {
@@ -78,8 +90,8 @@ Mask labelled(const Mask& surface, const Mask& labels) {
                 still.push_back(i);
         }
         for (const auto& [voxel, label] : found) result.voxels[voxel] = label;
-        if (found.empty()) {  // a new island: it belongs to no system in particular
-            for (const std::size_t i : still) result.voxels[i] = 1;
+        if (found.empty()) {  // an island without a neighbour that has a label
+            for (const std::size_t i : still) result.voxels[i] = label_of_islands(labels);
             break;
         }
         pending.swap(still);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
@@ -22,12 +23,6 @@ constexpr double rim_mm = 3.0;
 constexpr int rounds = 3;
 // Weight of the level so far against the voxels around, where hardly any voxel counts.
 constexpr float prior_weight = 0.02f;
-
-double median_of(std::vector<float>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Robust statistics need no more than a sample: every n-th object voxel.
 std::vector<float> sample(const FloatVolume& values, const Mask& where) {
@@ -105,12 +100,12 @@ RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
     std::vector<float> chosen = sample(values, where);
     if (chosen.empty()) return {};
     RobustSpread spread;
-    spread.median = median_of(chosen);
+    spread.median = median(chosen);
     std::vector<float> below;
     for (const float v : chosen)
         if (v <= static_cast<float>(spread.median))
             below.push_back(static_cast<float>(spread.median) - v);
-    spread.deviation = 1.4826 * median_of(below);
+    spread.deviation = 1.4826 * median(std::move(below));
     return spread;
 }
 

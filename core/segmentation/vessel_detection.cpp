@@ -10,8 +10,8 @@
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/segmentation/false_line_threshold.h"
 #include "core/segmentation/line_coherence.h"
-#include "core/segmentation/line_noise.h"
 #include "core/segmentation/minimal_surface.h"
 #include "core/segmentation/multi_layer.h"
 #include "core/segmentation/vessel_growth.h"
@@ -160,16 +160,16 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
         standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
     job.throw_if_cancelled();
     job.advance(0.2);
-    const double noise_hu = line_noise(
+    const double threshold_hu = false_line_threshold(
         standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
     job.advance(0.4);
-    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * noise_hu;
+    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * threshold_hu;
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
     const FloatVolume lines = line_coherence(bright, candidates, LineOptions{}, job);
     job.advance(0.6);
     return grown_from(
-        above(lines, share_of(strong_share, coarse_strong_share, sampling) * noise_hu, liver),
+        above(lines, share_of(strong_share, coarse_strong_share, sampling) * threshold_hu, liver),
         above(evidence.rise, weak_hu, liver), job);
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <string>
 
 #include "core/base/error.h"
@@ -53,63 +55,99 @@ std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
     return *nearest;
 }
 
-// Speed grows with the distance from the wall: the middle of a trunk runs ahead.
-FloatVolume speed_in(const Mask& vessels, Job& job) {
-    FloatVolume speed = distance_from_boundary(vessels, MarchingOrder::first, job);
-    for (float& s : speed.voxels) s *= s;
-    return speed;
+constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
+
+// Time that a front needs for a millimetre: the middle of a trunk runs ahead.
+FloatVolume slowness_in(const Mask& vessels, Job& job) {
+    FloatVolume slowness = distance_from_boundary(vessels, MarchingOrder::first, job);
+    for (float& s : slowness.voxels)
+        if (s > 0.0f) s = 1.0f / (s * s);
+    return slowness;
 }
+
+struct Step {
+    int x, y, z;
+    double length_mm;
+};
+
+std::vector<Step> steps_to_neighbours(const Grid& grid) {
+    std::vector<Step> steps;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x)
+                if (x != 0 || y != 0 || z != 0)
+                    steps.push_back({x, y, z, Vec3(x, y, z).cwiseProduct(grid.spacing_mm).norm()});
+    return steps;
+}
+
+// Fronts of all systems in one queue. Of two that arrive at the same time the one from the voxel
+// with the smaller index goes first, so that the result is the same every time.
+class Fronts {
+  public:
+    Fronts(const Mask& vessels, Job& job)
+        : vessels_(vessels),
+          slowness_(slowness_in(vessels, job)),
+          steps_(steps_to_neighbours(vessels.grid)),
+          time_(vessels.voxels.size(), std::numeric_limits<double>::infinity()),
+          labels_(vessels.grid) {
+        for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
+            if (vessels.voxels[i] != 0) labels_.voxels[i] = unknown;
+    }
+
+    void start(std::size_t voxel, VascularSystem system) { arrive(voxel, 0.0, system); }
+
+    Mask run(Job& job) {
+        std::size_t settled = 0;
+        while (!queue_.empty()) {
+            const auto [time, voxel] = queue_.top();
+            queue_.pop();
+            if (time > time_[voxel]) continue;  // a faster front was there before
+            if (++settled % 16384 == 0) job.throw_if_cancelled();
+            spread(voxel);
+        }
+        return std::move(labels_);
+    }
+
+  private:
+    void arrive(std::size_t voxel, double time, VascularSystem system) {
+        if (time >= time_[voxel]) return;
+        time_[voxel] = time;
+        labels_.voxels[voxel] = static_cast<std::uint8_t>(system);
+        queue_.emplace(time, voxel);
+    }
+
+    void spread(std::size_t voxel) {
+        const Grid& grid = vessels_.grid;
+        const auto [x, y, z] = grid.index_of(voxel);
+        for (const Step& step : steps_) {
+            if (!grid.contains(x + step.x, y + step.y, z + step.z)) continue;
+            const std::size_t next = grid.offset(x + step.x, y + step.y, z + step.z);
+            if (vessels_.voxels[next] == 0) continue;
+            const double mean = 0.5 * (slowness_.voxels[voxel] + slowness_.voxels[next]);
+            arrive(next, time_[voxel] + mean * step.length_mm,
+                   VascularSystem{labels_.voxels[voxel]});
+        }
+    }
+
+    using Arrival = std::pair<double, std::size_t>;  // time, voxel
+
+    const Mask& vessels_;
+    FloatVolume slowness_;
+    std::vector<Step> steps_;
+    std::vector<double> time_;
+    Mask labels_;
+    std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;
+};
 
 }  // namespace
 
 Mask label_systems(const Mask& vessels, const std::vector<VesselSeed>& seeds, Job& job) {
-    std::vector<std::uint8_t> systems;
+    Fronts fronts(vessels, job);
     for (const VesselSeed& seed : seeds) {
-        if (seed.system == 0)
-            throw InputError("a seed names system 0", "seed", "Number the systems from 1.");
-        systems.push_back(seed.system);
+        const std::size_t voxel = voxel_near(vessels, seed);
+        if (seed.system != VascularSystem::unknown) fronts.start(voxel, seed.system);
     }
-    std::sort(systems.begin(), systems.end());
-    systems.erase(std::unique(systems.begin(), systems.end()), systems.end());
-
-    const FloatVolume speed = speed_in(vessels, job);
-    Mask labels(vessels.grid);
-    FloatVolume first(vessels.grid, std::numeric_limits<float>::infinity());
-    for (const std::uint8_t system : systems) {
-        std::vector<std::size_t> starts;
-        for (const VesselSeed& seed : seeds)
-            if (seed.system == system) starts.push_back(voxel_near(vessels, seed));
-        const FloatVolume arrival = arrival_times(speed, starts, MarchingOrder::first, job);
-        for (std::size_t i = 0; i < labels.voxels.size(); ++i)
-            if (arrival.voxels[i] < first.voxels[i]) {
-                first.voxels[i] = arrival.voxels[i];
-                labels.voxels[i] = system;
-            }
-    }
-    return labels;
-}
-
-std::size_t reassign_overlap(Mask& systems, const std::vector<VesselSeed>& seeds,
-                             const VesselSeed& correction, Job& job) {
-    const std::size_t start = voxel_near(systems, correction);
-    const std::uint8_t owner = systems.voxels[start];
-    if (owner == correction.system) return 0;
-    Mask within(systems.grid);
-    for (std::size_t i = 0; i < within.voxels.size(); ++i)
-        within.voxels[i] = systems.voxels[i] == owner;
-    std::vector<std::size_t> own;
-    for (const VesselSeed& seed : seeds)
-        if (seed.system == owner) own.push_back(voxel_near(within, seed));
-    const FloatVolume speed = speed_in(within, job);
-    const FloatVolume ours = arrival_times(speed, {start}, MarchingOrder::first, job);
-    const FloatVolume theirs = arrival_times(speed, own, MarchingOrder::first, job);
-    std::size_t changed = 0;
-    for (std::size_t i = 0; i < systems.voxels.size(); ++i)
-        if (ours.voxels[i] < theirs.voxels[i]) {
-            systems.voxels[i] = correction.system;
-            ++changed;
-        }
-    return changed;
+    return fronts.run(job);
 }
 
 }  // namespace hepatica

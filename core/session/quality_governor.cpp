@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/median.h"
+
 namespace hepatica {
 namespace {
 
@@ -48,9 +50,7 @@ std::size_t QualityGovernor::next(std::size_t at, double frame_ms, double budget
     recent_ms_.push_back(frame_ms);
     if (recent_ms_.size() > window) recent_ms_.pop_front();
     if (recent_ms_.size() < window) return at;
-    std::vector<double> sorted(recent_ms_.begin(), recent_ms_.end());
-    std::ranges::nth_element(sorted, sorted.begin() + window / 2);
-    const double seen_ms = sorted[window / 2];
+    const double seen_ms = median(std::vector<double>(recent_ms_.begin(), recent_ms_.end()));
     if (seen_ms > budget_ms) {
         if (at == 0) return at;
         barred_[at] = penalty_[at];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 
 namespace hepatica {
@@ -48,34 +49,10 @@ Box boxed(const Mask& mask) {
     return box;
 }
 
-class DisjointSets {
-  public:
-    int add() {
-        parents_.push_back(static_cast<int>(parents_.size()));
-        ++count_;
-        return parents_.back();
-    }
-    void unite(int a, int b) {
-        a = find(a);
-        b = find(b);
-        if (a == b) return;
-        parents_[std::max(a, b)] = std::min(a, b);
-        --count_;
-    }
-    long long count() const { return count_; }
-
-  private:
-    int find(int a) {
-        while (parents_[a] != a) a = parents_[a] = parents_[parents_[a]];
-        return a;
-    }
-    std::vector<int> parents_;
-    long long count_ = 0;
-};
-
 // Maximal stretch [begin, end) of equal voxels in a row.
 struct Run {
-    int begin, end, set;
+    int begin, end;
+    std::uint32_t set;
 };
 
 // Unites the runs of two rows that overlap once widened by `reach` voxels on both sides.
@@ -116,7 +93,7 @@ long long count_components(const Box& box, std::uint8_t value, bool by_26) {
         }
         std::swap(here, below);
     }
-    return sets.count();
+    return static_cast<long long>(sets.count());
 }
 
 // What one corner of the voxel grid, with the edges, faces and cube that start there, adds to the

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <ctime>
 
+#include "core/base/median.h"
+
 namespace hepatica {
 namespace {
 
@@ -30,9 +32,7 @@ void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
 }
 
 void FrameMeter::book(TradeoffPoint& point) const {
-    std::vector<double> sorted = frame_ms_;
-    std::ranges::nth_element(sorted, sorted.begin() + sorted.size() / 2);
-    point.frame_ms = sorted[sorted.size() / 2];
+    point.frame_ms = median(frame_ms_);
     point.step_ms = point.frame_ms / point.options.substeps;
     point.dt_s = frame_s / point.options.substeps;
     point.iterations = iterations_ / (static_cast<double>(frames()) * point.options.substeps);

@@ -123,6 +123,8 @@ void validate(const VesselTree& tree) {
         if (segment.parent >= 0 &&
             tree.segments[segment.parent].distal_node != segment.proximal_node)
             reject("does not begin where its parent ends", id);
+        if (!(segment.system_confidence >= 0.0 && segment.system_confidence <= 1.0))
+            reject("has a confidence outside 0 to 1", id);
         validate_points(segment, id);
     }
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/vascular_system.h"
 #include "core/base/vector.h"
 
 namespace hepatica {
@@ -22,7 +23,10 @@ struct VesselSegment {
     int proximal_node = -1;
     int distal_node = -1;
     int parent = -1;  // segment that ends where this one begins; -1 at a root
-    int system = 0;   // which vascular system (seed) it belongs to
+    VascularSystem system = VascularSystem::unknown;
+    // Share of the segment in [0, 1] that seeds or labels gave to its system; 1 where a person did.
+    // 0: nothing is known, as of an unknown system and of a piece that only a bridge joined to it.
+    double system_confidence = 0.0;
     int strahler_order = 1;
     bool closes_loop = false;      // the link of a loop that is not part of the spanning tree
     std::vector<Vec3> points_mm;   // centreline from node to node, both included; 2 or more,

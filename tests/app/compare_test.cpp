@@ -32,6 +32,8 @@ class CompareTruths : public test::Tour {
 TEST_F(CompareTruths, TheOwnTruthIsJudgedWithoutAWarning) {
     const Json found = answer(arguments("p/truth_tree.vtp", "p/truth_mask.nii.gz"));
     EXPECT_TRUE(found.at("warnings").empty());
+    ASSERT_EQ(found.at("systems").size(), 1u);
+    EXPECT_EQ(found.at("systems")[0].at("system"), "unknown");  // a mask with a single label
     EXPECT_LT(found.at("centreline_median_mm"), 1.0);
     EXPECT_LT(found.at("truth_median_mm"), 1.0);
 }

@@ -77,7 +77,7 @@ TEST_F(Play, TellsWhatTheReconstructionWarnedOf) {
     const std::string warning = played["warnings"][0];
     EXPECT_NE(warning.find("1.7 mm apart"), std::string::npos) << warning;
     EXPECT_NE(text_of(path("from_ct/report.html")).find(warning), std::string::npos);
-    EXPECT_TRUE(fs::exists(path("from_ct/ct.hep/case.json")));
+    EXPECT_TRUE(fs::exists(path("from_ct/patient.hep/case.json")));
 }
 
 TEST_F(Play, LeavesAnOlderReportWholeWhereItIsInterrupted) {

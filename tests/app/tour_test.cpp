@@ -112,11 +112,15 @@ TEST_F(Tour, LabelMapsServeAsMasksByTheirLabels) {
     EXPECT_EQ(all.exit_code, 1);
     EXPECT_NE(all.errors.find("--vessel-label"), std::string::npos) << all.errors;
     std::vector<std::string> named = arguments;
-    named.insert(named.end(), {"--vessel-label", "364,363"});
+    named.insert(named.end(), {"--vessel-label", "364=portal,363=hepatic"});
     const Json made = answer(named);
     EXPECT_EQ(made["mask"]["voxels"], case_["mask"]["voxels"]);
-    EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("1"));
-    EXPECT_TRUE(made["tree"]["length_mm_of_system"].contains("2"));
+    std::set<std::string> systems;
+    for (const Json& system : made["tree"]["systems"]) {
+        systems.insert(system["system"].get<std::string>());
+        EXPECT_GT(system["confidence"], 0.5) << system;
+    }
+    EXPECT_EQ(systems, (std::set<std::string>{"hepatic", "portal"}));
 }
 
 // Scattered voxels that are no numbers are mended; the answer says how many there were.
@@ -141,7 +145,7 @@ TEST_F(Tour, AScanWithScatteredHolesIsReconstructedLikeTheWholeOne) {
     EXPECT_NEAR(mended["tree"]["length_mm"], length_mm, 0.05 * length_mm);
     const VesselTree truth = read_tree(path("p/truth_tree.vtp"));
     const Vec3 true_root = truth.segments[roots(truth).front()].points_mm.front();
-    const Json& root = whole["tree"]["root_mm"];
+    const Json& root = whole["tree"]["systems"][0]["roots"][0]["at_mm"];
     EXPECT_LT((Vec3(root[0], root[1], root[2]) - true_root).norm(), 4.0) << root;
     EXPECT_NE(mended["warnings"].dump().find(std::to_string(holes) + " of "), std::string::npos)
         << mended["warnings"];

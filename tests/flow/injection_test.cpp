@@ -224,7 +224,7 @@ TEST(Injection, BeginsInTheLargestSystem) {
         s.proximal_node += nodes;
         s.distal_node += nodes;
         if (s.parent >= 0) s.parent += segments;
-        s.system = 1;
+        s.system = VascularSystem::hepatic;
         tree.segments.push_back(s);
     }
     EXPECT_EQ(main_root(tree).segment, segments);

@@ -5,12 +5,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/sha256.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
-#include "core/reconstruction/reconstruct.h"
 #include "tests/mesh/random_tree.h"
 
 namespace hepatica {
@@ -33,7 +34,10 @@ PatientCase some_patient() {
     patient.mask.at(3, 2, 2) = 2;  // another system
     patient.skeleton = Mask(grid);
     patient.skeleton.at(2, 2, 2) = 1;
-    patient.source.image_path = "somewhere/wïth spaces/ct";
+    patient.organs = Mask(grid, organ_label::liver);
+    patient.organs.at(1, 1, 1) = organ_label::cava;
+    patient.source.name = "Case wïth spaces";
+    patient.source.image_sha256 = std::string(64, 'a');
     patient.source.image_grid = grid;
     patient.source.parameters_json = R"({"refinement_recursions":2})";
     return patient;
@@ -74,11 +78,14 @@ TEST_F(PatientCaseTest, ReadsBackWhatItWrote) {
     EXPECT_TRUE(same_grid(back.mask.grid, patient.mask.grid));
     EXPECT_EQ(back.skeleton.voxels, patient.skeleton.voxels);
     EXPECT_EQ(back.surface.triangles, patient.surface.triangles);
-    EXPECT_EQ(back.source.image_path, patient.source.image_path);
+    EXPECT_EQ(back.organs.voxels, patient.organs.voxels);
+    EXPECT_EQ(back.source.name, patient.source.name);
+    EXPECT_EQ(back.source.image_sha256, patient.source.image_sha256);
     EXPECT_EQ(back.source.parameters_json, patient.source.parameters_json);
     EXPECT_TRUE(same_grid(back.source.image_grid, patient.source.image_grid));
     EXPECT_TRUE(read_case_without_voxels(case_).mask.voxels.empty());
-    for (const char* name : {"tree.vtp", "tree.swc", "surface.vtp", "mesh.vtu"})
+    EXPECT_TRUE(read_case_without_voxels(case_).organs.voxels.empty());
+    for (const char* name : {"tree.vtp", "tree.swc", "surface.vtp", "mesh.vtu", "organs.nii.gz"})
         EXPECT_TRUE(fs::exists(case_ / name)) << name;
 }
 
@@ -86,6 +93,34 @@ TEST_F(PatientCaseTest, WritesTheSameBytesEveryTime) {
     write_case(case_, some_patient());
     write_case(folder_ / "again.hep", some_patient());
     EXPECT_EQ(text_of(case_ / "case.json"), text_of(folder_ / "again.hep" / "case.json"));
+}
+
+// Another program can check them, and read what the case holds without opening the tree.
+TEST_F(PatientCaseTest, CaseJsonHoldsTheDigestsAndTheSystems) {
+    PatientCase patient = some_patient();
+    for (VesselSegment& segment : patient.tree.segments) {
+        segment.system = VascularSystem::portal;
+        segment.system_confidence = 0.75;
+    }
+    write_case(case_, patient);
+    const auto json = nlohmann::json::parse(text_of(case_ / "case.json"));
+    EXPECT_EQ(json.at("version"), 2);
+    EXPECT_EQ(json.at("sha256").size(), 7u);
+    for (const auto& [name, digest] : json.at("sha256").items())
+        EXPECT_EQ(digest, sha256_of_file(case_ / name)) << name;
+    ASSERT_EQ(json.at("tree").at("systems").size(), 1u);
+    const auto& system = json.at("tree").at("systems").at(0);
+    EXPECT_EQ(system.at("system"), "portal");
+    EXPECT_NEAR(system.at("length_mm").get<double>(), length_mm(patient.tree), 1e-9);
+    EXPECT_NEAR(system.at("confidence").get<double>(), 0.75, 1e-12);
+    EXPECT_EQ(system.at("loops"), 0);
+    EXPECT_EQ(system.at("roots").size(), roots(patient.tree).size());
+    EXPECT_EQ(system.at("roots").at(0).at("at_mm").size(), 3u);
+    EXPECT_GT(system.at("roots").at(0).at("radius_mm"), 0.0);
+    PatientCase unnamed = patient;
+    unnamed.source.name.clear();
+    write_case(case_, unnamed);
+    EXPECT_FALSE(nlohmann::json::parse(text_of(case_ / "case.json")).contains("name"));
 }
 
 TEST_F(PatientCaseTest, RefusesAChangedAMissingAndAForeignFile) {
@@ -124,26 +159,6 @@ TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
     std::ofstream(folder_ / "file") << "x";
     EXPECT_THROW(write_case(folder_ / "file" / "p.hep", some_patient()), InputError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
-}
-
-TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
-    Job job;
-    job.cancel();
-    ReconstructOptions options;
-    options.ct = "nowhere";
-    EXPECT_THROW(reconstruct(options, job), Cancelled);
-}
-
-TEST(Reconstruct, NamesTheImageThatIsNotThere) {
-    Job job;
-    ReconstructOptions options;
-    options.ct = "nowhere";
-    try {
-        reconstruct(options, job);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("nowhere"), std::string::npos);
-    }
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(Phantom, MaskHoldsTheVolumeOfItsCones) {
                      (s.points_mm[i] - s.points_mm[i - 1]).norm();
         }
     double mask = 0.0;
-    for (const std::uint8_t v : phantom.vessels.voxels) mask += v;
+    for (const std::uint8_t v : phantom.vessels.voxels) mask += v != 0;
     // Branches overlap in their nodes and end in half balls: a few per cent either way.
     EXPECT_NEAR(mask / cones, 1.0, 0.06);
 }
@@ -230,7 +230,7 @@ TEST(Phantom, MixesTissueAndLumenByTheirShares) {
     options.point_spread_sigma_mm = 0.0;
     const Phantom phantom = made(options);
     Job job;
-    const auto share = lumen_share(phantom.tree, phantom.ct.grid, 0, job);
+    const auto share = lumen_share(phantom.tree, phantom.ct.grid, VascularSystem::portal, job);
     const Mask inner = erode(phantom.liver, 5.0, job);
     int mixed = 0;
     for (std::size_t i = 0; i < inner.voxels.size(); ++i) {
@@ -240,6 +240,25 @@ TEST(Phantom, MixesTissueAndLumenByTheirShares) {
         EXPECT_EQ(phantom.vessels.voxels[i] != 0, share.voxels[i] >= 32);
     }
     EXPECT_GT(mixed, 1000);
+}
+
+TEST(Phantom, TheTrueMaskHoldsTheNumbersOfTheSystems) {
+    PhantomOptions options = small_options(3);
+    options.systems = 2;
+    const Phantom phantom = made(options);
+    for (const VesselSegment& segment : phantom.tree.segments) {
+        const std::size_t middle = segment.points_mm.size() / 2;
+        if (segment.radii_mm[middle] < 2.0 * options.spacing_mm.maxCoeff()) continue;
+        const Vec3 index = phantom.vessels.grid.to_index(segment.points_mm[middle]);
+        const int found = phantom.vessels.at(static_cast<int>(std::lround(index.x())),
+                                             static_cast<int>(std::lround(index.y())),
+                                             static_cast<int>(std::lround(index.z())));
+        EXPECT_EQ(found, number_of(segment.system));
+    }
+    for (const int number : {1, 2})
+        EXPECT_GT(std::ranges::count(phantom.vessels.voxels, number), 100) << number;
+    EXPECT_EQ(phantom.tree.segments.front().system, VascularSystem::portal);
+    EXPECT_EQ(phantom.tree.segments.back().system, VascularSystem::hepatic);
 }
 
 TEST(Phantom, ShowsAnAdultsAnatomyWhereTheFieldOfViewHoldsIt) {

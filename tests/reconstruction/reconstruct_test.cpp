@@ -99,7 +99,7 @@ TEST_F(SmallPatient, EveryStageLooksAtItsJobManyTimes) {
 bool warns_of_loops(const Reconstruction& made, const std::string& count) {
     return std::ranges::any_of(made.warnings, [&](const std::string& warning) {
         return warning.find(count) != std::string::npos &&
-               warning.find("--seed-mm X,Y,Z,1") != std::string::npos;
+               warning.find("--seed-mm X,Y,Z,portal") != std::string::npos;
     });
 }
 
@@ -132,6 +132,26 @@ TEST(Reconstruct, WarnsOfLoopsInOneSystem) {
     options.vessel_mask = folder / "line.nii.gz";
     EXPECT_FALSE(warns_of_loops(reconstruct(options, job), "loop"));
     fs::remove_all(folder);
+}
+
+TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
+    Job job;
+    job.cancel();
+    ReconstructOptions options;
+    options.ct = "nowhere";
+    EXPECT_THROW(reconstruct(options, job), Cancelled);
+}
+
+TEST(Reconstruct, NamesTheImageThatIsNotThere) {
+    Job job;
+    ReconstructOptions options;
+    options.ct = "nowhere";
+    try {
+        reconstruct(options, job);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("nowhere"), std::string::npos);
+    }
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ using testing::fake_frame;
 // A view of 320 x 240 pixels without any display.
 class SceneViewPicture : public ::testing::Test {
   protected:
+    SceneViewPicture() {
+        const std::size_t vertices = fake_frame().positions_mm.size() / 3;
+        view_.set_vertex_systems(std::vector(vertices, VascularSystem::portal));
+    }
     Picture picture() {
         view_.render();
         return read_picture(context_.window());
@@ -63,12 +67,13 @@ TEST_F(SceneViewPicture, of_a_pull) {
 TEST_F(SceneViewPicture, of_two_systems_a_highlight_and_the_liver) {
     const Frame frame = fake_frame();
     const std::size_t count = frame.positions_mm.size() / 3;
-    std::vector<int> systems(count, 0);
+    std::vector<VascularSystem> systems(count, VascularSystem::portal);
     std::vector<std::uint8_t> highlight(count, 0);
     TriangleMesh liver = testing::sphere(Vec3(0, 0, 0), 62.0);
     for (std::size_t v = 0; v < count; ++v) {
         const float x = frame.positions_mm[3 * v];
-        systems[v] = x > 8 ? 1 : x < -8 ? 2 : 0;
+        if (x > 8) systems[v] = VascularSystem::hepatic;
+        if (x < -8) systems[v] = VascularSystem::artery;
         highlight[v] = x < -25;
     }
     view_.show(frame);

@@ -32,7 +32,9 @@ Mask two_tubes() {
 TEST(VesselSystems, TellsTwoTouchingTubesApart) {
     const Mask tubes = two_tubes();
     Job job;
-    const Mask systems = label_systems(tubes, {{Vec3(2, 8, 6), 1}, {Vec3(2, 22, 6), 2}}, job);
+    const Mask systems = label_systems(
+        tubes, {{Vec3(2, 8, 6), VascularSystem::portal}, {Vec3(2, 22, 6), VascularSystem::hepatic}},
+        job);
     for (int x = 0; x < 40; ++x) {
         EXPECT_EQ(systems.at(x, 8, 6), 1);
         EXPECT_EQ(systems.at(x, 22, 6), 2);
@@ -41,37 +43,54 @@ TEST(VesselSystems, TellsTwoTouchingTubesApart) {
         EXPECT_EQ(systems.voxels[i] != 0, tubes.voxels[i] != 0);
 }
 
-TEST(VesselSystems, DropsWhatNoSeedReaches) {
+TEST(VesselSystems, LeavesUnknownWhatNoSeedReaches) {
     Mask tubes = two_tubes();
     for (int y = 13; y < 17; ++y) tubes.at(20, y, 6) = 0;  // cut the bridge
     Job job;
-    const Mask systems = label_systems(tubes, {{Vec3(2, 8, 6), 3}}, job);
+    const Mask systems =
+        label_systems(tubes, {{Vec3(2, 8, 6), VascularSystem::artery}, {Vec3(2, 22, 6)}}, job);
     EXPECT_EQ(systems.at(30, 8, 6), 3);
-    EXPECT_EQ(systems.at(30, 22, 6), 0);
+    EXPECT_EQ(systems.at(30, 22, 6), 255);  // its seed does not say what it is
+    for (std::size_t i = 0; i < tubes.voxels.size(); ++i)
+        EXPECT_EQ(systems.voxels[i] != 0, tubes.voxels[i] != 0);
 }
 
-TEST(VesselSystems, GivesAPieceOfAnOverlapBackInOneStep) {
+// A line one voxel wide that goes on over edges and corners of voxels, of unequal sides.
+TEST(VesselSystems, FollowsALineOfVoxelsThatOnlyTouchAtCorners) {
+    Grid grid;
+    grid.dims = {40, 40, 40};
+    grid.spacing_mm = Vec3(0.7, 0.8, 1.5);
+    Mask line(grid);
+    for (int i = 2; i < 38; ++i) line.at(i, i < 20 ? i : 39 - i, i) = 1;
     Job job;
-    const std::vector<VesselSeed> seeds{{Vec3(2, 8, 6), 1}};
-    Mask systems = label_systems(two_tubes(), seeds, job);  // 1 has taken both tubes
-    ASSERT_EQ(systems.at(30, 22, 6), 1);
-    const std::size_t changed = reassign_overlap(systems, seeds, {Vec3(20, 22, 6), 2}, job);
-    EXPECT_EQ(changed, static_cast<std::size_t>(
-                           std::count(systems.voxels.begin(), systems.voxels.end(), 2)));
-    for (int x = 0; x < 40; ++x) {
-        EXPECT_EQ(systems.at(x, 22, 6), 2);
-        EXPECT_EQ(systems.at(x, 8, 6), 1);
-    }
-    EXPECT_EQ(reassign_overlap(systems, seeds, {Vec3(20, 22, 6), 2}, job), 0u);
+    const Mask systems = label_systems(line, {{grid.to_mm(2, 2, 2), VascularSystem::hepatic}}, job);
+    EXPECT_EQ(std::count(systems.voxels.begin(), systems.voxels.end(), 2), 36);
+}
+
+// 30 steps over edges (square root of 2 each), then 30 over corners (of 3): two fronts meet
+// half-way by length, not by number of steps.
+TEST(VesselSystems, FrontsMeetHalfWayByTheLengthOfTheirSteps) {
+    Grid grid;
+    grid.dims = {64, 64, 34};
+    Mask line(grid);
+    const auto voxel = [](int step) {
+        return Vec3(1 + step, 1 + step, 1 + std::max(0, step - 30));
+    };
+    for (int step = 0; step <= 60; ++step)
+        line.voxels[grid.offset(1 + step, 1 + step, 1 + std::max(0, step - 30))] = 1;
+    Job job;
+    const Mask systems = label_systems(
+        line, {{voxel(0), VascularSystem::portal}, {voxel(60), VascularSystem::hepatic}}, job);
+    const double half = 0.5 * 30.0 * (std::sqrt(2.0) + std::sqrt(3.0));
+    const double expected = 31.0 + std::floor((half - 30.0 * std::sqrt(2.0)) / std::sqrt(3.0));
+    EXPECT_EQ(std::count(systems.voxels.begin(), systems.voxels.end(), 1), expected);
+    EXPECT_EQ(std::count(systems.voxels.begin(), systems.voxels.end(), 2), 61 - expected);
 }
 
 TEST(VesselSystems, RefusesASeedInNoVessel) {
     Mask tubes = two_tubes();
     Job job;
-    EXPECT_THROW(label_systems(tubes, {{Vec3(20, 1, 0.0), 1}, {Vec3(500, 0, 0), 2}}, job),
-                 InputError);
-    EXPECT_THROW(label_systems(tubes, {{Vec3(2, 8, 6), 0}}, job), InputError);
-    EXPECT_THROW(reassign_overlap(tubes, {}, {Vec3(-50, 8, 6), 2}, job), InputError);
+    EXPECT_THROW(label_systems(tubes, {{Vec3(20, 1, 0.0)}, {Vec3(500, 0, 0)}}, job), InputError);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace hepatica::test {
 
 inline VesselLink straight_link(VesselGraph& graph, int from, int to, double from_radius_mm,
-                                double to_radius_mm, int system = 0) {
+                                double to_radius_mm,
+                                VascularSystem system = VascularSystem::unknown) {
     VesselLink link;
     link.from = from;
     link.to = to;
@@ -62,6 +63,7 @@ inline void expect_equal(const VesselTree& a, const VesselTree& b) {
         EXPECT_EQ(x.distal_node, y.distal_node) << "segment " << s;
         EXPECT_EQ(x.parent, y.parent) << "segment " << s;
         EXPECT_EQ(x.system, y.system) << "segment " << s;
+        EXPECT_EQ(x.system_confidence, y.system_confidence) << "segment " << s;
         EXPECT_EQ(x.strahler_order, y.strahler_order) << "segment " << s;
         EXPECT_EQ(x.closes_loop, y.closes_loop) << "segment " << s;
     }

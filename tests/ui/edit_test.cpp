@@ -120,9 +120,11 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     click(Vec3(-8.6, 28, 4.4));                           // the left branch
     EXPECT_EQ(saved().tree.segments.size(), before - 2);  // the trunk goes on into the right one
     choose_tool("Give to a system");
+    child<QComboBox>("EditSystem").setCurrentText("hepatic veins");
     click(Vec3(37, 54.5, 4));  // the vessel apart
     ASSERT_EQ(saved().corrections.edits.size(), 2u);
     EXPECT_EQ(saved_.corrections.edits[1].kind, TreeEditKind::reassign_system);
+    EXPECT_EQ(saved_.corrections.edits[1].system, VascularSystem::hepatic);
     // A place beside every vessel is no place.
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(5, 5));
     wait();

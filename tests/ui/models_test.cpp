@@ -118,8 +118,9 @@ TEST(SurfaceAnatomy, knows_what_lies_downstream) {
     }
     EXPECT_TRUE(anatomy.downstream_of(TreePoint{}).empty());
     EXPECT_TRUE(anatomy.describe(TreePoint{}, {}).empty());
-    EXPECT_NE(anatomy.describe({1, 0.0, 0.0}, patient.flow_shares).find("1 of 2"),
-              std::string::npos);
+    const std::string words = anatomy.describe({1, 0.0, 0.0}, patient.flow_shares);
+    EXPECT_NE(words.find("1 of 2"), std::string::npos);
+    EXPECT_NE(words.find(title_of(anatomy.system_of(1))), std::string::npos);
 }
 
 }  // namespace

@@ -21,6 +21,11 @@ std::string text_of(const Vec3& p) {
     return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
 }
 
+// Of a system that a person chose.
+double confidence_by_hand(VascularSystem system) {
+    return system == VascularSystem::unknown ? 0.0 : 1.0;
+}
+
 TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     const TreePoint found = nearest_point(tree, position_mm);
     if (!(found.distance_mm <= reach_mm))
@@ -127,15 +132,18 @@ class Edit {
         const int first = locate(tree_, edit.at_mm).segment;
         const auto hangs = downstream(tree_, first);
         for (std::size_t i = 0; i < hangs.size(); ++i)
-            if (hangs[i] != 0) graph_.links[i].system = edit.system;
+            if (hangs[i] != 0) {
+                graph_.links[i].system = edit.system;
+                graph_.links[i].system_confidence = confidence_by_hand(edit.system);
+            }
         merge_touching_nodes(graph_, wishes_);
-        // Should it touch nothing of its new system, it begins where it hung before.
+        // If it touches nothing of its new system, it begins where it hung before.
         wishes_.push_back({graph_.links[first].from, edit.system});
     }
 
     VesselTree result() {
         // Joining renumbers the nodes: roots are found again by their place.
-        std::vector<std::pair<Vec3, int>> places;
+        std::vector<std::pair<Vec3, VascularSystem>> places;
         for (const RootWish& wish : wishes_)
             places.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
         join_passing_nodes(graph_);
@@ -150,7 +158,7 @@ class Edit {
     }
 
   private:
-    void add_path(int from, int to, int system, const std::vector<Vec3>& between_mm) {
+    void add_path(int from, int to, VascularSystem system, const std::vector<Vec3>& between_mm) {
         const VesselNode& start = graph_.nodes[from];
         const VesselNode& end = graph_.nodes[to];
         Centreline curve{{start.position_mm}, {start.radius_mm}};
@@ -163,11 +171,12 @@ class Edit {
         curve.radii_mm.assign(at.size(), radius);
         curve = resampled(curve, std::max(0.5 * radius, 0.5));
         bridged_.add(curve.points_mm);
-        graph_.links.push_back({from, to, system, curve.points_mm, curve.radii_mm});
+        graph_.links.push_back(
+            {from, to, system, confidence_by_hand(system), curve.points_mm, curve.radii_mm});
     }
 
-    // What is linked on becomes part of the system it is linked to.
-    void adopt(int node, int system, int old_system) {
+    // A vessel that is linked to another takes the system of that one.
+    void adopt(int node, VascularSystem system, VascularSystem old_system) {
         const auto at_node = links_of_nodes(graph_);
         std::vector<int> open{node};
         while (!open.empty()) {
@@ -177,6 +186,7 @@ class Edit {
                 VesselLink& link = graph_.links[id];
                 if (link.system != old_system) continue;
                 link.system = system;
+                link.system_confidence = 0.0;
                 open.push_back(link.from);
                 open.push_back(link.to);
             }

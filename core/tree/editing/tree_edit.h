@@ -25,7 +25,7 @@ struct TreeEdit {
     Vec3 at_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();  // add_link
     std::vector<Vec3> path_mm;  // add_link: points between the two vessels; empty: straight
-    int system = 0;             // reassign_system
+    VascularSystem system = VascularSystem::unknown;  // reassign_system
 
     bool operator==(const TreeEdit&) const = default;
 };

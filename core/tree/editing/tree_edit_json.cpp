@@ -28,6 +28,14 @@ TreeEditKind kind_named(const std::string& wanted, const std::string& place) {
     throw InputError("there is no edit named " + wanted, place, "Take the edit out of the file");
 }
 
+// A name or a number.
+VascularSystem system_from(const nlohmann::json& value, const std::string& place) {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    if (const auto system = system_named(text)) return *system;
+    throw InputError("there is no vascular system " + text, place,
+                     "Name one of these: " + list_of_systems());
+}
+
 TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     TreeEdit edit;
     edit.kind = kind_named(value.at("edit").get<std::string>(), place);
@@ -39,7 +47,8 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     require_in_patient_space(edit.at_mm, "an edit", place);
     require_in_patient_space(edit.to_mm, "the end of a link", place);
     for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a link", place);
-    if (edit.kind == TreeEditKind::reassign_system) edit.system = value.at("system").get<int>();
+    if (edit.kind == TreeEditKind::reassign_system)
+        edit.system = system_from(value.at("system"), place);
     return edit;
 }
 
@@ -53,7 +62,7 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
             value["to_mm"] = json_of(edit.to_mm);
             if (!edit.path_mm.empty()) value["path_mm"] = json_of(edit.path_mm);
         }
-        if (edit.kind == TreeEditKind::reassign_system) value["system"] = edit.system;
+        if (edit.kind == TreeEditKind::reassign_system) value["system"] = name_of(edit.system);
         list.push_back(std::move(value));
     }
     return list.dump(1);

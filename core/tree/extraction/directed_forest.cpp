@@ -47,13 +47,13 @@ void split_rings(VesselGraph& graph) {
 
 // Gives each system its own copy of a node that links of several systems share.
 void separate_systems(VesselGraph& graph, std::vector<RootWish>& wishes) {
-    std::map<std::pair<int, int>, int> copies;  // (node, system) -> node
-    std::vector<int> owner(graph.nodes.size(), -1);
-    const auto own = [&](int node, int system) {
+    std::map<std::pair<int, VascularSystem>, int> copies;  // (node, system) -> node
+    std::vector<std::uint8_t> has_owner(graph.nodes.size(), 0);
+    const auto own = [&](int node, VascularSystem system) {
         const auto [entry, is_new] = copies.try_emplace({node, system}, node);
         if (!is_new) return entry->second;
-        if (owner[node] < 0) {
-            owner[node] = system;
+        if (has_owner[node] == 0) {
+            has_owner[node] = 1;
         } else {
             graph.nodes.push_back(VesselNode(graph.nodes[node]));
             entry->second = static_cast<int>(graph.nodes.size()) - 1;
@@ -102,7 +102,7 @@ class Director {
         struct Component {
             int root = -1;
             bool wished = false;
-            int system = 0;
+            VascularSystem system = VascularSystem::unknown;
             double length_mm = 0.0;
         };
         const int count = component_.empty() ? 0 : *std::ranges::max_element(component_) + 1;
@@ -163,6 +163,7 @@ class Director {
         segment.distal_node = distal;
         segment.parent = reached_by_[proximal];
         segment.system = link.system;
+        segment.system_confidence = link.system_confidence;
         segment.closes_loop = closes_loop;
         segment.points_mm = link.points_mm;
         segment.radii_mm = link.radii_mm;

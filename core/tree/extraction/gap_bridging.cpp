@@ -9,6 +9,8 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/disjoint_sets.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/interpolation.h"
 #include "core/tree/extraction/centreline.h"
@@ -91,8 +93,8 @@ class Brightness {
             ct_ = nullptr;
             return;
         }
-        vessel_hu_ = median(inside);
-        parenchyma_hu_ = median(around);
+        vessel_hu_ = median(std::move(inside));
+        parenchyma_hu_ = median(std::move(around));
         if (vessel_hu_ - parenchyma_hu_ < 15.0) ct_ = nullptr;
     }
 
@@ -104,12 +106,6 @@ class Brightness {
     }
 
   private:
-    static double median(std::vector<double>& values) {
-        const auto middle = values.begin() + std::ssize(values) / 2;
-        std::ranges::nth_element(values, middle);
-        return *middle;
-    }
-
     const Volume* ct_;
     double vessel_hu_ = 0.0;
     double parenchyma_hu_ = 0.0;
@@ -146,15 +142,15 @@ class Bridging {
         std::ranges::stable_sort(candidates, std::greater<>(), [](const Candidate& c) {
             return std::tuple(c.bridge.confidence, -c.bridge.gap_mm);
         });
-        std::vector<int> joined(pieces_.count());
-        std::iota(joined.begin(), joined.end(), 0);
-        std::set<std::pair<int, int>> offered;
+        DisjointSets joined(static_cast<std::size_t>(pieces_.count()));
+        std::set<std::pair<std::uint32_t, std::uint32_t>> offered;
         std::vector<Bridge> bridges;
         for (Candidate& candidate : candidates) {
-            const int a = joined[candidate.from_piece], b = joined[candidate.to_piece];
+            const std::uint32_t a = joined.root(static_cast<std::uint32_t>(candidate.from_piece));
+            const std::uint32_t b = joined.root(static_cast<std::uint32_t>(candidate.to_piece));
             if (a == b) continue;
             if (candidate.bridge.confidence >= options_.confidence) {
-                std::ranges::replace(joined, b, a);
+                joined.unite(a, b);
                 build(candidate);
             } else if (!offered.insert(std::minmax(a, b)).second) {
                 continue;

@@ -14,7 +14,7 @@ struct LineEdge {
     int to = -1;
     double from_radius_mm = 0.0;
     double to_radius_mm = 0.0;
-    int system = 0;
+    VascularSystem system = VascularSystem::unknown;
 };
 
 struct LineGraph {

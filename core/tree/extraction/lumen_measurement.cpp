@@ -9,6 +9,7 @@
 #include <queue>
 #include <set>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/tree/extraction/centreline.h"
 #include "core/tree/extraction/fork_placement.h"
@@ -33,12 +34,6 @@ struct Stations {
 
 double radius_of_area(double area_mm2) {
     return std::sqrt(area_mm2 / std::numbers::pi);
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 // The staircase of voxels becomes a curve with points a voxel apart.
@@ -166,7 +161,7 @@ class Measurement {
     // The contrast of each link and each system where the vessels are wide enough to show it in
     // full.
     void find_contrasts() {
-        std::map<int, std::vector<std::pair<double, double>>> seen;  // radius, contrast
+        std::map<VascularSystem, std::vector<std::pair<double, double>>> seen;  // radius, contrast
         wide_contrasts_.resize(graph_.links.size());
         for (std::size_t id = 0; id < graph_.links.size(); ++id)
             for (std::size_t i = 0; i < stations_[id].sections.size(); ++i) {
@@ -201,7 +196,7 @@ class Measurement {
         std::set<int> nodes_done;
         std::set<int> links_done{static_cast<int>(id)};
         std::vector<double> contrasts = wide_contrasts_[id];
-        const int system = graph_.links[id].system;
+        const VascularSystem system = graph_.links[id].system;
         next.emplace(0.0, graph_.links[id].from);
         next.emplace(0.0, graph_.links[id].to);
         while (!next.empty() && contrasts.size() < enough_stations) {
@@ -268,7 +263,7 @@ class Measurement {
     double voxel_mm_;
     std::vector<std::vector<int>> at_node_;
     std::vector<Stations> stations_;
-    std::map<int, double> contrast_hu_;                // of each system
+    std::map<VascularSystem, double> contrast_hu_;     // of each system
     std::vector<std::vector<double>> wide_contrasts_;  // of each link
 };
 

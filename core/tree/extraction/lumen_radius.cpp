@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "core/base/median.h"
 #include "core/image/interpolation.h"
 
 namespace hepatica {
@@ -23,12 +24,6 @@ struct Ray {
     double clear_mm = 0.0;  // up to here no other vessel begins
     bool usable = true;
 };
-
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 class Section {
   public:

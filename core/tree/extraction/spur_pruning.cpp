@@ -8,13 +8,6 @@ namespace hepatica {
 
 namespace {
 
-void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed) {
-    std::vector<VesselLink> kept;
-    for (std::size_t i = 0; i < graph.links.size(); ++i)
-        if (removed[i] == 0) kept.push_back(std::move(graph.links[i]));
-    graph.links = std::move(kept);
-}
-
 // How many of the parent's radii an end link reaches beyond the parent's wall; infinite for links
 // that are no end links or are long enough to be vessels.
 double reach_in_radii(const VesselGraph& graph, const std::vector<std::vector<int>>& at_node,
@@ -73,21 +66,6 @@ void prune_spurs(VesselGraph& graph, double spur_radii, double shortest_mm) {
     join_passing_nodes(graph);
     while (remove_small_rings(graph) || remove_worst_spurs(graph, spur_radii, shortest_mm))
         join_passing_nodes(graph);
-}
-
-void remove_short_components(VesselGraph& graph, double shortest_mm) {
-    const std::vector<int> component = component_of_nodes(graph);
-    if (component.empty()) return;
-    std::vector<double> length(*std::ranges::max_element(component) + 1, 0.0);
-    for (const VesselLink& link : graph.links) length[component[link.from]] += length_mm(link);
-    const auto longest = std::ranges::max_element(length) - length.begin();
-    std::vector<std::uint8_t> removed(graph.links.size(), 0);
-    for (std::size_t i = 0; i < graph.links.size(); ++i) {
-        const int c = component[graph.links[i].from];
-        removed[i] = c != longest && length[c] < shortest_mm;
-    }
-    remove_links(graph, removed);
-    join_passing_nodes(graph);
 }
 
 }  // namespace hepatica

@@ -11,7 +11,4 @@ namespace hepatica {
 // into their vessel's lumen go as well. Joins what then passes straight through.
 void prune_spurs(VesselGraph& graph, double spur_radii, double shortest_mm);
 
-// Removes components whose links are shorter than `shortest_mm` in all, except the longest.
-void remove_short_components(VesselGraph& graph, double shortest_mm);
-
 }  // namespace hepatica

@@ -29,6 +29,17 @@ RootWish nearest_end(const VesselGraph& graph, const Vec3& position_mm) {
     return nearest;
 }
 
+// 1 in every vessel: radii are measured between voxels, where numbers of systems would be mixed.
+Mask binary(Mask mask) {
+    for (std::uint8_t& voxel : mask.voxels) voxel = voxel != 0;
+    return mask;
+}
+
+void add(RemovedPieces& sum, const RemovedPieces& more) {
+    sum.count += more.count;
+    sum.length_mm += more.length_mm;
+}
+
 }  // namespace
 
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
@@ -38,15 +49,18 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
                          "Make the skeleton from this mask");
     job.throw_if_cancelled();
     TreeExtraction result;
-    VesselGraph graph = skeleton_graph(skeleton, vessels);
+    const Mask lumen = binary(vessels);
+    VesselGraph graph = skeleton_graph(skeleton, lumen);
     prune_spurs(graph, options.spur_radii, 1.5 * skeleton.grid.spacing_mm.minCoeff());
-    remove_short_components(graph, options.minimum_piece_mm);
+    add(result.too_short, remove_short_components(graph, options.minimum_piece_mm, options.seeds));
     job.advance(0.3);
-    measure_lumen(graph, vessels, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
-    result.bridges = bridge_gaps(graph, vessels, ct, options.bridging,
+    measure_lumen(graph, lumen, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
+    result.bridges = bridge_gaps(graph, lumen, ct, options.bridging,
                                  [&](double share) { job.advance(0.8 + 0.15 * share); });
-    remove_short_components(graph, options.minimum_component_mm);
-    if (!assign_systems_by_labels(graph, vessels)) assign_systems(graph, options.seeds);
+    assign_systems(graph, vessels);
+    if (options.only_seeded) add(result.unseeded, remove_unseeded_components(graph, options.seeds));
+    add(result.too_short,
+        remove_short_components(graph, options.minimum_component_mm, options.seeds));
     std::vector<RootWish> wishes;
     for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
     result.tree = directed(std::move(graph), wishes);

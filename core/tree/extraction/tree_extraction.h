@@ -7,17 +7,18 @@
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
+#include "core/tree/extraction/component_pruning.h"
 #include "core/tree/extraction/gap_bridging.h"
-#include "core/tree/extraction/system_assignment.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
 struct TreeOptions {
-    // One or more per system. Where two systems touch they are parted at the narrowest link between
-    // their seeds. What no seed's component reaches joins the nearest system. Empty: all is system
-    // 0.
-    std::vector<SystemSeed> seeds;
+    // Components with a seed in them are kept however short they are. Systems come from the mask
+    // (system_assignment.h).
+    std::vector<VesselSeed> seeds;
+    // Leaves out the components that hold no seed and no known system, once gaps have been bridged.
+    bool only_seeded = false;
     // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
     // position. A component without one begins at its widest end.
     std::vector<Vec3> roots_mm;
@@ -26,7 +27,7 @@ struct TreeOptions {
     double spur_radii = 0.5;
     // Pieces shorter than this are noise and left out, unless nothing longer exists.
     double minimum_piece_mm = 3.0;
-    // The same after gaps have been bridged, for what is still on its own.
+    // The same after gaps have been bridged, for what is still on its own and holds no seed.
     double minimum_component_mm = 15.0;
     // Gaps that are bridged without asking, and those that are only offered.
     BridgeOptions bridging;
@@ -35,11 +36,14 @@ struct TreeOptions {
 struct TreeExtraction {
     VesselTree tree;
     std::vector<Bridge> bridges;  // built and offered ones, best first
+    RemovedPieces too_short;      // left out, before and after gaps were bridged
+    RemovedPieces unseeded;       // left out because of `only_seeded`
 };
 
-// Both masks lie on one grid. Radii are measured on `ct` where it is given (any grid that covers
-// the masks in space), otherwise on `vessels`. Returns an empty tree for an empty skeleton.
-// Deterministic; throws Cancelled, and InputError where the masks' grids differ.
+// Both masks lie on one grid; `vessels` holds numbers of systems (vascular_system.h). Radii are
+// measured on `ct` where it is given (any grid that covers the masks in space), otherwise on
+// `vessels`. Returns an empty tree for an empty skeleton. Deterministic; throws Cancelled, and
+// InputError where the masks' grids differ.
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                                         const TreeOptions& options, Job& job);
 

@@ -28,6 +28,12 @@ void reverse(VesselLink& link) {
     std::ranges::reverse(link.radii_mm);
 }
 
+double joint_confidence(const VesselLink& a, const VesselLink& b) {
+    const double a_mm = length_mm(a), b_mm = length_mm(b);
+    if (!(a_mm + b_mm > 0.0)) return a.system_confidence;
+    return (a_mm * a.system_confidence + b_mm * b.system_confidence) / (a_mm + b_mm);
+}
+
 void remove_repeated_points(VesselLink& link) {
     for (std::size_t i = 1; i < link.points_mm.size();) {
         if (link.points_mm.size() == 2 || link.points_mm[i] != link.points_mm[i - 1]) {
@@ -73,6 +79,13 @@ std::vector<std::vector<int>> links_of_nodes(const VesselGraph& graph) {
     return ids;
 }
 
+void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed) {
+    std::vector<VesselLink> kept;
+    for (std::size_t i = 0; i < graph.links.size(); ++i)
+        if (removed[i] == 0) kept.push_back(std::move(graph.links[i]));
+    graph.links = std::move(kept);
+}
+
 void join_passing_nodes(VesselGraph& graph) {
     std::vector<std::vector<int>> at_node = links_of_nodes(graph);
     std::vector<std::uint8_t> gone(graph.links.size(), 0);
@@ -82,6 +95,7 @@ void join_passing_nodes(VesselGraph& graph) {
         VesselLink& first = graph.links[at_node[n][0]];
         VesselLink& second = graph.links[at_node[n][1]];
         if (first.system != second.system) continue;
+        first.system_confidence = joint_confidence(first, second);
         if (first.from == node) reverse(first);
         if (second.to == node)
             append_reversed(first, second);
@@ -92,10 +106,7 @@ void join_passing_nodes(VesselGraph& graph) {
         gone[at_node[n][1]] = 1;
         at_node[n].clear();
     }
-    std::vector<VesselLink> kept;
-    for (std::size_t i = 0; i < graph.links.size(); ++i)
-        if (gone[i] == 0) kept.push_back(std::move(graph.links[i]));
-    graph.links = std::move(kept);
+    remove_links(graph, gone);
     drop_unused_nodes(graph);
 }
 
@@ -126,7 +137,8 @@ VesselGraph to_graph(const VesselTree& tree) {
     VesselGraph graph;
     graph.nodes = tree.nodes;
     for (const VesselSegment& s : tree.segments)
-        graph.links.push_back({s.proximal_node, s.distal_node, s.system, s.points_mm, s.radii_mm});
+        graph.links.push_back({s.proximal_node, s.distal_node, s.system, s.system_confidence,
+                               s.points_mm, s.radii_mm});
     return graph;
 }
 
@@ -151,7 +163,7 @@ int split_link(VesselGraph& graph, int id, double along_mm, double snap_mm) {
     const int node = static_cast<int>(graph.nodes.size());
     graph.nodes.push_back({place, radius});
 
-    VesselLink second{node, link.to, link.system, {place}, {radius}};
+    VesselLink second{node, link.to, link.system, link.system_confidence, {place}, {radius}};
     const auto split = static_cast<std::ptrdiff_t>(i);
     second.points_mm.insert(second.points_mm.end(), link.points_mm.begin() + split,
                             link.points_mm.end());

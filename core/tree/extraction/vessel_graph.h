@@ -14,9 +14,10 @@ namespace hepatica {
 struct VesselLink {
     int from = -1;
     int to = -1;
-    int system = 0;
-    std::vector<Vec3> points_mm;   // from node to node, both included
-    std::vector<double> radii_mm;  // one per point
+    VascularSystem system = VascularSystem::unknown;
+    double system_confidence = 0.0;  // see VesselSegment
+    std::vector<Vec3> points_mm;     // from node to node, both included
+    std::vector<double> radii_mm;    // one per point
 };
 
 struct VesselGraph {
@@ -29,6 +30,9 @@ double length_mm(const VesselLink& link);
 // Ids of the links that meet in each node, ascending; a link from a node to itself stands twice.
 std::vector<std::vector<int>> links_of_nodes(const VesselGraph& graph);
 
+// Removes the links that are marked; their nodes stay.
+void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed);
+
 // Joins the two links of every node in which exactly two links of one system meet, and drops the
 // nodes that no link uses.
 void join_passing_nodes(VesselGraph& graph);
@@ -39,7 +43,7 @@ std::vector<int> component_of_nodes(const VesselGraph& graph);
 // Where a system is wished to begin.
 struct RootWish {
     int node = -1;
-    int system = 0;
+    VascularSystem system = VascularSystem::unknown;
 };
 
 // Directs every system of the graph away from its roots and sorts it into a tree: parents before

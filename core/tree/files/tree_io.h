@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vessel trees in files that other programs open: VTP (3D Slicer, VMTK, SimVascular, ParaView), SWC
 // (neuron and vessel tracers) and JSON. Positions are millimetres; written in LPS in all of them.
+// System is the number of vascular_system.h; a number that is none of these is read as unknown.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +28,9 @@ struct TreeFileFacts {
 // One polyline per segment. Field data SPACE = LPS and NodeRadius; point arrays
 // MaximumInscribedSphereRadius, Radius (mm), Bridged (1 where a gap was), and SimVascular's Path
 // (distance from the root, mm) and CenterlineSectionArea; cell arrays SegmentId, ParentId, System,
-// StrahlerOrder, ClosesLoop, ProximalNode, DistalNode, VMTK's GroupIds, CenterlineIds, TractIds,
-// Blanking, and SimVascular's BranchId, BifurcationId, CenterlineId.
+// SystemName, Confidence (of the system, 0 where nothing is known), StrahlerOrder, ClosesLoop,
+// ProximalNode, DistalNode, VMTK's GroupIds, CenterlineIds, TractIds, Blanking, and SimVascular's
+// BranchId, BifurcationId, CenterlineId.
 void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree);
 
 // Reads its own files back to the bit. From files of other programs the tree is rebuilt: polylines
@@ -38,7 +40,8 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree);
 // without radii is refused unless `facts` say what it leaves open.
 VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts& facts = {});
 
-// One sample per line (number, type, x, y, z, radius, parent); type 5 and up is system 0 and up.
+// One sample per line (number, type, x, y, z, radius, parent). Types: 5 portal vein, 6 hepatic
+// veins, 7 artery, 0 unknown; a comment in the file says so, and only then are they read back.
 // What SWC cannot say: the radius with which a branch leaves its parent (read back as the parent's
 // last) and the link that closes a loop (a chain that ends at the place of another sample; read
 // back as a loop).

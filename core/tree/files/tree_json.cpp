@@ -23,7 +23,9 @@ void write_tree_json(const std::filesystem::path& file, const VesselTree& tree) 
         segments.push_back({{"proximal_node", s.proximal_node},
                             {"distal_node", s.distal_node},
                             {"parent", s.parent},
-                            {"system", s.system},
+                            {"system", number_of(s.system)},
+                            {"system_name", name_of(s.system)},
+                            {"confidence", s.system_confidence},
                             {"strahler_order", s.strahler_order},
                             {"closes_loop", s.closes_loop},
                             {"points_mm", json_of(s.points_mm)},
@@ -53,7 +55,9 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
             s.proximal_node = value.at("proximal_node").get<int>();
             s.distal_node = value.at("distal_node").get<int>();
             s.parent = value.at("parent").get<int>();
-            s.system = value.at("system").get<int>();
+            s.system =
+                system_numbered(value.at("system").get<int>()).value_or(VascularSystem::unknown);
+            s.system_confidence = value.value("confidence", 0.0);
             s.strahler_order = value.at("strahler_order").get<int>();
             s.closes_loop = value.at("closes_loop").get<bool>();
             s.points_mm = path_from(value.at("points_mm"));

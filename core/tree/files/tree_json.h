@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the JSON files of trees and of edits have in common.
+// What the JSON of trees, of edits and of cases has in common.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/base/vector.h"
+#include "core/tree/system_summary.h"
 
 namespace hepatica {
 
@@ -17,6 +18,21 @@ inline nlohmann::json json_of(const std::vector<Vec3>& path) {
     nlohmann::json points = nlohmann::json::array();
     for (const Vec3& p : path) points.push_back(json_of(p));
     return points;
+}
+
+inline nlohmann::json json_of(const std::vector<SystemSummary>& systems) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const SystemSummary& summary : systems) {
+        nlohmann::json roots = nlohmann::json::array();
+        for (const SystemRoot& root : summary.roots)
+            roots.push_back({{"at_mm", json_of(root.at_mm)}, {"radius_mm", root.radius_mm}});
+        list.push_back({{"system", name_of(summary.system)},
+                        {"length_mm", summary.length_mm},
+                        {"roots", std::move(roots)},
+                        {"confidence", summary.confidence},
+                        {"loops", summary.loops}});
+    }
+    return list;
 }
 
 // Throws nlohmann::json::exception where the value is not an array of three numbers.

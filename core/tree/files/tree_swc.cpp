@@ -16,7 +16,20 @@ namespace hepatica {
 
 namespace {
 
-constexpr int first_system_type = 5;  // 0 to 4 stand for parts of nerve cells
+// SWC leaves the types from 5 on to whoever writes the file, and 0 to what is undefined. They are
+// read as systems only where the file says in this line that it means them so.
+constexpr const char* types_line = "# Types: 5 portal vein, 6 hepatic veins, 7 artery, 0 unknown.";
+constexpr int type_before_portal = 4;
+
+int type_of(VascularSystem system) {
+    return system == VascularSystem::unknown ? 0 : type_before_portal + number_of(system);
+}
+
+VascularSystem system_of_type(double type) {
+    for (const VascularSystem system : vascular_systems)
+        if (type == type_of(system)) return system;
+    return VascularSystem::unknown;
+}
 
 // The shortest text that reads back to the same bits, whatever the locale.
 std::string text_of(double value) {
@@ -27,7 +40,7 @@ std::string text_of(double value) {
 
 struct Sample {
     long long number = 0;
-    int system = 0;
+    VascularSystem system = VascularSystem::unknown;
     Vec3 position_mm = Vec3::Zero();
     double radius_mm = 0.0;
     long long parent = -1;
@@ -47,6 +60,7 @@ bool take(std::string_view& line, T& value) {
 
 std::vector<Sample> parse_samples(const std::string& text, const std::filesystem::path& file) {
     std::vector<Sample> samples;
+    const bool names_systems = text.find(types_line) != std::string::npos;
     std::istringstream lines(text);
     std::string line;
     for (int line_number = 1; std::getline(lines, line); ++line_number) {
@@ -64,7 +78,7 @@ std::vector<Sample> parse_samples(const std::string& text, const std::filesystem
                              file.string(), "Give an SWC file: seven numbers per line");
         require_in_patient_space(s.position_mm, "sample " + std::to_string(s.number),
                                  file.string());
-        s.system = std::max(0, static_cast<int>(std::clamp(type, 0.0, 1e6)) - first_system_type);
+        if (names_systems) s.system = system_of_type(type);
         samples.push_back(s);
     }
     return samples;
@@ -74,12 +88,12 @@ std::vector<Sample> parse_samples(const std::string& text, const std::filesystem
 
 void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree) {
     std::ostringstream out;
-    out << "# Vessel tree, millimetres, LPS. Type 5 is system 0, 6 is system 1 and so on.\n"
-           "# number type x y z radius parent\n";
+    out << "# Vessel tree, millimetres, LPS.\n"
+        << types_line << "\n# number type x y z radius parent\n";
     long long number = 0;
     const auto write_sample = [&](const VesselSegment& s, std::size_t i, long long parent) {
         const Vec3& p = s.points_mm[i];
-        out << ++number << ' ' << first_system_type + s.system << ' ' << text_of(p.x()) << ' '
+        out << ++number << ' ' << type_of(s.system) << ' ' << text_of(p.x()) << ' '
             << text_of(p.y()) << ' ' << text_of(p.z()) << ' ' << text_of(s.radii_mm[i]) << ' '
             << parent << '\n';
         return number;

@@ -113,6 +113,10 @@ void add_segments(const VesselTree& tree, const std::vector<Place>& places, vtkP
     auto* id = add_ints(data, "SegmentId");
     auto* parent = add_ints(data, "ParentId");
     auto* system = add_ints(data, "System");
+    vtkNew<vtkStringArray> system_name;
+    system_name->SetName("SystemName");
+    data->AddArray(system_name);
+    auto* confidence = add_doubles(data, "Confidence");
     auto* order = add_ints(data, "StrahlerOrder");
     auto* loop = add_ints(data, "ClosesLoop");
     auto* proximal = add_ints(data, "ProximalNode");
@@ -125,7 +129,9 @@ void add_segments(const VesselTree& tree, const std::vector<Place>& places, vtkP
         const VesselSegment& segment = tree.segments[s];
         id->InsertNextValue(static_cast<int>(s));
         parent->InsertNextValue(segment.parent);
-        system->InsertNextValue(segment.system);
+        system->InsertNextValue(number_of(segment.system));
+        system_name->InsertNextValue(name_of(segment.system));
+        confidence->InsertNextValue(segment.system_confidence);
         order->InsertNextValue(segment.strahler_order);
         loop->InsertNextValue(segment.closes_loop ? 1 : 0);
         proximal->InsertNextValue(segment.proximal_node);
@@ -236,7 +242,8 @@ VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem
     VesselTree tree;
     vtkDataArray* node_radii = lines->GetFieldData()->GetArray("NodeRadius");
     vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
-    vtkDataArray* bridged = lines->GetPointData()->GetArray("Bridged");  // may be missing
+    vtkDataArray* bridged = lines->GetPointData()->GetArray("Bridged");       // may be missing
+    vtkDataArray* confidence = lines->GetCellData()->GetArray("Confidence");  // may be missing
     tree.nodes.resize(node_radii->GetNumberOfTuples());
     for (std::size_t n = 0; n < tree.nodes.size(); ++n)
         tree.nodes[n].radius_mm = node_radii->GetComponent(static_cast<vtkIdType>(n), 0);
@@ -248,7 +255,8 @@ VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem
             refuse(file, "its segments are not in the order of SegmentId");
         VesselSegment segment;
         segment.parent = value("ParentId");
-        segment.system = value("System");
+        segment.system = system_numbered(value("System")).value_or(VascularSystem::unknown);
+        if (confidence != nullptr) segment.system_confidence = confidence->GetComponent(cell, 0);
         segment.strahler_order = value("StrahlerOrder");
         segment.closes_loop = value("ClosesLoop") != 0;
         segment.proximal_node = value("ProximalNode");
@@ -320,7 +328,7 @@ VesselTree foreign_tree(vtkPolyData* lines, const Vec3& signs, const TreeFileFac
     for_each_line(lines, [&](vtkIdType cell, const std::vector<vtkIdType>& ids) {
         for (std::size_t i = 1; i < ids.size(); ++i)
             edges.push_back({static_cast<int>(ids[i - 1]), static_cast<int>(ids[i]),
-                             radii.at(cell, ids[i - 1]), radii.at(cell, ids[i]), 0});
+                             radii.at(cell, ids[i - 1]), radii.at(cell, ids[i])});
     });
     return directed(graph_of_edges(points, edges).graph);
 }

@@ -22,7 +22,8 @@ const Vec3 on_left_branch(-6, 25.5, 4);
 const Vec3 on_right_branch(4.5, 26.5, 2);
 const Vec3 on_last_branch(15.5, 39, 1.5);
 
-TreeEdit edit_at(TreeEditKind kind, const Vec3& at, int system = 0) {
+TreeEdit edit_at(TreeEditKind kind, const Vec3& at,
+                 VascularSystem system = VascularSystem::unknown) {
     TreeEdit edit;
     edit.kind = kind;
     edit.at_mm = at;
@@ -78,7 +79,7 @@ TEST(TreeEdit, CutAnywhereLeavesAGap) {
 
 TEST(TreeEdit, CutInABendLeavesAGap) {
     VesselGraph graph;
-    VesselLink link{0, 1, 0, {}, {}};
+    VesselLink link{0, 1, VascularSystem::unknown, 0.0, {}, {}};
     for (int i = 0; i <= 40; ++i) {
         const double angle = M_PI * i / 40.0;
         link.points_mm.emplace_back(8.0 * std::cos(angle), 8.0 * std::sin(angle), 0.0);
@@ -165,13 +166,17 @@ TEST(TreeEdit, RootMovesToTheNearestEnd) {
 
 TEST(TreeEdit, ReassigningIsOneStepThereAndOneStepBack) {
     const VesselTree other =
-        edited(forked_tree(), edit_at(TreeEditKind::reassign_system, on_right_branch, 1));
+        edited(forked_tree(),
+               edit_at(TreeEditKind::reassign_system, on_right_branch, VascularSystem::portal));
     validate(other);
     ASSERT_EQ(roots(other).size(), 2u);
-    EXPECT_EQ(std::ranges::count_if(other.segments, [](const auto& s) { return s.system == 1; }),
+    EXPECT_EQ(std::ranges::count_if(
+                  other.segments, [](const auto& s) { return s.system == VascularSystem::portal; }),
               3);
-    const VesselTree back =
-        edited(other, edit_at(TreeEditKind::reassign_system, on_right_branch, 0));
+    for (const VesselSegment& s : other.segments)
+        EXPECT_EQ(s.system_confidence, s.system == VascularSystem::portal ? 1.0 : 0.0);
+    const VesselTree back = edited(
+        other, edit_at(TreeEditKind::reassign_system, on_right_branch, VascularSystem::unknown));
     expect_equal(back, forked_tree());
 }
 
@@ -219,18 +224,30 @@ TEST(TreeEditJson, ComesBackAndGivesTheSameTree) {
     link.path_mm = {Vec3(0.1, 34, 3), Vec3(8, 38.3, 2)};
     editor.apply(link);
     editor.apply(edit_at(TreeEditKind::set_root, Vec3(22, 45, 2)));
-    editor.apply(edit_at(TreeEditKind::reassign_system, Vec3(7, 41, -1), 2));
+    editor.apply(edit_at(TreeEditKind::reassign_system, Vec3(7, 41, -1), VascularSystem::hepatic));
     TreeEditor again(forked_tree());
     for (const TreeEdit& edit : edits_from_json(edits_to_json(editor.edits()), "case.json"))
         again.apply(edit);
     expect_equal(again.tree(), editor.tree());
 }
 
+TEST(TreeEditJson, ASystemIsANameOrANumber) {
+    for (const char* system : {"2", "\"2\"", "\"hepatic\""}) {
+        const std::string text =
+            std::string(R"([{"edit":"reassign_system","at_mm":[1,2,3],"system":)") + system + "}]";
+        EXPECT_EQ(edits_from_json(text, "").at(0).system, VascularSystem::hepatic) << text;
+    }
+    const TreeEdit edit = edit_at(TreeEditKind::reassign_system, on_trunk, VascularSystem::artery);
+    EXPECT_NE(edits_to_json({edit}).find("\"artery\""), std::string::npos);
+}
+
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
          {"", "{}", "[1]", "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
           "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]",
-          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,1e21]}]"})
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,1e21]}]",
+          "[{\"edit\":\"reassign_system\",\"at_mm\":[0,0,0],\"system\":7}]",
+          "[{\"edit\":\"reassign_system\",\"at_mm\":[0,0,0],\"system\":\"bile\"}]"})
         EXPECT_THROW(edits_from_json(text, "case.json"), InputError) << text;
 }
 

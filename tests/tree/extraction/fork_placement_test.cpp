@@ -28,7 +28,7 @@ Sample forked_at(const Vec3& node_mm) {
     for (const Vec3& axis : axes) {
         const int end = static_cast<int>(sample.graph.nodes.size());
         sample.graph.nodes.push_back({fork + length_mm * axis, radius_mm});
-        VesselLink link{0, end, 0, {}, {}};
+        VesselLink link{0, end, VascularSystem::unknown, 0.0, {}, {}};
         for (double along = 0.0; along <= length_mm + 1e-9; along += voxel_mm) {
             const double share = std::min(1.0, along / (1.5 * radius_mm));
             link.points_mm.push_back(fork + along * axis + (1.0 - share) * (node_mm - fork));

@@ -69,28 +69,13 @@ TEST(SpurPruning, OnlyRingsInsideTheLumenGo) {
         const double side = around_mm / 4.0;
         graph.links.push_back({1,
                                1,
-                               0,
+                               VascularSystem::unknown,
+                               0.0,
                                {Vec3(0, 0, 0), Vec3(0, side, 0), Vec3(0, side, side),
                                 Vec3(0, 0, side), Vec3(0, 0, 0)},
                                std::vector<double>(5, 1.0)});
         EXPECT_EQ(links_left(graph, 0.5, 0.0), around_mm < 4.0 * wall_mm ? 1u : 3u);
     }
-}
-
-TEST(SpurPruning, ShortComponentsGoButTheLongestStays) {
-    VesselGraph graph;
-    for (const double x : {0.0, 5.0, 100.0, 112.0, 200.0, 208.0})
-        graph.nodes.push_back({Vec3(x, 0, 0), 1.0});
-    graph.links = {straight_link(graph, 0, 1, 1, 1), straight_link(graph, 2, 3, 1, 1),
-                   straight_link(graph, 4, 5, 1, 1)};
-    VesselGraph some = graph, one = graph;
-    remove_short_components(some, 6.0);
-    ASSERT_EQ(some.links.size(), 2u);
-    EXPECT_NEAR(length_mm(some.links[0]), 12.0, 1e-9);
-    EXPECT_NEAR(length_mm(some.links[1]), 8.0, 1e-9);
-    remove_short_components(one, 50.0);
-    ASSERT_EQ(one.links.size(), 1u);
-    EXPECT_NEAR(length_mm(one.links[0]), 12.0, 1e-9);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "tests/support/test_masks.h"
+#include "tests/support/test_trees.h"
 
 namespace hepatica {
 
@@ -168,6 +169,61 @@ TEST(TreeExtraction, RingIsKeptAndMarked) {
     EXPECT_FALSE(tree.segments[0].closes_loop);
     EXPECT_TRUE(tree.segments[1].closes_loop);
     EXPECT_NEAR(length_mm(tree), 2.0 * 3.14159 * 10.0, 4.0);
+}
+
+// The numbers of systems say nothing of where a wall lies.
+TEST(TreeExtraction, RadiiDoNotDependOnTheNumberOfTheSystem) {
+    Mask mask = y_mask();
+    const VesselTree portal = tree_of(mask);
+    for (std::uint8_t& voxel : mask.voxels)
+        if (voxel != 0) voxel = 255;
+    VesselTree unknown = tree_of(mask);
+    for (VesselSegment& segment : unknown.segments) {
+        EXPECT_EQ(segment.system, VascularSystem::unknown);
+        segment.system = VascularSystem::portal;
+        segment.system_confidence = 1.0;
+    }
+    expect_equal(unknown, portal);
+}
+
+// A long vessel, a short one beside it and a seed in the short one.
+TEST(TreeExtraction, AShortPieceStaysWhereASeedLiesInIt) {
+    const auto longer = tube(Vec3(10, 10, 10), Vec3(10, 50, 10), 3.0);
+    const auto shorter = tube(Vec3(50, 10, 10), Vec3(50, 20, 10), 3.0);
+    Grid grid;
+    grid.dims = {60, 60, 20};
+    Mask mask(grid);
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        mask.voxels[i] = longer(p) ? 1 : shorter(p) ? 255 : 0;
+    }
+    Job job;
+    const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
+    const auto extracted = [&](const std::vector<VesselSeed>& seeds, bool only_seeded) {
+        TreeOptions options;
+        options.seeds = seeds;
+        options.only_seeded = only_seeded;
+        return extract_tree_and_bridges(skeleton, mask, nullptr, options, job);
+    };
+    const TreeExtraction without = extracted({}, false);
+    EXPECT_EQ(roots(without.tree).size(), 1u);
+    EXPECT_EQ(without.too_short.count, 1);
+    EXPECT_NEAR(without.too_short.length_mm, 10.0, 4.0);
+    EXPECT_EQ(without.tree.segments.at(0).system, VascularSystem::portal);
+    EXPECT_EQ(without.tree.segments.at(0).system_confidence, 1.0);
+
+    const VesselSeed in_short{Vec3(50, 15, 10)}, in_long{Vec3(10, 30, 10), VascularSystem::portal};
+    const TreeExtraction both = extracted({in_long, in_short}, true);
+    EXPECT_EQ(roots(both.tree).size(), 2u);
+    EXPECT_EQ(both.too_short.count, 0);
+    EXPECT_EQ(both.unseeded.count, 0);
+    EXPECT_EQ(both.tree.segments.at(1).system, VascularSystem::unknown);
+
+    const TreeExtraction one = extracted({in_long}, true);
+    EXPECT_EQ(roots(one.tree).size(), 1u);
+    EXPECT_EQ(one.unseeded.count, 1);
+    EXPECT_EQ(one.too_short.count, 0);
 }
 
 TEST(TreeExtraction, NothingBecomesAnEmptyTree) {

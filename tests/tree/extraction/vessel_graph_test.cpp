@@ -48,10 +48,13 @@ TEST(VesselGraph, ComponentsAreNumberedByTheirFirstNode) {
 // Systems in ascending order, and of one system the longest piece first, however they come in.
 TEST(VesselGraph, ATreesComponentsStandBySystemThenByLength) {
     struct Piece {
-        int system;
+        VascularSystem system;
         double length_mm;
     };
-    const std::vector<Piece> sorted{{0, 9.0}, {0, 4.0}, {1, 30.0}, {1, 20.0}, {1, 2.0}, {2, 50.0}};
+    const std::vector<Piece> sorted{
+        {VascularSystem::portal, 9.0},   {VascularSystem::portal, 4.0},
+        {VascularSystem::hepatic, 30.0}, {VascularSystem::hepatic, 20.0},
+        {VascularSystem::hepatic, 2.0},  {VascularSystem::unknown, 50.0}};
     std::vector<int> order{0, 1, 2, 3, 4, 5};
     do {
         VesselGraph graph;

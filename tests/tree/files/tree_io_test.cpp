@@ -235,7 +235,7 @@ TEST(TreeSwc, LoopsAndSystemsComeBack) {
     VesselGraph graph = forked_graph();
     graph.links.push_back(straight_link(graph, 2, 4, 1.0, 1.0));
     for (const auto& p : {Vec3(60, 0, 0), Vec3(60, 30, 0)}) graph.nodes.push_back({p, 2.0});
-    graph.links.push_back(straight_link(graph, 6, 7, 2.0, 1.5, 1));
+    graph.links.push_back(straight_link(graph, 6, 7, 2.0, 1.5, VascularSystem::hepatic));
     join_passing_nodes(graph);
     const VesselTree tree = directed(graph);
     write_tree(scratch("loop.swc"), tree);
@@ -245,6 +245,17 @@ TEST(TreeSwc, LoopsAndSystemsComeBack) {
         EXPECT_EQ(back.segments[s].closes_loop, tree.segments[s].closes_loop);
         EXPECT_EQ(back.segments[s].system, tree.segments[s].system);
     }
+}
+
+// Types 5 and 6 mean forks and ends in the files of some tracers, and 5 was unknown in ours before
+// they named their types.
+TEST(TreeSwc, ReadsSystemsOnlyWhereTheFileNamesThem) {
+    const std::string samples = "1 5 0 0 0 2 -1\n2 5 0 1 0 2 1\n";
+    write_text(scratch("foreign.swc"), samples);
+    EXPECT_EQ(read_tree(scratch("foreign.swc")).segments.at(0).system, VascularSystem::unknown);
+    write_text(scratch("own.swc"),
+               "# Types: 5 portal vein, 6 hepatic veins, 7 artery, 0 unknown.\n" + samples);
+    EXPECT_EQ(read_tree(scratch("own.swc")).segments.at(0).system, VascularSystem::portal);
 }
 
 TEST(TreeSwc, ReadsFilesOfOtherPrograms) {

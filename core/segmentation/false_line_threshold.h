@@ -21,7 +21,7 @@ namespace hepatica {
 //   liver: lines are looked for here; the same grid, of cubes
 //   progress: called once half of the work is done
 // Throws Cancelled.
-double line_noise(const FloatVolume& values, double deviation, const Mask& liver, const Mask& where,
-                  const std::function<void()>& progress, Job& job);
+double false_line_threshold(const FloatVolume& values, double deviation, const Mask& liver,
+                            const Mask& where, const std::function<void()>& progress, Job& job);
 
 }  // namespace hepatica

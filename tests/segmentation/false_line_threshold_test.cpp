@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/segmentation/line_noise.h"
+#include "core/segmentation/false_line_threshold.h"
 
 #include <gtest/gtest.h>
 
@@ -48,16 +48,16 @@ void add_rods(FloatVolume& values, float height) {
 double noise_of_lines(const FloatVolume& values, double deviation) {
     Job job;
     const Mask all(values.grid, 1);
-    return line_noise(
+    return false_line_threshold(
         values, deviation, all, all, [] {}, job);
 }
 
-TEST(LineNoise, IsTheStrongestThereCanBeWhereAllLinesAreNoise) {
+TEST(FalseLineThreshold, IsTheStrongestThereCanBeWhereAllLinesAreNoise) {
     // As many dark as bright: no strength makes the bright ones credible.
     EXPECT_GT(noise_of_lines(noise(1), 1.0), 1.8);
 }
 
-TEST(LineNoise, FallsWhereTrueLinesOutnumberTheFalseAndStaysAboveTheNoise) {
+TEST(FalseLineThreshold, FallsWhereTrueLinesOutnumberTheFalseAndStaysAboveTheNoise) {
     FloatVolume few = noise(1);
     add_rods(few, 4.0f);
     const double limit = noise_of_lines(few, 1.0);
@@ -65,7 +65,7 @@ TEST(LineNoise, FallsWhereTrueLinesOutnumberTheFalseAndStaysAboveTheNoise) {
     EXPECT_GT(limit, 1.0);
 }
 
-TEST(LineNoise, LeavesFiftyBrightVoxelsToEachDarkOneAndOneStepLowerFewer) {
+TEST(FalseLineThreshold, LeavesFiftyBrightVoxelsToEachDarkOneAndOneStepLowerFewer) {
     FloatVolume values = noise(5);
     add_rods(values, 4.0f);
     FloatVolume negative = values;
@@ -86,7 +86,7 @@ TEST(LineNoise, LeavesFiftyBrightVoxelsToEachDarkOneAndOneStepLowerFewer) {
     EXPECT_LT(above(values, limit - 0.05), 50.0 * above(negative, limit - 0.05));
 }
 
-TEST(LineNoise, GrowsInProportionWithTheImage) {
+TEST(FalseLineThreshold, GrowsInProportionWithTheImage) {
     FloatVolume values = noise(2);
     add_rods(values, 4.0f);
     const double once = noise_of_lines(values, 1.0);
@@ -94,7 +94,7 @@ TEST(LineNoise, GrowsInProportionWithTheImage) {
     EXPECT_NEAR(noise_of_lines(values, 8.0), 8.0 * once, 1e-9);
 }
 
-TEST(LineNoise, DarkLinesRaiseIt) {
+TEST(FalseLineThreshold, DarkLinesRaiseIt) {
     FloatVolume values = noise(3);
     add_rods(values, 4.0f);
     const double before = noise_of_lines(values, 1.0);
@@ -103,7 +103,7 @@ TEST(LineNoise, DarkLinesRaiseIt) {
     EXPECT_GT(noise_of_lines(values, 1.0), before);
 }
 
-TEST(LineNoise, CountsOnlyWhereItIsTold) {
+TEST(FalseLineThreshold, CountsOnlyWhereItIsTold) {
     FloatVolume values = noise(4);
     add_rods(values, 4.0f);
     Mask left(values.grid), all(values.grid, 1);
@@ -111,11 +111,11 @@ TEST(LineNoise, CountsOnlyWhereItIsTold) {
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 32; ++x) left.at(x, y, z) = 1;
     Job job;
-    const double before = line_noise(
+    const double before = false_line_threshold(
         values, 1.0, all, left, [] {}, job);
     for (int y = 0; y < 64; ++y)
         for (int z : {16, 32, 48}) values.at(60, y, z) -= 5.0f;
-    EXPECT_EQ(line_noise(
+    EXPECT_EQ(false_line_threshold(
                   values, 1.0, all, left, [] {}, job),
               before);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/segmentation/line_noise.h"
+#include "core/segmentation/false_line_threshold.h"
 
 #include <algorithm>
 #include <vector>
@@ -34,8 +34,8 @@ std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double de
 
 }  // namespace
 
-double line_noise(const FloatVolume& values, double deviation, const Mask& liver, const Mask& where,
-                  const std::function<void()>& progress, Job& job) {
+double false_line_threshold(const FloatVolume& values, double deviation, const Mask& liver,
+                            const Mask& where, const std::function<void()>& progress, Job& job) {
     const std::vector<std::size_t> bright =
         histogram_of_lines(values, deviation, liver, where, job);
     progress();

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sets that grow together (union-find with path halving, Tarjan 1975). The root of a set is its
+// smallest member, so that what is numbered by roots does not depend on the order of the unions.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace hepatica {
+
+class DisjointSets {
+  public:
+    // 0 to size - 1, each a set of its own.
+    explicit DisjointSets(std::size_t size = 0) : parents_(size), count_(size) {
+        std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
+    }
+
+    // A new set of one member, which it returns.
+    std::uint32_t add() {
+        parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
+        ++count_;
+        return parents_.back();
+    }
+
+    std::uint32_t root(std::uint32_t member) {
+        while (parents_[member] != member) member = parents_[member] = parents_[parents_[member]];
+        return member;
+    }
+
+    // Returns false where both were in one set already.
+    bool unite(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return false;
+        parents_[std::max(a, b)] = std::min(a, b);
+        --count_;
+        return true;
+    }
+
+    std::size_t size() const { return parents_.size(); }  // members
+    std::size_t count() const { return count_; }          // sets
+
+  private:
+    std::vector<std::uint32_t> parents_;
+    std::size_t count_;
+};
+
+}  // namespace hepatica

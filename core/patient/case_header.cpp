@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/case_header.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/base/sha256.h"
+#include "core/patient/format_1.h"
+#include "core/tree/files/tree_json.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int oldest_version = 1;
+constexpr int present_version = 2;
+
+Json to_json(const Grid& grid) {
+    Json directions = Json::array();
+    for (int axis = 0; axis < 3; ++axis)
+        directions.push_back(Json(json_of(Vec3(grid.direction.col(axis)))));
+    return {{"dims", grid.dims},
+            {"spacing_mm", json_of(grid.spacing_mm)},
+            {"origin_mm", json_of(grid.origin_mm)},
+            {"direction", directions}};
+}
+
+Grid grid_from(const Json& json) {
+    Grid grid;
+    grid.dims = json.at("dims").get<Index3>();
+    grid.spacing_mm = vec3_from(json.at("spacing_mm"));
+    grid.origin_mm = vec3_from(json.at("origin_mm"));
+    for (int axis = 0; axis < 3; ++axis)
+        grid.direction.col(axis) = vec3_from(json.at("direction").at(axis));
+    return grid;
+}
+
+Json to_json(const VesselTree& tree) {
+    return {{"segments", tree.segments.size()},
+            {"bifurcations", bifurcation_count(tree)},
+            {"ends", end_count(tree)},
+            {"length_mm", length_mm(tree)},
+            {"bridged_mm", bridged_length_mm(tree)},
+            {"systems", json_of(systems_of(tree))}};
+}
+
+CaseHeader header_from(const Json& json, int version) {
+    CaseHeader header;
+    header.version = version;
+    const Json& source = json.at("source");
+    header.source.image_grid = grid_from(source.at("grid"));
+    if (version == 1) {
+        header.source.parameters_json = parameters_of_format_1(json.at("parameters").dump());
+        header.digests = json.at("hashes").get<std::map<std::string, std::string>>();
+        return header;
+    }
+    header.source.name = json.value("name", "");
+    header.source.image_sha256 = source.at("image_sha256").get<std::string>();
+    header.source.parameters_json = json.at("parameters").dump();
+    header.digests = json.at("sha256").get<std::map<std::string, std::string>>();
+    return header;
+}
+
+}  // namespace
+
+void refuse_case(const fs::path& place, const std::string& problem) {
+    throw InputError(problem, place.string(),
+                     "Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep");
+}
+
+CaseHeader read_case_header(const fs::path& folder) {
+    const fs::path file = folder / case_file::header;
+    std::ifstream in(file);
+    if (!in) refuse_case(folder, "is not a patient's case: it holds no case.json");
+    const Json json = Json::parse(in, nullptr, false);
+    if (json.is_discarded() || !json.is_object()) refuse_case(file, "is damaged");
+    try {
+        if (json.value("format", "") != "hepatica-case")
+            refuse_case(file, "was not written by this program");
+        const int version = json.value("version", 0);
+        if (version < oldest_version || version > present_version)
+            refuse_case(file, "has version " + std::to_string(version) +
+                                  "; this program reads versions " +
+                                  std::to_string(oldest_version) + " to " +
+                                  std::to_string(present_version));
+        return header_from(json, version);
+    } catch (const Json::exception& error) {
+        refuse_case(file, std::string("is damaged (") + error.what() + ")");
+    }
+}
+
+void check_case_file(const fs::path& folder, const CaseHeader& header, const char* name) {
+    const fs::path file = folder / name;
+    if (!fs::is_regular_file(file)) refuse_case(file, "is missing");
+    const auto promised = header.digests.find(name);
+    const std::string found =
+        header.version == 1 ? to_hex(hash_of_file(file)) : sha256_of_file(file);
+    if (promised == header.digests.end() || found != promised->second)
+        refuse_case(file, "is not the file that case.json was written for (its hash differs)");
+}
+
+void write_case_header(const fs::path& folder, const PatientCase& patient) {
+    using namespace case_file;
+    Json json;
+    json["format"] = "hepatica-case";
+    json["version"] = present_version;
+    json["program"] = HEPATICA_VERSION;
+    if (!patient.source.name.empty()) json["name"] = patient.source.name;
+    json["source"] = {{"image_sha256", patient.source.image_sha256},
+                      {"grid", to_json(patient.source.image_grid)}};
+    json["parameters"] = Json::parse(patient.source.parameters_json);
+    json["tree"] = to_json(patient.tree);
+    for (const char* name :
+         {mask, skeleton, organs, tree, swc, surface, mesh, corrections, extracted})
+        if (fs::exists(folder / name)) json["sha256"][name] = sha256_of_file(folder / name);
+    write_text_atomically(folder / case_file::header, json.dump(2) + "\n");
+}
+
+}  // namespace hepatica

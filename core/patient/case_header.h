@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// case.json: what a case was made from and how, its tree in numbers, and the digests of its files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+// Names of the files of a case.
+namespace case_file {
+inline constexpr const char* header = "case.json";
+inline constexpr const char* mask = "mask.nii.gz";
+inline constexpr const char* skeleton = "skeleton.nii.gz";
+inline constexpr const char* organs = "organs.nii.gz";
+inline constexpr const char* tree = "tree.vtp";
+inline constexpr const char* swc = "tree.swc";
+inline constexpr const char* surface = "surface.vtp";
+inline constexpr const char* mesh = "mesh.vtu";
+inline constexpr const char* corrections = "corrections.json";
+inline constexpr const char* extracted = "tree_extracted.vtp";
+inline constexpr const char* dial = "dial.json";
+}  // namespace case_file
+
+struct CaseHeader {
+    int version = 0;
+    CaseSource source;
+    std::map<std::string, std::string> digests;  // of each file: SHA-256; format 1: another hash
+};
+
+// Throws InputError: the case cannot be used, with what is wrong and where.
+[[noreturn]] void refuse_case(const std::filesystem::path& place, const std::string& problem);
+
+// Reads case.json of a case. Throws InputError where it is missing, damaged or of a version that
+// is not known.
+CaseHeader read_case_header(const std::filesystem::path& folder);
+
+// Throws InputError where a file is missing or is not the one that case.json was written for.
+void check_case_file(const std::filesystem::path& folder, const CaseHeader& header,
+                     const char* name);
+
+// Writes case.json for the files that already lie in the folder.
+void write_case_header(const std::filesystem::path& folder, const PatientCase& patient);
+
+}  // namespace hepatica

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/reconstruct_parameters.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hepatica {
+
+namespace {
+
+std::string name_of(SegmentationMethod method) {
+    switch (method) {
+        case SegmentationMethod::multi_layer:
+            return "multi_layer";
+        case SegmentationMethod::vesselness:
+            return "vesselness";
+        case SegmentationMethod::coherent:
+            break;
+    }
+    return "coherent";
+}
+
+}  // namespace
+
+std::string parameters_json(const ReconstructOptions& options) {
+    nlohmann::ordered_json json;
+    json["liver_mask_given"] = options.liver_mask.has_value();
+    json["vessel_mask_given"] = options.vessel_mask.has_value();
+    json["method"] = name_of(options.method);
+    if (options.window_hu)
+        json["window_hu"] = {options.window_hu->first, options.window_hu->second};
+    for (const VesselSeed& seed : options.seeds)
+        json["seeds"].push_back(
+            {{"position_mm", {seed.position_mm.x(), seed.position_mm.y(), seed.position_mm.z()}},
+             {"system", name_of(seed.system)}});
+    if (!options.liver_labels.empty()) json["liver_labels"] = options.liver_labels;
+    for (const VesselLabel& label : options.vessel_labels)
+        json["vessel_labels"].push_back(
+            {{"label", label.label}, {"system", name_of(label.system)}});
+    json["thinning"] = options.thinning == ThinningMethod::queue ? "queue" : "parallel";
+    json["bridge_confidence"] = options.bridge_confidence;
+    json["refinement_recursions"] = options.refinement_recursions;
+    json["spacing_mm"] = options.spacing_mm;
+    json["mesh"] = {{"facet_size_in_radii", options.mesh.facet_size_in_radii},
+                    {"cell_size_in_radii", options.mesh.cell_size_in_radii},
+                    {"target_tetrahedra", options.mesh.target_tetrahedra},
+                    {"minimum_radius_mm", options.mesh.minimum_radius_mm}};
+    return json.dump();
+}
+
+}  // namespace hepatica

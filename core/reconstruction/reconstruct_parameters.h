@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a case keeps of the options that it was made with.
+#pragma once
+
+#include <string>
+
+#include "core/reconstruction/reconstruct.h"
+
+namespace hepatica {
+
+// One JSON object. Of the masks it says only whether they were given: their paths may hold a
+// patient's name.
+std::string parameters_json(const ReconstructOptions& options);
+
+}  // namespace hepatica

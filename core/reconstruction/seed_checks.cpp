@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/seed_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double reach_mm = 10.0;
+
+std::string text_of(const Vec3& position_mm) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", position_mm.x(), position_mm.y(),
+                  position_mm.z());
+    return text;
+}
+
+}  // namespace
+
+void require_seeds_in_image(const std::vector<VesselSeed>& seeds, const Grid& grid) {
+    for (const VesselSeed& seed : seeds) {
+        const Vec3 index = grid.to_index(seed.position_mm);
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside = inside && index[axis] >= -0.5 && index[axis] <= grid.dims[axis] - 0.5;
+        if (inside) continue;
+        const Vec3 corner = grid.to_mm(0, 0, 0);
+        const Vec3 opposite = grid.to_mm(grid.dims[0] - 1, grid.dims[1] - 1, grid.dims[2] - 1);
+        throw InputError(text_of(seed.position_mm) +
+                             " lies outside the image, which reaches from " + text_of(corner) +
+                             " to " + text_of(opposite),
+                         "--seed-mm",
+                         "Give a place inside a vessel in patient space (LPS, mm); other programs "
+                         "may show RAS: there change the sign of X and Y");
+    }
+}
+
+void require_seeds_near_liver(const std::vector<VesselSeed>& seeds, const Mask& liver,
+                              const std::string& liver_place) {
+    for (const VesselSeed& seed : seeds) {
+        double nearest_mm = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+            if (liver.voxels[i] == 0) continue;
+            const auto [x, y, z] = liver.grid.index_of(i);
+            nearest_mm =
+                std::min(nearest_mm, (liver.grid.to_mm(x, y, z) - seed.position_mm).norm());
+            if (nearest_mm <= reach_mm) break;
+        }
+        if (nearest_mm <= reach_mm) continue;
+        throw InputError(text_of(seed.position_mm) + " lies " +
+                             std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
+                             liver_place,
+                         "--seed-mm", "Give a place inside a vessel in or at the liver (LPS, mm)");
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Removes the pieces of a graph that are noise by their length or that no seed is connected with,
+// and says how much that was.
+#pragma once
+
+#include <vector>
+
+#include "core/base/vascular_system.h"
+#include "core/tree/extraction/vessel_graph.h"
+
+namespace hepatica {
+
+struct RemovedPieces {
+    int count = 0;
+    double length_mm = 0.0;
+};
+
+// Removes components whose links are shorter than `shortest_mm` in all. Kept are the longest one,
+// those that lie nearest to a seed, and, where there are seeds, those of a known system.
+RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
+                                      const std::vector<VesselSeed>& seeds = {});
+
+// Removes components of an unknown system that lie nearest to no seed.
+RemovedPieces remove_unseeded_components(VesselGraph& graph, const std::vector<VesselSeed>& seeds);
+
+}  // namespace hepatica

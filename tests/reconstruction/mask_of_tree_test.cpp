@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/mask_of_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_trees.h"
+
+namespace hepatica {
+namespace {
+
+//  x = 1: portal (a front came through), x = 5: unknown, the tree says hepatic, x = 9: not in the
+//  tree
+class MaskOfTree : public testing::Test {
+  protected:
+    MaskOfTree() {
+        Grid grid;
+        grid.dims = {12, 30, 3};
+        mask_ = Mask(grid);
+        for (int y = 1; y < 29; ++y) {
+            mask_.at(1, y, 1) = 1;
+            mask_.at(5, y, 1) = 255;
+            mask_.at(9, y, 1) = 255;
+        }
+        VesselGraph graph;
+        graph.nodes = {{Vec3(1, 2, 1), 1.0},
+                       {Vec3(1, 27, 1), 1.0},
+                       {Vec3(5, 2, 1), 1.0},
+                       {Vec3(5, 27, 1), 1.0}};
+        graph.links = {test::straight_link(graph, 0, 1, 1, 1, VascularSystem::portal),
+                       test::straight_link(graph, 2, 3, 1, 1, VascularSystem::hepatic)};
+        tree_ = directed(graph);
+    }
+
+    Mask mask_;
+    VesselTree tree_;
+};
+
+TEST_F(MaskOfTree, WhatABridgeJoinedTakesItsSystem) {
+    EXPECT_FALSE(follow_tree(mask_, tree_, false));
+    EXPECT_EQ(mask_.at(1, 20, 1), 1);
+    EXPECT_EQ(mask_.at(5, 20, 1), 2);
+    EXPECT_EQ(mask_.at(9, 20, 1), 255);
+}
+
+TEST_F(MaskOfTree, WhatIsNotInASeededTreeGoes) {
+    EXPECT_TRUE(follow_tree(mask_, tree_, true));
+    EXPECT_EQ(mask_.at(1, 20, 1), 1);
+    EXPECT_EQ(mask_.at(5, 20, 1), 2);
+    EXPECT_EQ(mask_.at(9, 20, 1), 0);
+}
+
+}  // namespace
+}  // namespace hepatica
