@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/flow_solution.h"
 
@@ -45,9 +47,7 @@ double useful_end_s(const std::vector<float>& arrival_s) {
     for (const float time_s : arrival_s)
         if (std::isfinite(time_s)) reached.push_back(time_s);
     if (reached.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = reached.begin() + static_cast<std::ptrdiff_t>(reached.size() / 2);
-    std::nth_element(reached.begin(), middle, reached.end());
-    return 5.0 * static_cast<double>(*middle);
+    return 5.0 * static_cast<double>(median(std::move(reached)));
 }
 
 // How long the catheter takes to inject the volume of all vessels.
