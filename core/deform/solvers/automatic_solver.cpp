@@ -14,11 +14,18 @@ constexpr double most_multiplications_per_block = 3000.0;
 void AutomaticSolver::choose(const BlockMatrix& pattern) {
     if (chosen_ != nullptr && planned_rows_ == pattern.row_begin) return;
     planned_rows_ = pattern.row_begin;
-    cholesky_.plan(pattern);
-    const double per_block =
-        cholesky_.factor().tree().multiplications / static_cast<double>(pattern.column.size());
-    chosen_ = &skeleton_;
-    if (per_block <= most_multiplications_per_block) chosen_ = &cholesky_;
+    if (!cholesky_) cholesky_.emplace(skeleton_, rest_positions_mm_);
+    EliminationTree analysis = cholesky_->analyse(pattern);
+    const double per_block = analysis.multiplications / static_cast<double>(pattern.column.size());
+    if (per_block <= most_multiplications_per_block) {
+        two_level_.reset();
+        cholesky_->plan(pattern, std::move(analysis));
+        chosen_ = &*cholesky_;
+        return;
+    }
+    cholesky_.reset();
+    two_level_.emplace(skeleton_, rest_positions_mm_);
+    chosen_ = &*two_level_;
 }
 
 void AutomaticSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses between factorisation and two-level iteration for each body by what their operations were
 // measured to cost: thin trees are factored, bulky bodies iterated. Never by the clock, so that the
-// same commands give the same bits.
+// same commands give the same bits. The choice takes the analysis of the pattern alone: what is
+// rejected has no number allocated.
 #pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/solvers/linear_solver.h"
@@ -13,7 +18,9 @@ namespace hepatica {
 class AutomaticSolver final : public LinearSolver {
   public:
     AutomaticSolver(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm)
-        : cholesky_(skeleton, rest_positions_mm), skeleton_(skeleton, rest_positions_mm) {}
+        : skeleton_(skeleton),
+          rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()),
+          cholesky_(std::in_place, skeleton, rest_positions_mm) {}
 
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
@@ -26,11 +33,18 @@ class AutomaticSolver final : public LinearSolver {
     void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
+    // Of the factor that is kept; 0 where the factorisation was rejected.
+    std::size_t factor_bytes() const {
+        return chosen_ != nullptr && cholesky_ ? cholesky_->factor().bytes() : 0;
+    }
+
   private:
     void choose(const BlockMatrix& pattern);
 
-    CholeskySolver cholesky_;
-    SkeletonSolver skeleton_;
+    FrameSkeleton skeleton_;
+    std::vector<Vec3> rest_positions_mm_;
+    std::optional<CholeskySolver> cholesky_;  // one of these two once the choice is made
+    std::optional<SkeletonSolver> two_level_;
     LinearSolver* chosen_ = nullptr;
     std::vector<int> planned_rows_;
 };

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/deform/solvers/elimination_order.h"
+#include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
@@ -39,12 +40,18 @@ CholeskySolver::CholeskySolver(FrameSkeleton skeleton, std::span<const Vec3> res
     binding_ = bind_vertices(skeleton_, rest_positions_mm);
 }
 
-void CholeskySolver::plan(const BlockMatrix& pattern) {
-    if (factor_ && factored_.column == pattern.column && factored_.row_begin == pattern.row_begin) {
-        return;
-    }
+EliminationTree CholeskySolver::analyse(const BlockMatrix& pattern) const {
+    return hepatica::analyse(pattern, order_from_ends(skeleton_, binding_));
+}
+
+bool CholeskySolver::planned_for(const BlockMatrix& pattern) const {
+    return factor_ && factored_.column == pattern.column &&
+           factored_.row_begin == pattern.row_begin;
+}
+
+void CholeskySolver::plan(const BlockMatrix& pattern, EliminationTree analysis) {
     factored_ = pattern;
-    factor_.emplace(pattern, order_from_ends(skeleton_, binding_));
+    factor_.emplace(pattern, std::move(analysis));
     factored_once_ = false;
     iteration_.forget();
 }
@@ -90,7 +97,7 @@ void CholeskySolver::factor_anew() {
 
 void CholeskySolver::prepare(const BlockMatrix& matrix, std::span<const Vec3>) {
     matrix_ = &matrix;
-    plan(matrix);
+    if (!planned_for(matrix)) plan(matrix, analyse(matrix));
     if (!factored_once_) return factor_anew();
     const Change found = change();
     exact_ = found.vertices.empty();
@@ -104,7 +111,7 @@ void CholeskySolver::prepare(const BlockMatrix& matrix, std::span<const Vec3>) {
                   matrix.block.begin() + matrix.row_begin[v + 1],
                   factored_.block.begin() + matrix.row_begin[v]);
     }
-    factor_->refactor(factored_, found.vertices, 0.0);
+    factor_->refactor(factored_, found.vertices);
     exact_ = true;
     spent_ = 0.0;
     too_much_ *= forgetting;  // tried again now and then: the motion may be another one
@@ -125,7 +132,7 @@ void CholeskySolver::restore(const BlockMatrix* made_from, std::span<const Vec3>
     matrix_ = made_from;
     factored_once_ = false;
     if (made_from != nullptr) {
-        plan(*made_from);
+        if (!planned_for(*made_from)) plan(*made_from, analyse(*made_from));
         factor_anew();
     }
     spent_ = memory[0];
@@ -135,6 +142,8 @@ void CholeskySolver::restore(const BlockMatrix* made_from, std::span<const Vec3>
 
 SolveReport CholeskySolver::solve_directly(std::span<const Vec3> rhs, std::span<Vec3> x) {
     SolveReport report;
+    report.method = name();
+    report.dropped_pivots = factor_->dropped_pivots();
     factor_->solve(rhs, x);
     residual_.assign(x.begin(), x.end());
     std::vector<Vec3> product;
@@ -143,11 +152,11 @@ SolveReport CholeskySolver::solve_directly(std::span<const Vec3> rhs, std::span<
     const double rhs_squared = dot(rhs, rhs);
     const double energy = dot(rhs, x);
     report.relative_residual =
-        rhs_squared > 0.0 ? std::sqrt(dot(residual_, residual_) / rhs_squared) : 0.0;
+        rhs_squared == 0.0 ? 0.0 : std::sqrt(dot(residual_, residual_) / rhs_squared);
     report.energy_error =
         energy > 0.0 ? std::min(1.0, std::sqrt(factor_->inverse_form(residual_) / energy)) : 0.0;
-    report.converged = report.relative_residual <= good_residual;
-    report.method = name();
+    report.converged = std::isfinite(rhs_squared) && report.relative_residual <= good_residual;
+    own_up_unless_finite(report, x);
     return report;
 }
 
@@ -168,6 +177,7 @@ SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     lagged.max_iterations = std::min(limits.max_iterations, 3 + static_cast<int>(affordable));
     SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, lagged);
     report.method = name();
+    report.dropped_pivots = factor_->dropped_pivots();
     const double extra = std::max(0, report.iterations - 1) * cost;
     spent_ += extra;
     if (!exact_ && extra > catch_up_) {

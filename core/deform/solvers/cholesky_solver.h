@@ -34,8 +34,10 @@ class CholeskySolver final : public LinearSolver {
     void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
-    // Plans the elimination of a pattern without factoring.
-    void plan(const BlockMatrix& pattern);
+    // The elimination of a pattern, before any number is allocated.
+    EliminationTree analyse(const BlockMatrix& pattern) const;
+    // Allocates the factor of a pattern by that analysis of it.
+    void plan(const BlockMatrix& pattern, EliminationTree analysis);
     const TreeCholesky& factor() const { return *factor_; }
 
   private:
@@ -44,6 +46,7 @@ class CholeskySolver final : public LinearSolver {
         double size = 0.0;  // largest, relative to the diagonal blocks
     };
     Change change() const;
+    bool planned_for(const BlockMatrix& pattern) const;
     void factor_anew();
     double iteration_cost() const;
     SolveReport solve_directly(std::span<const Vec3> rhs, std::span<Vec3> x);

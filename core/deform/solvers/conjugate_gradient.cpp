@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
@@ -115,6 +116,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
         std::fill(x.begin(), x.end(), Vec3::Zero());
         report.converged = rhs_squared == 0.0;
+        report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
         return report;
     }
     direction_.assign(x.begin(), x.end());
@@ -187,6 +189,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
         std::isfinite(error_squared)
             ? std::sqrt(error_squared / (std::max(solution_energy, 0.0) + error_squared))
             : 1.0;
+    own_up_unless_finite(report, x);
     return report;
 }
 

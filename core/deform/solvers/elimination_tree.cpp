@@ -58,7 +58,7 @@ struct Structure {
     std::vector<int> columns;
     std::vector<int> rows;
     int parent = -1;
-    bool merged = false;
+    bool amalgamated = false;  // with its parent
 };
 
 // Time of one front in nanoseconds, as measured on a few sizes: arithmetic, assembly, overhead.
@@ -67,47 +67,61 @@ double front_cost(double columns, double rows) {
     return 0.07 * k * (k * k / 3.0 + k * m + m * m) + 0.6 * (k + m) * (k + m) + 400.0;
 }
 
-// One structure per column, columns and rows in positions.
-std::vector<Structure> column_structures(const BlockMatrix& pattern,
-                                         const std::vector<int>& vertex_at,
-                                         const std::vector<int>& position,
-                                         const std::vector<int>& parent) {
-    std::vector<Structure> structures(parent.size());
-    std::vector<int> mark(parent.size(), -1);
-    const std::vector<std::vector<int>> children = children_of(parent);
-    for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
-        Structure& own = structures[j];
-        own.columns = {j};
-        own.parent = parent[j];
-        mark[j] = j;
-        const auto add = [&](int i) {
-            if (i <= j || mark[i] == j) return;
-            mark[i] = j;
-            own.rows.push_back(i);
-        };
-        const int v = vertex_at[j];
-        for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
-            add(position[pattern.column[k]]);
-        }
-        for (const int child : children[j]) {
-            for (const int i : structures[child].rows) add(i);
-        }
-        std::sort(own.rows.begin(), own.rows.end());
-    }
-    return structures;
+void free_memory(std::vector<int>& values) {
+    std::vector<int>().swap(values);
 }
 
-// Merges children into parents wherever one larger front is quicker than two.
-void merge(std::vector<Structure>& structures) {
-    constexpr std::size_t most_columns = 48;
-    std::vector<std::vector<int>> children(structures.size());
-    for (int p = 0; p < static_cast<int>(structures.size()); ++p) {
-        Structure& parent = structures[p];
-        std::vector<int> remaining;
-        std::vector<int> candidates = children[p];
+// Finds the supernodes from the leaves to the root. The rows of a column are those of its block row
+// and of the supernodes below it; a supernode that is amalgamated with its parent gives its rows up
+// at once, so that memory holds the rows of supernodes, never those of every column.
+class SupernodeSearch {
+  public:
+    // Columns and rows count positions; `parent` is the elimination tree.
+    SupernodeSearch(const BlockMatrix& pattern, const std::vector<int>& vertex_at,
+                    const std::vector<int>& position, const std::vector<int>& parent)
+        : pattern_(pattern),
+          vertex_at_(vertex_at),
+          position_(position),
+          structures_(parent.size()),
+          children_(parent.size()),
+          mark_(parent.size(), -1) {
+        for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
+            structures_[j].parent = parent[j];
+            find_rows(j);
+            amalgamate(j);
+            if (parent[j] >= 0) children_[parent[j]].push_back(j);
+        }
+    }
+
+    // Those not amalgamated stand at their last column.
+    std::vector<Structure> take() { return std::move(structures_); }
+
+  private:
+    void find_rows(int j) {
+        Structure& own = structures_[j];
+        own.columns = {j};
+        const auto add = [&](int i) {
+            if (i <= j || mark_[i] == j) return;
+            mark_[i] = j;
+            own.rows.push_back(i);
+        };
+        const int v = vertex_at_[j];
+        for (int k = pattern_.row_begin[v]; k < pattern_.row_begin[v + 1]; ++k)
+            add(position_[pattern_.column[k]]);
+        for (const int child : children_[j])
+            for (const int i : structures_[child].rows) add(i);
+        std::sort(own.rows.begin(), own.rows.end());
+        own.rows.shrink_to_fit();
+    }
+
+    // Takes in children wherever one larger front is quicker than two.
+    void amalgamate(int j) {
+        constexpr std::size_t most_columns = 48;
+        Structure& parent = structures_[j];
         const double rows = static_cast<double>(parent.rows.size());
-        for (const int c : candidates) {
-            Structure& child = structures[c];
+        std::vector<int> remaining;
+        for (const int c : children_[j]) {
+            Structure& child = structures_[c];
             const double child_columns = static_cast<double>(child.columns.size());
             const double columns = static_cast<double>(parent.columns.size());
             const double apart = front_cost(child_columns, static_cast<double>(child.rows.size())) +
@@ -119,24 +133,32 @@ void merge(std::vector<Structure>& structures) {
             }
             parent.columns.insert(parent.columns.begin(), child.columns.begin(),
                                   child.columns.end());
-            child.merged = true;
-            child.rows.clear();
-            for (const int grandchild : children[c]) {
-                structures[grandchild].parent = p;
+            child.amalgamated = true;
+            free_memory(child.columns);
+            free_memory(child.rows);
+            for (const int grandchild : children_[c]) {
+                structures_[grandchild].parent = j;
                 remaining.push_back(grandchild);
             }
+            free_memory(children_[c]);
         }
-        children[p] = std::move(remaining);
-        if (parent.parent >= 0) children[parent.parent].push_back(p);
+        children_[j] = std::move(remaining);
     }
-}
+
+    const BlockMatrix& pattern_;
+    const std::vector<int>& vertex_at_;
+    const std::vector<int>& position_;
+    std::vector<Structure> structures_;
+    std::vector<std::vector<int>> children_;  // supernodes, of each supernode found so far
+    std::vector<int> mark_;
+};
 
 // Writes the supernodes that are left in postorder.
 void write_supernodes(const std::vector<Structure>& structures, const std::vector<int>& vertex_at,
                       EliminationTree& tree) {
     std::vector<int> kept, index(structures.size(), -1);
     for (int s = 0; s < static_cast<int>(structures.size()); ++s) {
-        if (structures[s].merged) continue;
+        if (structures[s].amalgamated) continue;
         index[s] = static_cast<int>(kept.size());
         kept.push_back(s);
     }
@@ -313,10 +335,8 @@ EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) 
     }
     for (std::size_t j = 0; j < order.size(); ++j) position[vertex_at[j]] = static_cast<int>(j);
 
-    std::vector<Structure> structures = column_structures(pattern, vertex_at, position, parent);
-    merge(structures);
     EliminationTree tree;
-    write_supernodes(structures, vertex_at, tree);
+    write_supernodes(SupernodeSearch(pattern, vertex_at, position, parent).take(), vertex_at, tree);
     link_supernodes(tree);
     for (const Supernode& s : tree.supernodes) tree.multiplications += multiplications(s);
     ChainPlan(tree).write_stages(tree);

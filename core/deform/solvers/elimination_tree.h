@@ -51,7 +51,8 @@ struct EliminationTree {
 };
 
 // `order` is a permutation of the vertices that names the wish of elimination; the result keeps it
-// up to a reordering without effect on fill. Cost: as the number of blocks of the factor.
+// up to a reordering without effect on fill. Time: as the number of blocks of the factor; memory:
+// as the rows of its supernodes.
 EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order);
 
 }  // namespace hepatica

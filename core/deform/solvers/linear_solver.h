@@ -27,7 +27,10 @@ struct SolveReport {
     double relative_residual = 0.0;  // |b - A x| / |b|, achieved
     double energy_error = 0.0;       // estimate of |x - x_exact|_A / |x_exact|_A, achieved
     bool converged = false;          // a tolerance was met before max_iterations
-    std::string_view method;         // of the solver that did it ("skeleton", ...)
+    // Pivots that vanished in the factorisation of this matrix or of the one its factor is of: it
+    // was not positive definite. 0 where the matrix itself is not factored.
+    int dropped_pivots = 0;
+    std::string_view method;  // of the solver that did it ("skeleton", ...)
 };
 
 // The matrix is symmetric positive definite. A vertex whose off-diagonal blocks are all zero (or
@@ -42,7 +45,8 @@ class LinearSolver {
     // one matrix to the next find out by themselves which blocks have changed.
     virtual void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) = 0;
 
-    // Solves A x = rhs. On entry x is the warm start (zeros where there is none).
+    // Solves A x = rhs. On entry x is the warm start (zeros where there is none). A matrix or a
+    // right-hand side that is not finite gives a finite x that is reported as not converged.
     virtual SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                               const SolveLimits& limits) = 0;
 

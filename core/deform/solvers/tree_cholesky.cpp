@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/deform/solvers/dense_front.h"
@@ -41,8 +42,8 @@ void descend(const EliminationTree& tree, const Visit& visit) {
 
 }  // namespace
 
-TreeCholesky::TreeCholesky(const BlockMatrix& pattern, std::span<const int> order)
-    : tree_(analyse(pattern, order)) {
+TreeCholesky::TreeCholesky(const BlockMatrix& pattern, EliminationTree tree)
+    : tree_(std::move(tree)) {
     std::size_t panel = 0, remainder = 0, head = 0, tail = 0;
     for (const Supernode& own : tree_.supernodes) {
         panel_begin_.push_back(panel);
@@ -66,7 +67,7 @@ TreeCholesky::TreeCholesky(const BlockMatrix& pattern, std::span<const int> orde
     dirty_.assign(tree_.supernodes.size(), 0);
 
     block_row_.assign(pattern.column.size(), -1);
-    for (int j = 0; j < static_cast<int>(order.size()); ++j) {
+    for (int j = 0; j < static_cast<int>(tree_.vertex_at.size()); ++j) {
         const Supernode& own = tree_.supernodes[tree_.supernode_of[j]];
         const int v = tree_.vertex_at[j];
         for (int k = pattern.row_begin[v]; k < pattern.row_begin[v + 1]; ++k) {
@@ -135,49 +136,26 @@ void TreeCholesky::factor_supernode(const BlockMatrix& matrix, int s) {
     dropped_[s] = factor_front(panel, remainder, columns, rest, smallest_pivot);
 }
 
-int TreeCholesky::factor(const BlockMatrix& matrix) {
+void TreeCholesky::factor(const BlockMatrix& matrix) {
     climb(tree_, [&](int s) { factor_supernode(matrix, s); });
     eliminated_ = static_cast<int>(tree_.supernodes.size());
-    return std::accumulate(dropped_.begin(), dropped_.end(), 0);
 }
 
-bool TreeCholesky::changed_beyond(int s, std::span<const double> before, double tolerance) const {
-    const int rest = 3 * tree_.supernodes[s].rest();
-    const std::ptrdiff_t stride = padded(rest);
-    const double* after = remainders_.data() + remainder_begin_[s];
-    for (int c = 0; c < rest; ++c) {
-        for (int r = c; r < rest; ++r) {
-            const double change = after[c * stride + r] - before[c * stride + r];
-            const double scale = std::abs(after[c * stride + c] * after[r * stride + r]);
-            if (change * change > tolerance * tolerance * scale) return true;
-        }
-    }
-    return false;
-}
-
-void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
-                            double tolerance) {
+void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices) {
     std::fill(dirty_.begin(), dirty_.end(), 0);
     for (const int v : changed_vertices) dirty_[tree_.supernode_of[tree_.position_of[v]]] = 1;
-    std::vector<char> passes_on(dirty_.size(), 0);
     climb(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
         for (int k = own.children_begin; k < own.children_end; ++k) {
-            if (passes_on[tree_.children[k]]) dirty_[s] = 1;
+            if (dirty_[tree_.children[k]]) dirty_[s] = 1;
         }
-        if (!dirty_[s]) return;
-        const std::size_t begin = remainder_begin_[s];
-        const std::size_t size = static_cast<std::size_t>(padded(3 * own.rest())) *
-                                 static_cast<std::size_t>(3 * own.rest());
-        std::vector<double> before;
-        if (tolerance > 0.0) {
-            before.assign(remainders_.begin() + static_cast<std::ptrdiff_t>(begin),
-                          remainders_.begin() + static_cast<std::ptrdiff_t>(begin + size));
-        }
-        factor_supernode(matrix, s);
-        passes_on[s] = tolerance == 0.0 || changed_beyond(s, before, tolerance);
+        if (dirty_[s]) factor_supernode(matrix, s);
     });
     eliminated_ = static_cast<int>(std::count(dirty_.begin(), dirty_.end(), 1));
+}
+
+int TreeCholesky::dropped_pivots() const {
+    return std::accumulate(dropped_.begin(), dropped_.end(), 0);
 }
 
 double TreeCholesky::refactor_multiplications(std::span<const int> changed_vertices) const {

@@ -16,19 +16,21 @@ namespace hepatica {
 class TreeCholesky {
   public:
     // Fixes pattern and order (a permutation of the vertices, see elimination_order.h).
-    TreeCholesky(const BlockMatrix& pattern, std::span<const int> order);
+    TreeCholesky(const BlockMatrix& pattern, std::span<const int> order)
+        : TreeCholesky(pattern, analyse(pattern, order)) {}
+    // The same with the analysis of that pattern and order at hand.
+    TreeCholesky(const BlockMatrix& pattern, EliminationTree tree);
 
     // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
     // 1e-14 of its diagonal entry is dropped: solves give zero for it.
-    // Returns the number of dropped pivots.
-    int factor(const BlockMatrix& matrix);
+    void factor(const BlockMatrix& matrix);
 
     // The same for a matrix that differs from the last one only in blocks between two
-    // `changed_vertices`. A front whose contribution to its parent changes by less than
-    // `tolerance`, relative to its diagonal, does not pass the change on (0: every change is passed
-    // on, and the factor is that of factor() to the last bit).
-    void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
-                  double tolerance);
+    // `changed_vertices`: the factor is that of factor() to the last bit.
+    void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices);
+
+    // Pivots that the factor at hand has dropped.
+    int dropped_pivots() const;
 
     // x = A^-1 b. b and x may be the same.
     void solve(std::span<const Vec3> b, std::span<Vec3> x);
@@ -36,7 +38,7 @@ class TreeCholesky {
     // b . A^-1 b, for half the work of solve: the squared energy norm of an error with residual b.
     double inverse_form(std::span<const Vec3> b);
 
-    // Multiplications that refactor(changed_vertices, 0) would take.
+    // Multiplications that refactor(changed_vertices) would take.
     double refactor_multiplications(std::span<const int> changed_vertices) const;
 
     const EliminationTree& tree() const { return tree_; }
@@ -47,7 +49,6 @@ class TreeCholesky {
   private:
     void factor_supernode(const BlockMatrix& matrix, int s);
     void forward(std::span<const Vec3> b);
-    bool changed_beyond(int s, std::span<const double> before, double tolerance) const;
 
     EliminationTree tree_;
     std::vector<std::size_t> panel_begin_, remainder_begin_;

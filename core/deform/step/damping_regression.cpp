@@ -83,9 +83,4 @@ DampingFit fit_damping(const Body& body, std::span<const BodyState> recorded, do
     return regression.fit(threshold);
 }
 
-RayleighDamping combined(const RayleighDamping& damping, const DampingFit& fit) {
-    return {std::max(0.0, damping.alpha_per_s + fit.error.alpha_per_s),
-            std::max(0.0, damping.beta_s + fit.error.beta_s)};
-}
-
 }  // namespace hepatica

@@ -38,7 +38,4 @@ class DampingRegression {
 DampingFit fit_damping(const Body& body, std::span<const BodyState> recorded,
                        double threshold = 0.1);
 
-// The material's damping with the fitted error added, neither coefficient below 0.
-RayleighDamping combined(const RayleighDamping& damping, const DampingFit& fit);
-
 }  // namespace hepatica

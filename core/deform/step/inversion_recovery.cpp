@@ -2,9 +2,12 @@
 #include "core/deform/step/inversion_recovery.h"
 
 #include <algorithm>
+#include <numeric>
+#include <unordered_map>
 
 #include "core/deform/elements/small_matrix_eigen.h"
 #include "core/deform/solvers/linear_solver.h"
+#include "core/deform/step/assembly.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {
@@ -36,8 +39,8 @@ struct RigidMotion {
     Vec3 operator()(const Vec3& rest) const { return to + rotation * (rest - from); }
 };
 
-RigidMotion motion_of(const std::vector<int>& nodes, std::span<const Vec3> rest,
-                      std::span<const Vec3> now) {
+RigidMotion motion_of(const std::vector<int>& nodes, const std::vector<Vec3>& rest,
+                      const std::vector<Vec3>& now) {
     RigidMotion motion;
     for (const int i : nodes) {
         motion.from += rest[i] / static_cast<double>(nodes.size());
@@ -54,6 +57,82 @@ RigidMotion motion_of(const std::vector<int>& nodes, std::span<const Vec3> rest,
     return motion;
 }
 
+// Elements of a body as a body of their own.
+struct Part {
+    Body body;
+    std::vector<int> node;  // in the whole, of each node of the part
+};
+
+template <class T>
+void take_if_any(const std::vector<T>& from, int e, std::vector<T>& to) {
+    if (!from.empty()) to.push_back(from[e]);
+}
+
+// `elements` count through the groups, ascending. The part's nodes that `is_free` denies are fixed.
+template <class IsFree>
+Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& is_free) {
+    Part part;
+    part.body.model = whole.model;
+    std::unordered_map<int, int> index;
+    const auto take = [&](int i) {
+        const auto [known, is_new] = index.emplace(i, static_cast<int>(part.node.size()));
+        if (!is_new) return known->second;
+        part.node.push_back(i);
+        part.body.rest_positions_mm.push_back(whole.rest_positions_mm[i]);
+        part.body.mass_g.push_back(whole.mass_g[i]);
+        part.body.fixed.push_back(is_free(i) ? 0 : 1);
+        part.body.tether_un_per_mm.push_back(0.0);
+        return known->second;
+    };
+    auto next = elements.begin();
+    int first = 0;
+    for (const ElementGroup& group : whole.groups) {
+        ElementGroup& own = part.body.groups.emplace_back();
+        own.kind = group.kind;
+        own.nodes_per_element = group.nodes_per_element;
+        for (; next != elements.end() && *next < first + group.size(); ++next) {
+            const int e = *next - first;
+            for (int a = 0; a < group.nodes_per_element; ++a)
+                own.connectivity.push_back(
+                    take(group.connectivity[e * group.nodes_per_element + a]));
+            take_if_any(group.tetrahedra, e, own.tetrahedra);
+            take_if_any(group.springs, e, own.springs);
+            take_if_any(group.hexahedra, e, own.hexahedra);
+        }
+        first += group.size();
+    }
+    part.body.vertex_count = part.body.node_count();
+    return part;
+}
+
+// The motion of the free nodes of a part, in the frame of rest, that balances its linear elasticity
+// while the others move by `change`. Fixed nodes are cut out; what they pull with is the load.
+std::vector<Vec3> balanced(const Part& part, const std::vector<Vec3>& change) {
+    Assembly assembly(part.body);
+    assembly.evaluate(part.body.rest_positions_mm);
+    BlockMatrix matrix;
+    assembly.gather_stiffness(1.0, matrix);
+    const std::vector<std::uint8_t>& fixed = part.body.fixed;
+    std::vector<Vec3> load(change.size(), Vec3::Zero()), found(change.size(), Vec3::Zero());
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
+            const int j = matrix.column[k];
+            if (i == j && fixed[i]) matrix.block[k] = Mat3::Identity();
+            if (i == j || (!fixed[i] && !fixed[j])) continue;
+            if (!fixed[i]) load[i] -= matrix.block[k] * change[j];
+            matrix.block[k].setZero();
+        }
+    const auto solver = make_block_jacobi_solver();
+    solver->prepare(matrix, part.body.rest_positions_mm);
+    solver->solve(load, found,
+                  {.energy_tolerance = 1e-3, .max_iterations = InversionRecovery::most_iterations});
+    return found;
+}
+
+bool all_finite(const std::vector<Vec3>& a) {
+    return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
+}
+
 }  // namespace
 
 std::vector<int> inverted_elements(const Body& body, std::span<const Vec3> positions_mm) {
@@ -67,88 +146,102 @@ std::vector<int> inverted_elements(const Body& body, std::span<const Vec3> posit
     return inverted;
 }
 
-std::vector<char> Unfolding::nodes_of(const std::vector<int>& elements) const {
-    std::vector<char> nodes(body_.node_count(), 0);
-    auto next = elements.begin();
+void InversionRecovery::find_elements_of_nodes() {
+    if (!first_element_.empty()) return;
+    first_element_.assign(body_.node_count() + 1, 0);
     int first = 0;
     for (const ElementGroup& group : body_.groups) {
-        for (; next != elements.end() && *next < first + group.size(); ++next)
-            for (int a = 0; a < group.nodes_per_element; ++a)
-                nodes[group.connectivity[(*next - first) * group.nodes_per_element + a]] = 1;
+        first_of_group_.push_back(first);
         first += group.size();
+        for (const int i : group.connectivity) ++first_element_[i + 1];
     }
-    return nodes;
+    std::partial_sum(first_element_.begin(), first_element_.end(), first_element_.begin());
+    element_.resize(first_element_.back());
+    std::vector<int> next = first_element_;
+    for (std::size_t g = 0; g < body_.groups.size(); ++g) {
+        const ElementGroup& group = body_.groups[g];
+        for (std::size_t k = 0; k < group.connectivity.size(); ++k)
+            element_[next[group.connectivity[k]]++] =
+                first_of_group_[g] + static_cast<int>(k) / group.nodes_per_element;
+    }
+}
+
+void InversionRecovery::add_nodes_of(int element, Patch& patch) const {
+    const auto after = std::ranges::upper_bound(first_of_group_, element);
+    const std::size_t g = static_cast<std::size_t>(after - first_of_group_.begin()) - 1;
+    const ElementGroup& group = body_.groups[g];
+    const int e = element - first_of_group_[g];
+    for (int a = 0; a < group.nodes_per_element; ++a) {
+        const int i = group.connectivity[e * group.nodes_per_element + a];
+        if (patch.index[i] >= 0) continue;
+        patch.index[i] = static_cast<int>(patch.nodes.size());
+        patch.nodes.push_back(i);
+    }
+}
+
+// Elements with a node in the patch, ascending.
+std::vector<int> InversionRecovery::elements_around(const Patch& patch) const {
+    std::vector<int> elements;
+    for (const int i : patch.nodes)
+        elements.insert(elements.end(), element_.begin() + first_element_[i],
+                        element_.begin() + first_element_[i + 1]);
+    std::ranges::sort(elements);
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    return elements;
 }
 
 // By the nodes that share an element with it.
-void Unfolding::grow(std::vector<char>& patch) const {
-    const std::vector<char> before = patch;
-    for (std::size_t i = 0; i < patch.size(); ++i)
-        for (int k = stiffness_.row_begin[i]; before[i] && k < stiffness_.row_begin[i + 1]; ++k)
-            patch[stiffness_.column[k]] = 1;
+void InversionRecovery::grow(Patch& patch) const {
+    for (const int element : elements_around(patch)) add_nodes_of(element, patch);
 }
 
-// Nodes of the patch where linear elasticity puts them between those outside.
-std::vector<Vec3> Unfolding::span_patch(const std::vector<char>& patch,
-                                        std::span<const Vec3> positions_mm) const {
-    const auto free = [&](int i) { return patch[i] != 0 && body_.fixed[i] == 0; };
-    std::vector<int> around, all;
-    for (int i = 0; i < body_.node_count(); ++i) {
-        all.push_back(i);
-        bool touches = false;
-        for (int k = stiffness_.row_begin[i]; k < stiffness_.row_begin[i + 1]; ++k)
-            touches = touches || free(stiffness_.column[k]);
-        if (touches && !free(i)) around.push_back(i);
+// All positions, with the patch where linear elasticity puts it between the nodes around it, which
+// are first taken by the rigid motion that fits them best. None where that is still inverted.
+std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patch,
+                                                               std::span<const Vec3> positions_mm) {
+    const auto is_free = [&](int i) { return patch.index[i] >= 0 && body_.fixed[i] == 0; };
+    const Part part = part_of(body_, elements_around(patch), is_free);
+    const std::vector<Vec3>& rest = part.body.rest_positions_mm;
+    std::vector<Vec3> now;
+    std::vector<int> around, all(rest.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const int i : all) {
+        now.push_back(positions_mm[part.node[i]]);
+        if (part.body.fixed[i]) around.push_back(i);
     }
     const bool held = !around.empty();
-    const RigidMotion motion =
-        motion_of(held ? around : all, body_.rest_positions_mm, positions_mm);
-    std::vector<Vec3> x(positions_mm.begin(), positions_mm.end());
-    std::vector<Vec3> rhs(x.size(), Vec3::Zero()), change(x.size(), Vec3::Zero());
+    const RigidMotion motion = motion_of(held ? around : all, rest, now);
+    std::vector<Vec3> change(rest.size(), Vec3::Zero());
     // What the surroundings are off the motion, seen from the frame of rest.
-    for (const int i : around)
-        change[i] = motion.rotation.transpose() * (x[i] - motion(body_.rest_positions_mm[i]));
-    BlockMatrix matrix = stiffness_;
-    for (int i = 0; i < matrix.rows(); ++i)
-        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
-            const int j = matrix.column[k];
-            if (i == j && !free(i)) matrix.block[k] = Mat3::Identity();
-            if (i == j || (free(i) && free(j))) continue;
-            if (free(i)) rhs[i] -= matrix.block[k] * change[j];
-            matrix.block[k].setZero();
-        }
-    if (held) {
-        const auto solver = make_block_jacobi_solver();
-        solver->prepare(matrix, body_.rest_positions_mm);
-        std::vector<Vec3> found(x.size(), Vec3::Zero());
-        solver->solve(rhs, found, {.energy_tolerance = 1e-3});
-        change = std::move(found);
-    }
-    for (int i = 0; i < body_.node_count(); ++i)
-        if (free(i)) x[i] = motion(body_.rest_positions_mm[i]) + motion.rotation * change[i];
+    for (const int i : around) change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));
+    unknowns_ += 3 * static_cast<int>(rest.size() - around.size());
+    if (held) change = balanced(part, change);
+    for (const int i : all)
+        if (!part.body.fixed[i]) now[i] = motion(rest[i]) + motion.rotation * change[i];
+    if (!all_finite(now) || !inverted_elements(part.body, now).empty()) return std::nullopt;
+    std::vector<Vec3> x(positions_mm.begin(), positions_mm.end());
+    for (const int i : all) x[part.node[i]] = now[i];
     return x;
 }
 
-std::optional<std::vector<Vec3>> Unfolding::unfold(std::span<const Vec3> positions_mm,
-                                                   const Energy& energy) {
+std::optional<std::vector<Vec3>> InversionRecovery::recover(std::span<const Vec3> positions_mm,
+                                                            const Energy& energy) {
+    unknowns_ = 0;
     const std::vector<int> inverted = inverted_elements(body_, positions_mm);
     if (inverted.empty()) return std::nullopt;
-    if (stiffness_.column.empty()) {
-        Assembly assembly(body_);
-        assembly.evaluate(body_.rest_positions_mm);
-        assembly.gather_stiffness(1.0, stiffness_);
-    }
+    find_elements_of_nodes();
     const double before = energy(positions_mm);
-    std::vector<char> patch = nodes_of(inverted);
+    Patch patch;
+    patch.index.assign(body_.node_count(), -1);
+    for (const int element : inverted) add_nodes_of(element, patch);
     for (int rings = 1;; rings *= 2) {
-        std::vector<Vec3> x = span_patch(patch, positions_mm);
-        const bool finite = std::ranges::all_of(x, [](const Vec3& p) { return p.allFinite(); });
-        if (finite && inverted_elements(body_, x).empty() &&
-            energy(x) < before - least_gain * std::abs(before))
-            return x;
-        const std::vector<char> smaller = patch;
+        if (unknowns_ + 3 * static_cast<int>(patch.nodes.size()) > most_unknowns)
+            return std::nullopt;
+        auto x = span_patch(patch, positions_mm);
+        if (x && energy(*x) < before - least_gain * std::abs(before)) return x;
+        const std::size_t smaller = patch.nodes.size();
         for (int r = 0; r < rings; ++r) grow(patch);
-        if (patch == smaller) return std::nullopt;
+        if (patch.nodes.size() == smaller) return std::nullopt;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/stepper/stepper_input.h"
@@ -64,6 +65,16 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     report.linear_iterations += solved.iterations;
     report.linear_residual = solved.relative_residual;
     report.linear_energy_error = solved.energy_error;
+    report.dropped_pivots = std::max(report.dropped_pivots, solved.dropped_pivots);
+    // One that has used up its iterations has done what it was told.
+    const bool broke_down =
+        !solved.converged && solved.iterations < settings_.linear.max_iterations;
+    if (!broke_down && solved.dropped_pivots == 0) return;
+    report.degraded = true;
+    report.message = solved.dropped_pivots > 0
+                         ? "the system of the step was not positive definite: " +
+                               std::to_string(solved.dropped_pivots) + " pivots were dropped"
+                         : "the system of the step could not be solved";
 }
 
 MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {

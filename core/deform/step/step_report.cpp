@@ -13,6 +13,7 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     both.linear_iterations += first.linear_iterations;
     both.linear_residual = std::max(first.linear_residual, second.linear_residual);
     both.linear_energy_error = std::max(first.linear_energy_error, second.linear_energy_error);
+    both.dropped_pivots = std::max(first.dropped_pivots, second.dropped_pivots);
     both.degraded = first.degraded || second.degraded;
     if (both.message.empty()) both.message = first.message;
     both.energy = in_sequence(first.energy, second.energy);

@@ -16,9 +16,10 @@ struct StepReport {
     int linear_iterations = 0;         // 0 for a direct solve
     double linear_residual = 0.0;      // relative, achieved
     double linear_energy_error = 0.0;  // relative estimate in the energy norm, achieved
-    bool degraded = false;             // a line search failed or the budget ran out
-    bool asleep = false;               // nothing moved: the step was skipped
-    std::string message;               // why degraded, in words
+    int dropped_pivots = 0;            // the most of a solve, see SolveReport
+    bool degraded = false;  // a line search failed, a solve broke down or the budget ran out
+    bool asleep = false;    // nothing moved: the step was skipped
+    std::string message;    // why degraded, in words
     EnergyLedger energy;
     // Of an audited step: what its energies have lost more than its forces have worked on the way,
     // which is part of the ledger's imbalance; and how exactly that work is known.

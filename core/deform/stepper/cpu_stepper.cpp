@@ -18,7 +18,7 @@ namespace {
 
 constexpr double sleep_speed_edges_per_s = 1e-5;
 constexpr double sleep_after_s = 0.5;
-// A body slower than this for as long has settled, and is looked at for folds.
+// A body slower than this for as long has settled, and is searched for inverted elements.
 constexpr double settled_speed_edges_per_s = 2e-2;
 constexpr double settled_after_s = 0.25;
 
@@ -60,7 +60,7 @@ class CpuStepper final : public Stepper {
         : options_(validated(options)),
           body_(build_body(description, options.model, options.order)),
           potentials_(body_),
-          unfolding_(body_),
+          recovery_(body_),
           integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
         state_.positions_mm = body_.rest_positions_mm;
         state_.velocities_mm_per_s.assign(body_.node_count(), Vec3::Zero());
@@ -119,12 +119,12 @@ class CpuStepper final : public Stepper {
         settled_s_ = 0.0;
     }
     void watch_for_sleep(double dt_s);
-    void unfold(double dt_s, StepReport& report);
+    void recover_from_inversion(double dt_s, StepReport& report);
 
     StepperOptions options_;
     Body body_;
     PotentialList potentials_;
-    Unfolding unfolding_;
+    InversionRecovery recovery_;
     BackwardEuler integrator_;
     BodyState state_;
     double tool_work_ = 0.0;
@@ -151,7 +151,7 @@ StepReport CpuStepper::step(double dt_s) {
     }
     report.energy.tool_work = tool_work_;
     tool_work_ = 0.0;
-    unfold(dt_s, report);
+    recover_from_inversion(dt_s, report);
     resting_ = report.energy;
     watch_for_sleep(dt_s);
     return report;
@@ -163,7 +163,7 @@ void CpuStepper::watch_for_sleep(double dt_s) {
 }
 
 // Looks once each time the body has settled.
-void CpuStepper::unfold(double dt_s, StepReport& report) {
+void CpuStepper::recover_from_inversion(double dt_s, StepReport& report) {
     if (options_.published) return;
     const bool settled = fastest(state_) < settled_speed_edges_per_s * body_.mean_edge_mm;
     const double before = settled_s_;
@@ -172,17 +172,17 @@ void CpuStepper::unfold(double dt_s, StepReport& report) {
     const auto energy = [&](std::span<const Vec3> x) {
         return integrator_.potential_energy(x, potentials_);
     };
-    const auto unfolded = unfolding_.unfold(state_.positions_mm, energy);
-    if (!unfolded) return;
+    const auto recovered = recovery_.recover(state_.positions_mm, energy);
+    if (!recovered) return;
     EnergyLedger& ledger = report.energy;
     ledger.inversion_recovery_loss =
-        ledger.kinetic + energy(state_.positions_mm) - energy(*unfolded);
+        ledger.kinetic + energy(state_.positions_mm) - energy(*recovered);
     EnergyLedger after;
-    potentials_.book(*unfolded, state_.positions_mm, after);
+    potentials_.book(*recovered, state_.positions_mm, after);
     ledger.gravity_work += after.gravity_work;
     ledger.grab = after.grab;
     ledger.tether = after.tether;
-    state_.positions_mm = *unfolded;
+    state_.positions_mm = *recovered;
     std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
     ledger.kinetic = 0.0;
     ledger.elastic = integrator_.elastic_energy(state_.positions_mm);

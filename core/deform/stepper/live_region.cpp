@@ -31,6 +31,7 @@ LiveRegion::LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest
         neighbours_[n].push_back(parent);
         neighbours_[parent].push_back(static_cast<int>(n));
     }
+    reference_mm_.assign(rest_positions_mm.begin(), rest_positions_mm.end());
     wake_all();
 }
 
@@ -48,7 +49,6 @@ void LiveRegion::connect(std::span<const int> vertices) {
 void LiveRegion::wake_all() {
     live_.assign(neighbours_.size(), 1);
     still_s_.assign(neighbours_.size(), 0.0);
-    reference_mm_.clear();
 }
 
 int LiveRegion::live_count() const {
@@ -80,14 +80,31 @@ bool LiveRegion::wake_around(std::span<const int> nodes) {
 bool LiveRegion::hold(std::span<const int> vertices) {
     held_.clear();
     for (const int v : vertices) held_.push_back(node_of_[v]);
-    const bool woke = wake_around(held_);
-    if (woke) reference_mm_.clear();
-    return woke;
+    return wake_around(held_);
+}
+
+bool LiveRegion::borders_on_frozen(std::size_t node) const {
+    return std::ranges::any_of(neighbours_[node], [&](int other) { return live_[other] == 0; });
+}
+
+std::vector<char> LiveRegion::nodes_at_borders() const {
+    std::vector<char> bordered(live_.size());
+    for (std::size_t n = 0; n < live_.size(); ++n) bordered[n] = borders_on_frozen(n) ? 1 : 0;
+    return bordered;
+}
+
+// Takes positions for the nodes whose border has just arisen. One that had a frozen neighbour
+// already keeps the older reference, be it frozen itself meanwhile: strain adds up from there.
+void LiveRegion::refer_to(std::span<const Vec3> positions_mm,
+                          const std::vector<char>& bordered_before) {
+    for (std::size_t n = 0; n < live_.size(); ++n) {
+        if (bordered_before[n] || !borders_on_frozen(n)) continue;
+        for (const int v : vertices_of_[n]) reference_mm_[v] = positions_mm[v];
+    }
 }
 
 bool LiveRegion::watch(std::span<const Vec3> positions_mm,
                        std::span<const Vec3> velocities_mm_per_s, double dt_s) {
-    if (reference_mm_.empty()) reference_mm_.assign(positions_mm.begin(), positions_mm.end());
     std::vector<int> waking;
     std::vector<char> restless(live_.size(), 0);
     for (std::size_t n = 0; n < live_.size(); ++n) {
@@ -110,12 +127,12 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
     if (wake_around(waking)) {
         // Growing costs a rebuild: past half of the body the rest comes along at once.
         if (2 * live_count() > static_cast<int>(live_.size())) wake_all();
-        reference_mm_.assign(positions_mm.begin(), positions_mm.end());
         return true;
     }
     // What is held or still moves stays live with its surroundings.
     const std::vector<char> before = live_;
     const int count_before = live_count();
+    const std::vector<char> bordered_before = nodes_at_borders();
     std::vector<int> keep = held_;
     for (std::size_t n = 0; n < restless.size(); ++n) {
         if (restless[n]) keep.push_back(static_cast<int>(n));
@@ -129,7 +146,7 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
         live_ = before;
         return false;
     }
-    reference_mm_.assign(positions_mm.begin(), positions_mm.end());
+    refer_to(positions_mm, bordered_before);
     return true;
 }
 
@@ -155,7 +172,7 @@ void LiveRegion::restore(const RegionCheckpoint& checkpoint) {
     fits(std::ranges::all_of(checkpoint.held,
                              [&](int n) { return n >= 0 && static_cast<std::size_t>(n) < nodes; }),
          "holds a skeleton node that does not exist");
-    fits(checkpoint.reference_mm.empty() || checkpoint.reference_mm.size() == node_of_.size(),
+    fits(checkpoint.reference_mm.size() == node_of_.size(),
          "is of a body of " + std::to_string(checkpoint.reference_mm.size()) + " vertices");
     live_.assign(checkpoint.live.begin(), checkpoint.live.end());
     still_s_ = checkpoint.still_s;

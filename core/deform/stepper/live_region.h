@@ -13,7 +13,8 @@ namespace hepatica {
 
 struct LiveRegionOptions {
     // A frozen stretch wakes when the live one beside it, half a diameter away, has moved by this
-    // share of its radius since the region last changed: a change of strain at the border.
+    // share of its radius since the border between them arose: a change of strain there, however
+    // slowly it comes and however often the region changes meanwhile.
     double wake_radii = 1e-4;
     // A live node that is slower than this share of its radius a second ...
     double still_radii_per_s = 5e-4;
@@ -53,6 +54,9 @@ class LiveRegion {
 
   private:
     bool wake_around(std::span<const int> nodes);
+    bool borders_on_frozen(std::size_t node) const;
+    std::vector<char> nodes_at_borders() const;
+    void refer_to(std::span<const Vec3> positions_mm, const std::vector<char>& bordered_before);
 
     FrameSkeleton skeleton_;
     LiveRegionOptions options_;
@@ -61,8 +65,10 @@ class LiveRegion {
     std::vector<std::vector<int>> neighbours_;   // nodes that share an edge or an element
     std::vector<char> live_;
     std::vector<double> still_s_;
-    std::vector<int> held_;           // nodes
-    std::vector<Vec3> reference_mm_;  // where vertices were when the region last changed
+    std::vector<int> held_;  // nodes
+    // Where the vertices of each node were when the first of its neighbours that are frozen froze;
+    // of no meaning where none is.
+    std::vector<Vec3> reference_mm_;
 };
 
 }  // namespace hepatica

@@ -105,6 +105,61 @@ TEST(CholeskySolver, RecoversFromAMatrixThatIsNotFinite) {
     EXPECT_LT(test::energy_error(good, x, test::solve_exactly(good, load)), 1e-2);
 }
 
+// A load that is not finite has no answer, and says so; the next one is solved as if it had not
+// been.
+TEST(LinearSolver, OwnsUpToALoadOrAMatrixThatIsNotFinite) {
+    const Motion motion;
+    const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
+    const BlockMatrix good = test::assemble(motion.body, rest, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    BlockMatrix bad_matrix = good;
+    bad_matrix.block[good.diagonal[good.rows() / 2]](1, 2) = std::nan("");
+    for (const auto kind : {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton,
+                            LinearSolverKind::cholesky, LinearSolverKind::automatic})
+        for (const double bad :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            const auto solver = make_linear_solver(kind, motion.body.skeleton, rest);
+            const auto solve = [&](const BlockMatrix& matrix, const std::vector<Vec3>& rhs,
+                                   bool solvable) {
+                solver->prepare(matrix, rest);
+                std::vector<Vec3> x(rhs.size(), Vec3::Zero());
+                const SolveReport report = solver->solve(rhs, x, {});
+                EXPECT_EQ(report.converged, solvable) << name_of(kind);
+                EXPECT_TRUE(std::isfinite(report.relative_residual)) << name_of(kind);
+                EXPECT_TRUE(std::isfinite(report.energy_error)) << name_of(kind);
+                for (const Vec3& value : x) ASSERT_TRUE(value.allFinite()) << name_of(kind);
+                if (solvable) return;
+                for (const Vec3& value : x) ASSERT_EQ(value, Vec3(Vec3::Zero())) << name_of(kind);
+            };
+            std::vector<Vec3> broken = load;
+            broken[7].y() = bad;
+            solve(good, broken, false);
+            solve(good, load, true);
+            solve(bad_matrix, load, false);
+            solve(good, load, true);
+        }
+}
+
+// A vertex without mass or stiffness: its pivots vanish and the report counts them.
+TEST(CholeskySolver, ReportsDroppedPivots) {
+    const Motion motion;
+    const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
+    BlockMatrix matrix = test::assemble(motion.body, rest, {});
+    std::vector<Vec3> load = test::make_load(motion.body, {}), x(load.size(), Vec3::Zero());
+    CholeskySolver solver(motion.body.skeleton, rest);
+    solver.prepare(matrix, rest);
+    EXPECT_EQ(solver.solve(load, x, {}).dropped_pivots, 0);
+    const int lost = matrix.rows() / 2;
+    for (int k = matrix.row_begin[lost]; k < matrix.row_begin[lost + 1]; ++k) {
+        matrix.block[matrix.find(matrix.column[k], lost)].setZero();
+        matrix.block[k].setZero();
+    }
+    load[lost].setZero();
+    CholeskySolver other(motion.body.skeleton, rest);
+    other.prepare(matrix, rest);
+    EXPECT_EQ(other.solve(load, x, {}).dropped_pivots, 3);
+}
+
 TEST(CholeskySolver, FollowsAChangeOfPattern) {
     const Motion motion;
     CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
@@ -138,6 +193,23 @@ TEST(AutomaticSolver, FactorsThinBodiesAndIteratesBulkyOnes) {
         EXPECT_TRUE(report.converged);
         EXPECT_EQ(report.method, bulky ? "skeleton" : "cholesky");
         EXPECT_LE(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
+    }
+}
+
+// The choice is made before a number of the factor is allocated.
+TEST(AutomaticSolver, KeepsNoFactorThatItRejected) {
+    for (const bool bulky : {false, true}) {
+        const SampleBody body =
+            bulky ? test::make_bar(60.0, 36.0, 15, 9) : test::make_bar(120.0, 6.0, 40, 2);
+        const BlockMatrix matrix = test::assemble(body, body.mesh.vertices_mm, {});
+        AutomaticSolver solver(body.skeleton, body.mesh.vertices_mm);
+        EXPECT_EQ(solver.factor_bytes(), 0U);
+        solver.prepare(matrix, body.mesh.vertices_mm);
+        if (bulky) {
+            EXPECT_EQ(solver.factor_bytes(), 0U);
+        } else {
+            EXPECT_GT(solver.factor_bytes(), 8 * 9 * matrix.column.size());
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 #include "core/deform/solvers/tree_cholesky.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,8 @@ TEST(TreeCholesky, SolvesRandomSystemsInAnyOrder) {
             std::iota(order.begin(), order.end(), 0);
             std::shuffle(order.begin(), order.end(), random);
             TreeCholesky factor(matrix, order);
-            EXPECT_EQ(factor.factor(matrix), 0);
+            factor.factor(matrix);
+            EXPECT_EQ(factor.dropped_pivots(), 0);
             const std::vector<Vec3> b = random_vectors(rows, random);
             std::vector<Vec3> x(b.size());
             factor.solve(b, x);
@@ -97,7 +99,8 @@ TEST(TreeCholesky, FactorsABentTreeFromItsEnds) {
     const BlockMatrix matrix = test::assemble(body, positions, {});
     const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
     TreeCholesky factor(matrix, order_from_ends(body.skeleton, binding));
-    EXPECT_EQ(factor.factor(matrix), 0);
+    factor.factor(matrix);
+    EXPECT_EQ(factor.dropped_pivots(), 0);
     const std::vector<Vec3> load = test::make_load(body, {});
     std::vector<Vec3> x(load.size());
     factor.solve(load, x);
@@ -150,22 +153,52 @@ TEST(TreeCholesky, RefactorsWhatChangedToTheSameBits) {
     }
     const BlockMatrix turned = test::assemble(body, moved, {});
     const std::vector<Vec3> load = test::make_load(body, {});
-    TreeCholesky fresh(matrix, order), updated(matrix, order), stopped(matrix, order);
+    TreeCholesky fresh(matrix, order), updated(matrix, order);
     fresh.factor(turned);
     updated.factor(matrix);
-    updated.refactor(turned, changed, 0.0);
-    stopped.factor(matrix);
-    stopped.refactor(turned, changed, 1e-3);
+    updated.refactor(turned, changed);
     EXPECT_LT(updated.eliminated(), fresh.eliminated());
-    EXPECT_LT(stopped.eliminated(), updated.eliminated());
-    EXPECT_GT(stopped.eliminated(), 0);
-    std::vector<Vec3> x(load.size()), y(load.size()), z(load.size());
+    EXPECT_GT(updated.eliminated(), 0);
+    std::vector<Vec3> x(load.size()), y(load.size());
     fresh.solve(load, x);
     updated.solve(load, y);
-    stopped.solve(load, z);
     EXPECT_EQ(x, y);
-    EXPECT_LT(test::energy_error(turned, z, x), 0.05);
-    stopped.refactor(turned, changed, 0.0);
+}
+
+// A brick of nodes, each joined to its 26 neighbours, slice after slice along its length.
+BlockMatrix brick_pattern(int length, int width) {
+    BlockMatrix pattern;
+    for (int x = 0; x < length; ++x)
+        for (int y = 0; y < width; ++y)
+            for (int z = 0; z < width; ++z) {
+                for (int i = std::max(0, x - 1); i <= std::min(length - 1, x + 1); ++i)
+                    for (int j = std::max(0, y - 1); j <= std::min(width - 1, y + 1); ++j)
+                        for (int k = std::max(0, z - 1); k <= std::min(width - 1, z + 1); ++k) {
+                            if (i == x && j == y && k == z)
+                                pattern.diagonal.push_back(static_cast<int>(pattern.column.size()));
+                            pattern.column.push_back((i * width + j) * width + k);
+                        }
+                pattern.row_begin.push_back(static_cast<int>(pattern.column.size()));
+            }
+    return pattern;
+}
+
+// Rows of every column would take 85 MB here. (The peak is the process's: run alone, as ctest
+// does.)
+TEST(EliminationTree, AnalysisHoldsTheRowsOfSupernodesAlone) {
+    const BlockMatrix pattern = brick_pattern(60, 24);
+    std::vector<int> order(pattern.diagonal.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto peak_kb = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss;
+    };
+    const long before = peak_kb();
+    const EliminationTree tree = analyse(pattern, order);
+    EXPECT_LT(peak_kb() - before, 30000);
+    EXPECT_GT(tree.factor_blocks, 20000000U);
+    EXPECT_LT(tree.rows.size(), 1000000U);
 }
 
 TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {
@@ -180,7 +213,8 @@ TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {
     std::vector<int> order(30);
     std::iota(order.begin(), order.end(), 0);
     TreeCholesky factor(matrix, order);
-    EXPECT_EQ(factor.factor(matrix), 3);
+    factor.factor(matrix);
+    EXPECT_EQ(factor.dropped_pivots(), 3);
     std::vector<Vec3> b = random_vectors(30, random), x(30), product;
     factor.solve(b, x);
     EXPECT_EQ(x[7], Vec3(Vec3::Zero()));

@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
+#include "core/deform/step/backward_euler.h"
 #include "core/deform/step/energy_ledger.h"
 #include "core/mesh/brick_mesh.h"
 
@@ -263,6 +264,44 @@ TEST(CpuStepper, ASnapshotOfAQuadraticBodyGoesOnToTheLastBit) {
     first->set_state(first->positions_mm(), first->velocities_mm_per_s());  // vertices suffice
     EXPECT_THROW(first->set_state(std::span(kept.positions_mm).first(3), kept.velocities_mm_per_s),
                  InputError);
+}
+
+// Gives up at every solve.
+class BrokenSolver final : public LinearSolver {
+  public:
+    explicit BrokenSolver(int dropped_pivots) : dropped_pivots_(dropped_pivots) {}
+    void prepare(const BlockMatrix&, std::span<const Vec3>) override {}
+    SolveReport solve(std::span<const Vec3>, std::span<Vec3> x, const SolveLimits&) override {
+        std::ranges::fill(x, Vec3::Zero());
+        SolveReport report;
+        report.converged = dropped_pivots_ > 0;
+        report.dropped_pivots = dropped_pivots_;
+        return report;
+    }
+    std::string_view name() const override { return "broken"; }
+    bool made_from_latest() const override { return false; }
+    std::vector<double> memory() const override { return {}; }
+    void restore(const BlockMatrix*, std::span<const Vec3>, std::span<const double>) override {}
+
+  private:
+    int dropped_pivots_;
+};
+
+TEST(BackwardEuler, SaysSoWhereItsSystemCouldNotBeSolved) {
+    const Body body = build_body(clamped_beam(Vec3(20, 8, 8), {5, 2, 2}), ElementModel::corotated,
+                                 ElementOrder::linear);
+    for (const int dropped : {0, 5}) {
+        BackwardEuler integrator(body, {}, std::make_unique<BrokenSolver>(dropped));
+        PotentialList potentials(body);
+        potentials.set_gravity(gravity);
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.rest_positions_mm.size(), Vec3::Zero())};
+        const StepReport report = integrator.advance(state, 0.01, potentials);
+        EXPECT_TRUE(report.degraded);
+        EXPECT_NE(report.message, "");
+        EXPECT_EQ(report.dropped_pivots, dropped);
+        for (const Vec3& x : state.positions_mm) EXPECT_TRUE(x.allFinite());
+    }
 }
 
 }  // namespace

@@ -47,6 +47,49 @@ TEST(LiveRegion, FreezesWhatIsStillAndWakesWhatIsHeld) {
     EXPECT_TRUE(region.live(tip));
 }
 
+// A stretch creeps by two fifths of the threshold at a time, and between any two of its moves the
+// region changes elsewhere: what adds up wakes the frozen neighbour all the same.
+TEST(LiveRegion, StrainAddsUpOverChangesOfTheRegion) {
+    const BodyDescription body = test::description_of(test::make_bar(120.0, 3.0, 60, 1));
+    LiveRegionOptions options;
+    options.reach_nodes = 2;
+    LiveRegion region(body.skeleton, body.mesh.vertices_mm, options);
+    for (const auto& nodes : body.mesh.tetrahedra) region.connect(nodes);
+    std::vector<Vec3> positions = body.mesh.vertices_mm;
+    const std::vector<Vec3> still(positions.size(), Vec3::Zero());
+    const auto rest = [&] {
+        bool changed = false;
+        for (int k = 0; k < 60; ++k) changed |= region.watch(positions, still, 1.0 / 60.0);
+        return changed;
+    };
+    int left = 0, right = 0;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        if (positions[v].x() < positions[left].x()) left = static_cast<int>(v);
+        if (positions[v].x() > positions[right].x()) right = static_cast<int>(v);
+    }
+    rest();
+    ASSERT_EQ(region.live_count(), 0);
+    region.hold(std::vector<int>{left});
+    const int live_around_left = region.live_count();
+    double threshold_mm = 0.0;
+    for (const double radius : body.skeleton.radii_mm)
+        threshold_mm = std::max(threshold_mm, options.wake_radii * radius);
+    int moves = 0;
+    for (; moves < 12 && region.live_count() == live_around_left; ++moves) {
+        // The other end is held and let go, and freezes again.
+        region.hold(std::vector<int>{left, right});
+        region.hold(std::vector<int>{left});
+        rest();
+        ASSERT_EQ(region.live_count(), live_around_left);
+        for (std::size_t v = 0; v < positions.size(); ++v)
+            if (region.live(static_cast<int>(v))) positions[v].y() += 0.4 * threshold_mm;
+        region.watch(positions, still, 1.0 / 60.0);
+    }
+    EXPECT_GE(moves, 2);
+    EXPECT_LE(moves, 4);
+    EXPECT_GT(region.live_count(), live_around_left);
+}
+
 TEST(LiveStepper, NothingMovesNothingIsComputed) {
     const BodyDescription body = tree_body();
     const auto stepper = make_live_stepper(body, {});
