@@ -55,12 +55,13 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     job.title =
         request.built_in ? "Opening the built-in patient" : "Opening " + path.filename().string();
     job.begin = [this, request]() -> BackgroundJob::Work {
+        written_.clear();
         return [this, request](Job& progress) -> std::function<void()> {
             // std::function wants to be copied, a loaded patient does not.
             auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
             return [this, request, loaded] {
                 if (!request.built_in) screen_.remember(request.reconstruct.ct);
-                arrived(loaded);
+                arrived(request, loaded);
             };
         };
     };
@@ -72,8 +73,10 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
 }
 
 // The patient before may have been corrected while this one was made ready.
-void PatientKeeper::arrived(std::shared_ptr<LoadedPatient> loaded) {
-    leave_if_safe([this, loaded] {
+void PatientKeeper::arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded) {
+    leave_if_safe([this, request, loaded] {
+        // Saved over since it was read: what was read is not on disk any more.
+        if (written_.contains(loaded->folder)) return start_opening(request);
         jobs_.drop(JobKind::correct);
         workspace_.open(*loaded);
         screen_.show(std::move(*loaded), false);
@@ -209,6 +212,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
         ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
             workspace_.saved(folder, edits);
+            written_.insert(folder);
             screen_.remember(folder);
             screen_.changed();
             screen_.say("Saved " + folder.string());

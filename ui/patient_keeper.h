@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "core/patient/corrections.h"
@@ -79,7 +80,7 @@ class PatientKeeper {
   private:
     void leave_if_safe(std::function<void()> go);
     void start_opening(const OpenRequest& request);
-    void arrived(std::shared_ptr<LoadedPatient> loaded);
+    void arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded);
     void correct();
     struct Possible {
         Workspace::Edits edits;
@@ -97,6 +98,7 @@ class PatientKeeper {
     Workspace workspace_;
     std::function<void()> go_;                        // waits for saving to end
     std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
+    std::set<std::filesystem::path> written_;         // cases, since the last opening began to read
     JobQueue jobs_;
 };
 

@@ -81,6 +81,7 @@ std::string name_of(const fs::path& path) {
 OpenRequest with_absolute_paths(OpenRequest request) {
     ReconstructOptions& options = request.reconstruct;
     if (!options.ct.empty()) options.ct = fs::absolute(options.ct).lexically_normal();
+    if (!options.ct.has_filename()) options.ct = options.ct.parent_path();  // "scan/"
     for (auto* mask : {&options.liver_mask, &options.vessel_mask})
         if (*mask) *mask = fs::absolute(**mask).lexically_normal();
     return request;

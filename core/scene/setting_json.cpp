@@ -32,6 +32,8 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
         options.newton_iterations = value.get<int>();
     } else if (key == "substeps") {
         options.substeps = value.get<int>();
+    } else if (key == "published") {
+        options.published = value.get<bool>();
     } else {
         refuse(key, "is not known");
     }
@@ -40,12 +42,14 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
 }  // namespace
 
 Json to_json(const StepperOptions& options) {
-    return {{"element", element_name(options.model, options.order)},
-            {"solver", std::string(name_of(options.solver))},
-            {"energy_tolerance", options.linear.energy_tolerance},
-            {"max_iterations", options.linear.max_iterations},
-            {"newton_iterations", options.newton_iterations},
-            {"substeps", options.substeps}};
+    Json json{{"element", element_name(options.model, options.order)},
+              {"solver", std::string(name_of(options.solver))},
+              {"energy_tolerance", options.linear.energy_tolerance},
+              {"max_iterations", options.linear.max_iterations},
+              {"newton_iterations", options.newton_iterations},
+              {"substeps", options.substeps}};
+    if (options.published) json["published"] = true;
+    return json;
 }
 
 StepperOptions setting_from_json(const Json& json) {

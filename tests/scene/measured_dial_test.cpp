@@ -82,6 +82,9 @@ TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {
     options.substeps = 5;
     EXPECT_TRUE(same_setting(setting_from_json(to_json(options)), options));
     EXPECT_FALSE(same_setting(options, StepperOptions{}));
+    options.published = true;
+    EXPECT_TRUE(setting_from_json(to_json(options)).published);
+    EXPECT_FALSE(setting_from_json(to_json(StepperOptions{})).published);
     using Json = nlohmann::ordered_json;
     for (const Json& wrong :
          {Json({{"element", "spring-10"}}), Json({{"solver", "magic"}}), Json({{"substeps", 0}}),

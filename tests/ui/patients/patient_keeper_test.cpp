@@ -230,6 +230,23 @@ TEST_F(Keeper, a_case_that_is_being_written_is_finished_before_the_end) {
     EXPECT_EQ(ward.on_disk("b.hep"), Numbers{1});
 }
 
+TEST_F(Keeper, a_case_saved_over_while_it_was_opened_is_read_again) {
+    save_as("c.hep");
+    ASSERT_TRUE(ward.finish());
+    save_as("a.hep");
+    ASSERT_TRUE(ward.finish());
+    ward.hold_openings = true;
+    ward.open("c.hep");
+    add(1);
+    save_as("c.hep");
+    save_as("b.hep");
+    ward.hold_openings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().title(), "c.hep");
+    EXPECT_EQ(ward.on_disk("c.hep"), ward.on_disk("b.hep"));
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), ward.on_disk("c.hep"));
+}
+
 TEST_F(Keeper, paths_are_made_absolute) {
     OpenRequest request;
     request.reconstruct.ct = "some/../ct9";
