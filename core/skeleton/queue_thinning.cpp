@@ -9,8 +9,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr std::size_t voxels_between_reports = 1 << 16;
-
 struct Candidate {
     std::size_t voxel;
     int degree;  // when it was chosen
@@ -39,10 +37,9 @@ class Queue {
 
   private:
     void choose_candidates(std::ptrdiff_t direction) {
+        job_.throw_if_cancelled();
         candidates_.clear();
-        for (std::size_t i = 0; i < border_.size(); ++i) {
-            const std::size_t p = border_[i];
-            if (i % voxels_between_reports == 0) job_.throw_if_cancelled();
+        for (const std::size_t p : border_) {
             if (!object_.contains(p) || object_.contains(p + direction)) continue;
             const std::uint32_t neighbourhood = object_.neighbourhood(p);
             if (is_deletable(neighbourhood)) candidates_.push_back({p, degree(neighbourhood)});

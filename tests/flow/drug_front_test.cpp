@@ -249,6 +249,21 @@ TEST(DrugFront, BleedsFromATear) {
     EXPECT_LE(front.balance().error_relative(), 1e-12);
 }
 
+// Drug that is thinned below the tolerance of shares is carried and counted, but arrives nowhere.
+TEST(DrugFront, DrugThinnerThanTheToleranceArrivesNowhere) {
+    FlowConditions conditions;
+    conditions.inlets = {{0, InletKind::mass_flow, 1.06e-2, pure(blood())},  // 10 mm3/s
+                         {0, InletKind::mass_flow, 1.06e-2 * 5e-5, pure(blood())}};
+    DrugFront front(tube(1.0, 10.0), conditions, 1);
+    front.advance_to(100.0);  // 32 fillings
+    EXPECT_TRUE(std::isinf(front.arrival_times().arrival_s(0, 0.0)));
+    EXPECT_TRUE(std::isinf(front.arrival_times().arrival_s(0, 10.0)));
+    const DrugBalance balance = front.balance();
+    EXPECT_NEAR(balance.injected_mm3, 100.0 * 10.0 * 5e-5, 1e-12);
+    EXPECT_GT(balance.inside_mm3, 0.0);
+    EXPECT_LE(balance.error_relative(), 1e-12);
+}
+
 TEST(DrugFront, NothingInjectedNothingMoves) {
     Random random(56);
     DrugFront front(random_tree(random, 7), injection_of(pure(lipiodol()), 0.0), 0);

@@ -327,6 +327,38 @@ TEST(FlowSolution, RefusesAFlowThatHasNoWayOut) {
     EXPECT_THROW(solve_flow(network, conditions), InputError);
 }
 
+// Vessels that nothing drives, cut off on all sides, are at rest and at some finite pressure.
+TEST(FlowSolution, LeavesAPieceThatNothingDrivesAtRest) {
+    Random random(23);
+    for (const int loops : {0, 3}) {
+        FlowNetwork network = random_tree(random, 15);
+        if (loops > 0) {  // within the piece that is cut off
+            network.cones.push_back({1.0, 1.0, 10.0});
+            network.segments.push_back(
+                {network.segments[3].distal_node, network.segments[4].distal_node, 15, 1, 15});
+        }
+        set_open(network, 1, false);
+        FlowConditions conditions = conditions_of(PressureLaw::regime, {flow_into(0, 1.0)});
+        set_open(network, 14, false);  // a single end
+        std::vector<bool> cut_off(network.node_count, false);
+        for (const int closed : {1, 14}) cut_off[network.segments[closed].distal_node] = true;
+        for (int s = 2; s < 15; ++s)
+            if (cut_off[network.segments[s].proximal_node])
+                cut_off[network.segments[s].distal_node] = true;
+        for (const int outlet : network.outlet_nodes)
+            conditions.terminal_resistances.push_back(
+                cut_off[outlet] ? std::numeric_limits<double>::infinity() : 0.0);
+        const FlowSolution solution = solve_flow(network, conditions);
+        for (int n = 0; n < network.node_count; ++n)
+            EXPECT_TRUE(std::isfinite(solution.total_pressure_pa[n])) << n;
+        for (std::size_t s = 0; s < network.segments.size(); ++s)
+            if (cut_off[network.segments[s].distal_node]) {
+                EXPECT_EQ(solution.volume_flow_mm3_s[s], 0.0) << s;
+            }
+        EXPECT_NEAR(solution.mass_flow_g_s[2], 1.0, 1e-12);
+    }
+}
+
 TEST(FlowSolution, RefusesConditionsOutOfRange) {
     Random random(22);
     const FlowNetwork network = random_tree(random, 3);

@@ -234,5 +234,24 @@ TEST(Injection, BeginsInTheLargestSystem) {
     EXPECT_EQ(first_arrival_s(injection, segments), 0.0);
 }
 
+TEST(Injection, RefusesSegmentsThatDoNotExist) {
+    const VesselTree tree = make_tree(71, 2);
+    const int count = static_cast<int>(tree.segments.size());
+    Job job;
+    for (const int wrong : {-1, count}) {
+        InjectionOptions options;
+        options.tip = TreePoint{wrong, 0.0, 0.0};
+        EXPECT_THROW(inject(tree, options, job), InputError) << wrong;
+        options.tip.reset();
+        options.closed_segments = {wrong};
+        EXPECT_THROW(inject(tree, options, job), InputError) << wrong;
+    }
+    InjectionOptions options;
+    options.closed_segments = {count - 1};
+    const InjectionResult injection = inject(tree, options, job);
+    EXPECT_TRUE(std::isinf(first_arrival_s(injection, count - 1)));
+    EXPECT_EQ(end_flow_g_s(injection, count - 1), 0.0);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -50,6 +50,43 @@ TEST(Territory, OfABranchIsItsSubtree) {
     }
 }
 
+// Beyond a closed vessel nothing flows: it is part of no territory.
+TEST(Territory, EndsWhereAVesselIsClosed) {
+    Random random(43);
+    FlowNetwork network = random_tree(random, 7);
+    set_open(network, 1, false);
+    const Territory t = territory_of(network, perfused(network), {0, 0.0, 0.0});
+    double volume = 0.0;
+    for (const int open : {0, 2, 5, 6}) {
+        EXPECT_NEAR(t.passed_share[open], 1.0, 1e-12) << open;
+        volume += volume_mm3(network, open);
+    }
+    for (const int closed : {1, 3, 4}) EXPECT_EQ(t.passed_share[closed], 0.0) << closed;
+    EXPECT_NEAR(t.volume_mm3, volume, 1e-9);
+    ASSERT_EQ(t.outlets.size(), 2u);
+    EXPECT_NEAR(t.share_of_outflow, 1.0, 1e-12);
+}
+
+// Against the flow of a vessel that is perfused from its far end, what lies upstream has not
+// passed.
+TEST(Territory, FollowsTheFlowWhereItRunsBackwards) {
+    FlowNetwork network;
+    network.node_count = 3;
+    network.root_nodes = {0};
+    network.outlet_nodes = {0};
+    network.cones = {{1, 1, 10}, {1, 1, 20}};
+    network.segments = {{0, 1, 0, 1, 0}, {1, 2, 1, 1, 1}};
+    FlowConditions conditions;
+    conditions.inlets = {{2, InletKind::mass_flow, 1.0, pure(blood())}};
+    const Territory t = territory_of(network, solve_flow(network, conditions), {1, 5.0, 0.0});
+    EXPECT_EQ(t.segment, 1);
+    EXPECT_EQ(t.begins_mm, 5.0);
+    EXPECT_NEAR(t.passed_share[0], 1.0, 1e-12);
+    EXPECT_NEAR(t.volume_mm3, 15.0 * 3.14159265358979323846, 1e-9);  // 5 mm of it and all of 0
+    EXPECT_NEAR(t.share_of_flow, 1.0, 1e-12);
+    EXPECT_NEAR(t.flow_mm3_s, 1.0 / 1.06e-3, 1e-9);
+}
+
 // A ring: half the flow goes each way; where they meet, half of the blood has passed the point.
 TEST(Territory, IsDilutedWhereALoopCloses) {
     FlowNetwork network;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -143,7 +144,7 @@ TEST(LumenShare, AddsUpToTheVolumeOfACone) {
         Grid grid;
         grid.spacing_mm = spacing;
         for (int a = 0; a < 3; ++a) grid.dims[a] = static_cast<int>(34.0 / spacing[a]);
-        const auto share = lumen_share(tree, grid, -1, job);
+        const auto share = lumen_share(tree, grid, std::nullopt, job);
         double volume = 0.0;
         for (const std::uint8_t s : share.voxels) volume += s / 64.0 * spacing.prod();
         EXPECT_NEAR(volume / expected, 1.0, 0.004) << spacing.transpose();

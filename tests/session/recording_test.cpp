@@ -187,7 +187,7 @@ TEST(Keyframes, ADamagedOneIsRefused) {
 
 TEST(RecordingFile, NamesNobody) {
     auto patient = std::make_shared<PatientCase>(*small_patient());
-    patient->source.image_path = "/home/Doe^John/DOE_JOHN_1970";
+    patient->source.name = "/home/Doe^John/DOE_JOHN_1970";
     Job job;
     Session session(patient, default_scene(), job);
     const auto recording = keep_recording(session);

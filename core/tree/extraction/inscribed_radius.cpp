@@ -8,7 +8,7 @@
 namespace hepatica {
 
 InscribedRadius::InscribedRadius(const Mask& mask)
-    : mask_(mask), reach_mm_(2.0 * mask.grid.spacing_mm.maxCoeff()) {
+    : mask_(mask), reach_mm_(mask.grid.spacing_mm.maxCoeff()) {
     look_further();
 }
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The liver found in a body of ellipsoids, and livers with channels and cavities closed.
+#include "core/segmentation/liver_region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/base/error.h"
+#include "tests/support/test_masks.h"
+
+namespace hepatica {
+namespace {
+
+bool in_ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& half_axes) {
+    return (p - centre).cwiseQuotient(half_axes).norm() < 1.0;
+}
+
+struct Scan {
+    Volume ct;
+    Mask liver;
+};
+
+// Fat around three organs: a liver of 110 HU, a smaller spleen of 118 HU, a heart of 160 HU that
+// touches the liver, and a spine.
+Scan scan(double liver_scale = 1.0) {
+    Grid grid;
+    grid.dims = {110, 80, 60};
+    grid.spacing_mm = Vec3(2.0, 2.0, 3.0);
+    grid.origin_mm = Vec3(-110, -80, -90);
+    Scan made{Volume(grid, -1000), Mask(grid)};
+    std::mt19937_64 random(9);
+    for (std::size_t i = 0; i < made.ct.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        if (!in_ellipsoid(p, Vec3::Zero(), Vec3(105, 76, 200))) continue;
+        double hu = -100.0;
+        if (in_ellipsoid(p, Vec3(-40, 0, 0), liver_scale * Vec3(50, 45, 50))) {
+            hu = 110.0;
+            made.liver.voxels[i] = 1;
+        } else if (in_ellipsoid(p, Vec3(70, 25, 0), Vec3(22, 25, 35))) {
+            hu = 118.0;
+        } else if (in_ellipsoid(p, Vec3(15, -15, 62), Vec3(35, 30, 28))) {
+            hu = 160.0;
+        } else if (std::hypot(p.x(), p.y() - 55) < 14) {
+            hu = 400.0;
+        }
+        made.ct.voxels[i] = static_cast<std::int16_t>(
+            std::lround(hu + 30.0 * (test::uniform(random) + test::uniform(random) - 1.0)));
+    }
+    return made;
+}
+
+double dice(const Mask& a, const Mask& b) {
+    double both = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < a.voxels.size(); ++i) {
+        both += a.voxels[i] && b.voxels[i];
+        sum += (a.voxels[i] != 0) + (b.voxels[i] != 0);
+    }
+    return 2.0 * both / sum;
+}
+
+TEST(FindLiver, IsTheLargestSoftOrganAndNotItsNeighbours) {
+    const Scan body = scan();
+    Job job;
+    const Mask found = find_liver(body.ct, job);
+    EXPECT_TRUE(same_grid(found.grid, body.ct.grid));
+    EXPECT_GT(dice(found, body.liver), 0.92);
+    const auto at = [&](const Vec3& p) {
+        const Vec3 index = body.ct.grid.to_index(p);
+        return found.at(static_cast<int>(std::lround(index[0])),
+                        static_cast<int>(std::lround(index[1])),
+                        static_cast<int>(std::lround(index[2])));
+    };
+    EXPECT_EQ(at({-40, 0, 0}), 1);
+    EXPECT_EQ(at({70, 25, 0}), 0);
+    EXPECT_EQ(at({15, -15, 62}), 0);
+    EXPECT_EQ(at({0, 55, 0}), 0);
+}
+
+// Where it stands in the scan, and how bright the contrast makes all of it, does not matter.
+TEST(FindLiver, FollowsTheContrast) {
+    Scan body = scan();
+    for (std::int16_t& hu : body.ct.voxels)
+        if (hu > 0 && hu < 300) hu = static_cast<std::int16_t>(hu - 40);
+    Job job;
+    EXPECT_GT(dice(find_liver(body.ct, job), body.liver), 0.92);
+}
+
+TEST(FindLiver, RefusesAScanWithoutOne) {
+    Job job;
+    Grid grid;
+    grid.dims = {40, 40, 40};
+    grid.spacing_mm = Vec3::Constant(3.0);
+    EXPECT_THROW(find_liver(Volume(grid, -100), job), InputError);
+    Volume small(grid, -100);  // an organ of 27 ml
+    for (int z = 10; z < 20; ++z)
+        for (int y = 10; y < 20; ++y)
+            for (int x = 10; x < 20; ++x) small.at(x, y, z) = 100;
+    EXPECT_THROW(find_liver(small, job), InputError);
+    job.cancel();
+    EXPECT_THROW(find_liver(scan().ct, job), Cancelled);
+}
+
+Mask ball_with(double channel_radius_mm) {
+    return test::mask_where(test::cube_grid(60), [=](const Vec3& p) {
+        const Vec3 q = p - Vec3::Constant(29.5);
+        const bool channel = std::hypot(q.y(), q.z()) < channel_radius_mm;
+        const bool cavity = (q - Vec3(0, 11, 0)).norm() < 4.0;
+        return q.norm() < 20.0 && !channel && !cavity;
+    });
+}
+
+TEST(CloseLiver, FillsChannelsAndCavitiesUpToTwiceItsRadius) {
+    Job job;
+    const Mask narrow = ball_with(3.0);
+    const Mask closed = close_liver(narrow, 4.0, job);
+    int added = 0;
+    for (std::size_t i = 0; i < narrow.voxels.size(); ++i) {
+        if (narrow.voxels[i]) {
+            ASSERT_EQ(closed.voxels[i], 1);
+        }
+        added += closed.voxels[i] && !narrow.voxels[i];
+        const auto [x, y, z] = narrow.grid.index_of(i);
+        const double r = (Vec3(x, y, z) - Vec3::Constant(29.5)).norm();
+        if (r < 16.0) {
+            ASSERT_EQ(closed.voxels[i], 1) << x << " " << y << " " << z;
+        }
+        if (r >= 20.0) {
+            ASSERT_EQ(closed.voxels[i], 0);
+        }
+    }
+    EXPECT_GT(added, 500);
+    // A wide channel stays open, an enclosed cavity is filled however small the radius.
+    const Mask wide = close_liver(ball_with(6.0), 4.0, job);
+    EXPECT_EQ(wide.at(29, 29, 29), 0);
+    EXPECT_EQ(close_liver(ball_with(3.0), 1.0, job).at(29, 40, 29), 1);
+    EXPECT_EQ(close_liver(ball_with(3.0), 1.0, job).at(29, 29, 29), 0);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a written script makes of its actions, step by step, on a tree of straight vessels.
+#include "core/session/script.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+VesselSegment vessel(int from, int to, int parent, std::vector<Vec3> points, double radius_mm) {
+    VesselSegment segment;
+    segment.proximal_node = from;
+    segment.distal_node = to;
+    segment.parent = parent;
+    segment.radii_mm.assign(points.size(), radius_mm);
+    segment.points_mm = std::move(points);
+    return segment;
+}
+
+// A narrow vessel of 90 mm that stands first, and a wide tree: a trunk of 30 mm with branches of
+// 10 and 20 mm.
+VesselTree two_trees() {
+    VesselTree tree;
+    for (const Vec3& place : {Vec3(0, 50, 0), Vec3(90, 50, 0), Vec3(0, 0, 0), Vec3(30, 0, 0),
+                              Vec3(30, -10, 0), Vec3(30, 0, 20)})
+        tree.nodes.push_back({place, 1.0});
+    tree.segments = {vessel(0, 1, -1, {{0, 50, 0}, {90, 50, 0}}, 1.0),
+                     vessel(2, 3, -1, {{0, 0, 0}, {20, 0, 0}, {30, 0, 0}}, 3.0),
+                     vessel(3, 4, 1, {{30, 0, 0}, {30, -10, 0}}, 2.0),
+                     vessel(3, 5, 1, {{30, 0, 0}, {30, 0, 20}}, 2.0)};
+    return tree;
+}
+
+TEST(LongestPath, RunsFromTheWidestRootToItsFarthestEnd) {
+    const VesselTree tree = two_trees();
+    EXPECT_LT((point_on_longest_path(tree, 0.0) - Vec3(0, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((point_on_longest_path(tree, 0.5) - Vec3(25, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((point_on_longest_path(tree, 0.6) - Vec3(30, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((point_on_longest_path(tree, 0.8) - Vec3(30, 0, 10)).norm(), 1e-12);
+    EXPECT_LT((point_on_longest_path(tree, 1.0) - Vec3(30, 0, 20)).norm(), 1e-12);
+    EXPECT_THROW(point_on_longest_path(VesselTree{}, 0.5), InputError);
+}
+
+ScriptAction at(double at_s, const std::string& what) {
+    ScriptAction action;
+    action.at_s = at_s;
+    action.what = what;
+    return action;
+}
+
+TEST(Schedule, SpreadsAMoveEvenlyAndGoesOnFromWhereTheHandIs) {
+    Script script;
+    ScriptAction grab = at(0.2, "grab"), away = at(0.2, "move"), up = at(0.6, "move");
+    grab.place.share_of_longest_path = 0.5;
+    away.by_mm = Vec3(12, -4, 8);
+    away.over_s = 0.4;
+    up.by_mm = Vec3(0, 0, 5);  // all at once
+    script.actions = {grab, away, up};
+    const auto commands = schedule(script, two_trees(), 0.1, 10);
+    ASSERT_EQ(commands.size(), 10u);
+    const Vec3 place(25, 0, 0);
+    ASSERT_EQ(commands[2].size(), 2u);
+    EXPECT_LT((std::get<GrabPoint>(commands[2][0]).point_mm - place).norm(), 1e-12);
+    for (int i = 1; i <= 4; ++i) {
+        const auto& moved = std::get<MoveGrab>(commands[1 + i].back());
+        EXPECT_LT((moved.target_mm - (place + i / 4.0 * away.by_mm)).norm(), 1e-12) << i;
+    }
+    ASSERT_EQ(commands[6].size(), 1u);
+    EXPECT_LT(
+        (std::get<MoveGrab>(commands[6][0]).target_mm - (place + away.by_mm + up.by_mm)).norm(),
+        1e-12);
+    for (const int idle : {0, 1, 7, 8, 9}) EXPECT_TRUE(commands[idle].empty()) << idle;
+}
+
+TEST(Schedule, LeavesOutWhatComesAfterTheLastStep) {
+    Script script;
+    ScriptAction release = at(0.5, "release"), late = at(0.6, "release");
+    release.command = ReleaseGrab{};
+    late.command = ReleaseGrab{};
+    script.actions = {release, late};
+    const auto commands = schedule(script, two_trees(), 0.1, 6);
+    EXPECT_EQ(commands[5].size(), 1u);
+    std::size_t all = 0;
+    for (const auto& step : commands) all += step.size();
+    EXPECT_EQ(all, 1u);
+}
+
+class ScriptFile : public testing::Test {
+  protected:
+    void TearDown() override { fs::remove(file_); }
+    Script read(const std::string& text) {
+        std::ofstream(file_) << text;
+        return read_script(file_);
+    }
+    // What is wrong with one action, or nothing.
+    std::string refusal(const std::string& action) {
+        try {
+            read(R"({"actions": [{"do": "release"}, )" + action + "]}");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    fs::path file_ =
+        fs::path(testing::TempDir()) /
+        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".json");
+};
+
+TEST_F(ScriptFile, IsReadInTheOrderOfTime) {
+    const Script script = read(R"({"name": "n", "actions": [
+        {"at_s": 2, "do": "release"},
+        {"at_s": 0.5, "do": "grab", "where": {"point_mm": [1, 2, 3]}},
+        {"at_s": 0.5, "do": "move", "by_mm": [4, 5, 6], "over_s": 1.5},
+        {"do": "inject", "where": {"share_of_longest_path": 0}, "mass_flow_g_s": 3}]})");
+    EXPECT_EQ(script.name, "n");
+    ASSERT_EQ(script.actions.size(), 4u);
+    EXPECT_EQ(script.actions[0].what, "inject");
+    EXPECT_EQ(script.actions[0].at_s, 0.0);
+    EXPECT_EQ(std::get<InjectDrug>(*script.actions[0].command).mass_flow_g_s, 3.0);
+    EXPECT_EQ(script.actions[0].place.share_of_longest_path, 0.0);
+    EXPECT_EQ(script.actions[1].what, "grab");
+    EXPECT_EQ(script.actions[1].place.point_mm, Vec3(1, 2, 3));
+    EXPECT_EQ(script.actions[2].by_mm, Vec3(4, 5, 6));
+    EXPECT_EQ(script.actions[2].over_s, 1.5);
+    EXPECT_TRUE(std::holds_alternative<ReleaseGrab>(*script.actions[3].command));
+}
+
+TEST_F(ScriptFile, NamesTheActionThatIsWrong) {
+    EXPECT_EQ(refusal(R"({"do": "grab", "where": {"share_of_longest_path": 1}})"), "");
+    for (const char* wrong :
+         {R"({"do": "grab"})", R"({"do": "grab", "where": {"share_of_longest_path": 1.1}})",
+          R"({"do": "grab", "where": {"share_of_longest_path": -0.1}})",
+          R"({"do": "grab", "where": {"point_mm": [1, 2]}})",
+          R"({"do": "grab", "where": {"point_mm": [1, 2, "x"]}})", R"({"do": "move"})",
+          R"({"do": "release", "at_s": -1})", R"({"do": "release", "at_s": "soon"})",
+          R"({"at_s": 1})", R"({"do": "fly"})", "7"})
+        EXPECT_NE(refusal(wrong).find("action 2"), std::string::npos) << wrong << refusal(wrong);
+    EXPECT_THROW(read("[]"), InputError);
+    EXPECT_THROW(read("{}"), InputError);
+    EXPECT_THROW(read(R"({"actions": 3})"), InputError);
+    EXPECT_THROW(read("{"), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica
