@@ -33,10 +33,11 @@ class Trial {
     // No vertex further from its place than allowed.
     bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
 
-  private:
-    // Nothing more is stored than before and put in, the ledger says where the rest went, and what
-    // is stored fell by the work of the forces.
+    // Of the next step, as run() asks of every step: nothing more is stored than before and put in,
+    // the ledger says where the rest went, and what is stored fell by the work of the forces.
     bool check_energy(const StepReport& report);
+
+  private:
     bool check_audit(const StepReport& report, double in_step);
 
     Stepper& stepper_;

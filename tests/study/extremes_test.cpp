@@ -26,11 +26,15 @@ TEST_P(QuickExtremes, Survive) {
     for (const ExtremeRow& row : rows) EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, QuickExtremes,
-                         testing::Values("refuse", "overflow", "falls", "everything fixed",
-                                         "beam corotated-10 E=1e+06 dt=0.1",
-                                         "contrast density 1:1e6, heavy tip hexahedron",
-                                         "sliver corotated-10 angle=0.01"));
+INSTANTIATE_TEST_SUITE_P(
+    All, QuickExtremes,
+    testing::Values(
+        "refuse", "overflow", "falls", "everything fixed", "beam corotated-10 E=1e+06 dt=0.1",
+        "contrast density 1:1e6, heavy tip hexahedron", "sliver corotated-10 angle=0.01",
+        "grab jumps 1 m corotated dt=0.001 limit=100000", "gravity x 1000 corotated dt=0.001",
+        "beam hexahedron E=1e+06 dt=0.1 nu=0.3", "beam corotated E=1e+06 dt=0.001 nu=0.3",
+        "beam spring E=1e+06 dt=0.1 nu=0.3", "stiff root hexahedron automatic dt=1",
+        "sliver corotated angle=1 dt=1", "start inverted corotated dt=0.001"));
 
 }  // namespace
 }  // namespace hepatica

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the trial of a body lets pass and what not, by ledgers made up for it.
+#include "core/study/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+namespace {
+
+class TrialOfLedgers : public testing::Test {
+  protected:
+    static BodyDescription small_body() {
+        BodyDescription body;
+        body.mesh = kuhn_brick(Vec3(1, 1, 1), {1, 1, 1});
+        return body;
+    }
+
+    BodyDescription body_ = small_body();
+    std::unique_ptr<Stepper> stepper_ = make_cpu_stepper(body_, {});
+    ExtremeRow row_;
+};
+
+// A body of 100 nJ that loses `loss` to damping, and of which `made` comes from nowhere.
+StepReport after_a_loss(double loss, double made = 0.0) {
+    StepReport report;
+    EnergyLedger& ledger = report.energy;
+    ledger.kinetic = 0.3 * (100.0 - loss);
+    ledger.elastic = 0.7 * (100.0 - loss) + made;
+    ledger.damping_loss = loss;
+    return report;
+}
+
+StepReport of_100_nj() {
+    return after_a_loss(0.0);
+}
+
+TEST_F(TrialOfLedgers, PassesWhatIsBooked) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy(of_100_nj()));
+    EXPECT_TRUE(trial.check_energy(after_a_loss(20.0)));
+    StepReport lifted = after_a_loss(20.0);  // 80 nJ before; gravity and the tool bring 50
+    lifted.energy.elastic += 45.0;
+    lifted.energy.gravity_work = 60.0;
+    lifted.energy.tool_work = -10.0;
+    lifted.energy.damping_loss = 2.0;
+    lifted.energy.integrator_loss = 4.0;
+    lifted.energy.solver_work = 1.0;
+    EXPECT_TRUE(trial.check_energy(lifted)) << row_.note;
+    EXPECT_TRUE(row_.note.empty());
+    EXPECT_LE(row_.energy_made, 0.0);
+}
+
+TEST_F(TrialOfLedgers, FailsWhereEnergyIsMade) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy(of_100_nj()));
+    StepReport more = of_100_nj();
+    more.energy.elastic += 1.0;
+    more.energy.solver_work = 1.0;  // booked, and yet more than before
+    EXPECT_FALSE(trial.check_energy(more));
+    EXPECT_EQ(row_.note, "energy was made");
+    EXPECT_NEAR(row_.energy_made, 1.0 / 202.0, 1e-12);  // of 100 before, 101 stored, 1 of work
+}
+
+TEST_F(TrialOfLedgers, FailsWhereTheLedgerLeavesALossOpen) {
+    for (const double open : {1e-8, 0.1}) {
+        ExtremeRow row;
+        Trial trial(*stepper_, row);
+        EXPECT_TRUE(trial.check_energy(of_100_nj()));
+        EXPECT_FALSE(trial.check_energy(after_a_loss(20.0, -100.0 * 2.2 * open)));
+        EXPECT_NE(row.note.find("the ledger leaves"), std::string::npos) << row.note;
+    }
+}
+
+// A loss at first must not hide that energy is made later.
+TEST_F(TrialOfLedgers, JudgesEveryStepAlone) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy(of_100_nj()));
+    EXPECT_TRUE(trial.check_energy(after_a_loss(50.0)));
+    EXPECT_FALSE(trial.check_energy(after_a_loss(0.0, -40.0)));  // 60 nJ, after 50
+}
+
+// At rest only rounding of the energies that once were is left: 1e-9 of the most handled passes.
+TEST_F(TrialOfLedgers, LetsABodyAtRestHaveTheRoundingOfItsEnergies) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy(of_100_nj()));
+    EXPECT_TRUE(trial.check_energy(after_a_loss(100.0)));
+    StepReport rounding;
+    rounding.energy.kinetic = 1e-20;
+    EXPECT_TRUE(trial.check_energy(rounding)) << row_.note;
+    rounding.energy.kinetic = 1e-6;  // but not more
+    EXPECT_FALSE(trial.check_energy(rounding));
+}
+
+TEST_F(TrialOfLedgers, NeverHandlingAnythingIsNothingWrong) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy({}));
+    EXPECT_TRUE(trial.check_energy({}));
+    EXPECT_EQ(row_.energy_made, 0.0);
+}
+
+// With a share given, small steps are judged against the largest.
+TEST_F(TrialOfLedgers, JudgesTheOpenRestAgainstAShareOfTheLargestStep) {
+    for (const double share : {0.0, 1.0}) {
+        ExtremeRow row;
+        Trial trial(*stepper_, row, share);
+        EXPECT_TRUE(trial.check_energy(of_100_nj()));
+        StepReport small = after_a_loss(99.0);
+        EXPECT_TRUE(trial.check_energy(small));
+        small.energy.damping_loss = 0.5;
+        small.energy.elastic -= 0.5 + 1e-8;  // 1e-8 of 1 nJ, 1e-10 of 100 nJ
+        EXPECT_EQ(trial.check_energy(small), share == 1.0) << row.note;
+    }
+}
+
+TEST_F(TrialOfLedgers, TakesEnergyAtTheStartFromTheFirstLedger) {
+    Trial trial(*stepper_, row_);
+    StepReport first = of_100_nj();
+    first.energy.imbalance = -1.0;  // 1 nJ was lost and nobody knows where
+    EXPECT_FALSE(trial.check_energy(first));
+    EXPECT_NE(row_.note.find("open"), std::string::npos) << row_.note;
+}
+
+TEST_F(TrialOfLedgers, ComparesWithReferencesRelatively) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.require_close(-2.1, -2.0, 0.0501, "a book"));
+    EXPECT_NEAR(row_.error, 0.05, 1e-12);
+    EXPECT_EQ(row_.reference, "a book");
+    EXPECT_TRUE(row_.note.empty());
+    EXPECT_FALSE(trial.require_close(2.1, 2.0, 0.0499, "a book"));
+    EXPECT_FALSE(row_.note.empty());
+    EXPECT_FALSE(trial.require_close(std::nan(""), 2.0, 1.0, "a book"));
+}
+
+TEST_F(TrialOfLedgers, KeepsTheFirstReason) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.require(true, "fine"));
+    EXPECT_TRUE(row_.note.empty());
+    EXPECT_FALSE(trial.require(false, "first"));
+    EXPECT_FALSE(trial.require(false, "second"));
+    EXPECT_EQ(row_.note, "first");
+}
+
+TEST_F(TrialOfLedgers, ComparesPlacesWithThoseBefore) {
+    Trial trial(*stepper_, row_);
+    std::vector<Vec3> places = body_.mesh.vertices_mm;
+    places[3].x() += 0.5;
+    EXPECT_TRUE(trial.require_back_at(places, 0.51));
+    EXPECT_FALSE(trial.require_back_at(places, 0.49));
+}
+
+}  // namespace
+}  // namespace hepatica
