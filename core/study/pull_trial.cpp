@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -136,6 +137,7 @@ std::vector<Vec3> CentrelineProbes::places_mm(std::span<const Vec3> vertices_mm)
 }
 
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference) {
+    assert(motion.size() == reference.size());
     double missed = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < reference.size(); ++i) {
         missed += (motion[i] - reference[i]).squaredNorm();

@@ -54,7 +54,8 @@ class CentrelineProbes {
 // Displacement of every probe after every frame, one frame after the other.
 using CentrelineMotion = std::vector<Vec3>;
 
-// Root mean square over frames and probes of the difference, relative to the reference's motion.
+// Root mean square over frames and probes of the difference, relative to the reference's motion,
+// which has as many frames and probes.
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
 
 }  // namespace hepatica
