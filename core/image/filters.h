@@ -38,7 +38,8 @@ enum class Interpolation { nearest, linear, cubic };  // cubic: Catmull-Rom
 // Where the target is coarser than the source, smooth first.
 Volume resample(const Volume& volume, const Grid& target, Interpolation how, Job& job);
 FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolation how, Job& job);
-// A mask at another spacing: linear interpolation cut at one half (or nearest).
+// A mask at another spacing, 0 or 1 whatever its labels: linear interpolation of the share inside,
+// cut at one half (or nearest).
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job);
 
 // resample() onto respaced(): spacing below the source's own is allowed along each axis.

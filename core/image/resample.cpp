@@ -150,7 +150,10 @@ FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolatio
 }
 
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job) {
-    return resample_image(mask, target, how, job, [](float value) {
+    // The number of a label must not move its border.
+    Mask inside = mask;
+    for (std::uint8_t& voxel : inside.voxels) voxel = voxel != 0 ? 1 : 0;
+    return resample_image(inside, target, how, job, [](float value) {
         return static_cast<std::uint8_t>(value >= 0.5f ? 1 : 0);
     });
 }

@@ -63,8 +63,8 @@ struct Session::Apply {
     void operator()(const RestoreSnapshot&) const;
 };
 
-// What cannot flow is found only while it is computed; that it is then no longer being computed is a
-// change of the world, so the command is not refused.
+// What cannot flow is found only while it is computed; that it is then no longer being computed is
+// a change of the world, so the command is not refused.
 void Session::Apply::operator()(const FinishInjection&) const {
     try {
         flow().finish_injection();

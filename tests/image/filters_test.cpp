@@ -232,6 +232,25 @@ TEST(Resample, ClampsHounsfieldUnitsThatOvershoot) {
     }
 }
 
+// The borders of a mask are the same whatever number its label has.
+TEST(Resample, AMaskDoesNotDependOnTheNumbersOfItsLabels) {
+    Grid grid;
+    grid.dims = {12, 12, 12};
+    Mask one(grid), many(grid);
+    for (int i = 3; i < 8; ++i) {
+        one.at(i, 5, 5) = one.at(i, 6, 5) = 1;
+        many.at(i, 5, 5) = 255;
+        many.at(i, 6, 5) = 2;
+    }
+    Grid fine = grid;
+    fine.dims = {30, 30, 30};
+    fine.spacing_mm = Vec3::Constant(0.4);
+    Job job;
+    const Mask expected = resample(one, fine, Interpolation::linear, job);
+    EXPECT_EQ(resample(many, fine, Interpolation::linear, job).voxels, expected.voxels);
+    EXPECT_GT(std::ranges::count(expected.voxels, 1), 20);
+}
+
 TEST(Resample, StopsWhenCancelled) {
     Job job;
     job.cancel();
