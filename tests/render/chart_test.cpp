@@ -80,6 +80,7 @@ TEST(OffscreenPicture, keeps_its_camera_over_a_moving_tree) {
         return bright;
     };
     const Frame straight = testing::fake_frame(0.0), bent = testing::fake_frame(1.0);
+    options.vertex_systems.assign(straight.positions_mm.size() / 3, VascularSystem::portal);
     EXPECT_NE(foot_of(draw_frame(straight, options).picture),
               foot_of(draw_frame(bent, options).picture));
     options.fitted_box_mm = {Vec3(-100, -100, -20), Vec3(100, 100, 150)};

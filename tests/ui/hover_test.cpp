@@ -80,8 +80,11 @@ TEST_F(Hover, follows_the_mouse_along_one_branch) {
     EXPECT_NE(low, high);
     // In millimetres from the branch's beginning, as near as vertices lie (3.2 mm apart).
     EXPECT_TRUE(low.contains("of 45 mm along")) << low.toStdString();
-    EXPECT_NEAR(low.section(' ', 2, 2).toDouble(), 8.0, 2.0) << low.toStdString();
-    EXPECT_NEAR(high.section(' ', 2, 2).toDouble(), 35.0, 2.0) << high.toStdString();
+    const auto along_mm = [](const QString& text) {
+        return text.section(", ", 1).section(' ', 0, 0).toDouble();
+    };
+    EXPECT_NEAR(along_mm(low), 8.0, 2.0) << low.toStdString();
+    EXPECT_NEAR(along_mm(high), 35.0, 2.0) << high.toStdString();
 }
 
 }  // namespace

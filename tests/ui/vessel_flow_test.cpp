@@ -92,6 +92,7 @@ TEST(InjectionCurves, are_those_of_the_injection_that_the_session_shows) {
     command.second_phase = "lipiodol";
     command.void_fraction = 0.5;
     session.post(command);
+    session.post(FinishInjection{});
     session.step();
     ASSERT_TRUE(session.update_frame());
     const DrugView& drug = session.frame().drug;
