@@ -184,7 +184,7 @@ BlockMatrix brick_pattern(int length, int width) {
 }
 
 // Rows of every column would take 85 MB here. (The peak is the process's: run alone, as ctest
-// does.)
+// does. Sanitizers keep what was freed, so that the peak says nothing under them.)
 TEST(EliminationTree, AnalysisHoldsTheRowsOfSupernodesAlone) {
     const BlockMatrix pattern = brick_pattern(60, 24);
     std::vector<int> order(pattern.diagonal.size());
@@ -196,7 +196,11 @@ TEST(EliminationTree, AnalysisHoldsTheRowsOfSupernodesAlone) {
     };
     const long before = peak_kb();
     const EliminationTree tree = analyse(pattern, order);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     EXPECT_LT(peak_kb() - before, 30000);
+#else
+    EXPECT_GT(peak_kb(), before);
+#endif
     EXPECT_GT(tree.factor_blocks, 20000000U);
     EXPECT_LT(tree.rows.size(), 1000000U);
 }
