@@ -5,22 +5,6 @@
 
 namespace hepatica {
 
-namespace {
-
-std::string name_of(SegmentationMethod method) {
-    switch (method) {
-        case SegmentationMethod::multi_layer:
-            return "multi_layer";
-        case SegmentationMethod::vesselness:
-            return "vesselness";
-        case SegmentationMethod::coherent:
-            break;
-    }
-    return "coherent";
-}
-
-}  // namespace
-
 std::string parameters_json(const ReconstructOptions& options) {
     nlohmann::ordered_json json;
     json["liver_mask_given"] = options.liver_mask.has_value();

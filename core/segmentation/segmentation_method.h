@@ -2,6 +2,8 @@
 // The ways to find the vessels' voxels that stand side by side and are measured against each other.
 #pragma once
 
+#include <string>
+
 namespace hepatica {
 
 enum class SegmentationMethod {
@@ -9,5 +11,18 @@ enum class SegmentationMethod {
     vesselness,   // 3-D multi-scale Hessian, hysteresis, growth
     coherent,  // rise above the local parenchyma, kept where it goes on along a line: the default
 };
+
+// As files and tables name it.
+inline std::string name_of(SegmentationMethod method) {
+    switch (method) {
+        case SegmentationMethod::multi_layer:
+            return "multi_layer";
+        case SegmentationMethod::vesselness:
+            return "vesselness";
+        case SegmentationMethod::coherent:
+            break;
+    }
+    return "coherent";
+}
 
 }  // namespace hepatica

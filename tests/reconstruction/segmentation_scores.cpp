@@ -34,18 +34,6 @@ struct Request {
     int seeds = 1;
 };
 
-const char* name_of(SegmentationMethod method) {
-    switch (method) {
-        case SegmentationMethod::multi_layer:
-            return "multi_layer";
-        case SegmentationMethod::vesselness:
-            return "vesselness";
-        case SegmentationMethod::coherent:
-            return "coherent";
-    }
-    return "";
-}
-
 Request parse(int count, char** words) {
     Request request;
     for (int i = 1; i < count; ++i) {
@@ -169,7 +157,7 @@ void run(const Patient& patient, SegmentationMethod method, const Request& reque
     std::printf(
         "%-24s %-11s dice %.4f P %.3f R %.3f cldice %.4f P %.3f R %.3f length>1.2 %.3f  "
         "components %d  parenchyma %.0f contrast %.0f noise %.1f HU  %.1f s\n",
-        patient.name.c_str(), name_of(method), s.dice, s.precision, s.recall, s.cldice,
+        patient.name.c_str(), name_of(method).c_str(), s.dice, s.precision, s.recall, s.cldice,
         s.centreline_precision, s.centreline_recall,
         length_found(found.mask, patient, 1.2, 2.0, job), found.components,
         found.statistics.parenchyma_hu, found.statistics.contrast_hu(), found.statistics.noise_hu,

@@ -16,6 +16,7 @@
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/replay.h"
+#include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
 #include "tests/session/small_patient.h"
 
@@ -25,17 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 using test::keep_recording;
 using test::middle_of;
+using test::new_session;
+using test::play;
 using test::small_patient;
 using testing::HasSubstr;
-
-std::unique_ptr<Session> new_session() {
-    Job job;
-    return std::make_unique<Session>(small_patient(), default_scene(), job);
-}
-
-void play(Session& session, int steps) {
-    for (int i = 0; i < steps; ++i) session.step();
-}
 
 // 1300 steps with all that a keyframe has to hold: another tether, wall, gravity and setting, a
 // hand, a pause, a drug whose clock runs at another speed, parts of the body that sleep.

@@ -15,6 +15,7 @@
 #include "core/scene/measured_dial.h"
 #include "core/scene/world.h"
 #include "core/session/replay.h"
+#include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
 #include "tests/session/small_patient.h"
 
@@ -23,18 +24,9 @@ namespace {
 
 using test::keep_recording;
 using test::middle_of;
+using test::new_session;
+using test::play;
 using test::small_patient;
-
-std::unique_ptr<Session> new_session(const SceneSpec& spec = default_scene()) {
-    Job job;
-    return std::make_unique<Session>(small_patient(), spec, job);
-}
-
-SessionStep play(Session& session, int steps) {
-    SessionStep last;
-    for (int i = 0; i < steps; ++i) last = session.step();
-    return last;
-}
 
 // Pulls at a branch for a second, injects at the root, and lets go. A recording is kept.
 std::uint64_t play_script(Session& session) {
@@ -387,56 +379,6 @@ TEST(Session, AResetIsTheStateThatARestoreGoesBackTo) {
         EXPECT_LT((session->world().vertex_mm(static_cast<int>(v)) - rest[v]).norm(), 1e-9);
 }
 
-// What a setting changes is the next step, not the state that it begins with: to the last bit.
-TEST(Session, ChangesQualityTetherAndWallInMidPullWithoutAJump) {
-    SceneSpec spec = default_scene();
-    spec.deform->tether_pa_per_mm2 = 0.0;
-    const auto session = new_session(spec);
-    session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
-    session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
-    play(*session, 60);
-    for (const Command& command :
-         {Command(SetQuality{1.0}), Command(SetQuality{0.0}), Command(SetTether{1.0}),
-          Command(SetTether{0.0}), Command(SetWall{0.5}), Command(SetWall{0.0})}) {
-        const BodyState before = session->world().deform()->state();
-        session->post(SetPaused{true});
-        session->post(command);
-        session->step();
-        const BodyState set = session->world().deform()->state();
-        const std::size_t vertices = small_patient()->mesh.vertices_mm.size();
-        for (std::size_t v = 0; v < vertices; ++v) {
-            ASSERT_EQ(set.positions_mm[v], before.positions_mm[v]) << to_json(command).dump();
-            ASSERT_EQ(set.velocities_mm_per_s[v], before.velocities_mm_per_s[v]);
-        }
-        session->post(SetPaused{false});
-        session->step();
-        EXPECT_NE(session->world().deform()->state().positions_mm, before.positions_mm);
-        EXPECT_TRUE(session->world().deform()->plausible());
-    }
-}
-
-// A wall given in mid-play is the wall that a scene begins with, and comes back in a replay.
-TEST(Session, AWallChosenLaterIsThatOfTheScene) {
-    const auto hash_after = [](const SceneSpec& spec, double wall_mm) {
-        const auto session = new_session(spec);
-        const auto recording = keep_recording(*session);
-        session->post(SetWall{wall_mm});
-        session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
-        session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
-        const std::uint64_t hash = play(*session, 20).state_hash;
-        Job job;
-        const ReplayResult same = replay(*recording, small_patient(), job);
-        EXPECT_FALSE(same.diverged_at.has_value());
-        EXPECT_EQ(same.state_hash, hash);
-        return hash;
-    };
-    SceneSpec hollow = default_scene();
-    hollow.deform->wall_mm = 0.6;
-    EXPECT_EQ(hash_after(default_scene(), 0.6), hash_after(hollow, 0.6));
-    EXPECT_EQ(hash_after(hollow, 0.0), hash_after(default_scene(), 0.0));
-    EXPECT_NE(hash_after(default_scene(), 0.6), hash_after(default_scene(), 0.0));
-}
-
 TEST(Session, GivesTheSameStatesForAnyNumberOfThreads) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4}) {
@@ -464,72 +406,6 @@ TEST(Session, ReplaysToTheLastBitAndSaysWhereItDiverges) {
     EXPECT_EQ(replay(recording, small_patient(), job).diverged_at, 40u);
     recording.patient_hash ^= 1;
     EXPECT_THROW(replay(recording, small_patient(), job), InputError);
-}
-
-// Turning the dial, and the session that turns it by itself, are in the recording as the settings
-// that were used: another machine with another dial plays them alike.
-TEST(Session, TheSettingsUsedAreInTheRecordingWhateverTheDialOffers) {
-    auto patient = std::make_shared<PatientCase>(*small_patient());
-    StepperOptions two, five;
-    two.substeps = 2;
-    five.substeps = 5;
-    patient->dial_json =
-        dial_json({{two, 1e-6, 0.2, "this body"}, {five, 2e-6, 0.1, "this body"}}, *patient);
-    SceneSpec spec = default_scene();
-    spec.dt_s = 0.5;  // a budget that no machine misses
-    Job job;
-    Session session(patient, spec, job);
-    const auto kept = keep_recording(session);
-    session.post(SetAutomaticQuality{true});  // both cost next to nothing: the better one
-    session.post(GrabPoint{middle_of(patient->tree, 1)});
-    session.post(MoveGrab{middle_of(patient->tree, 1) + Vec3(4, 0, 0)});
-    play(session, 10);
-    session.update_frame();
-    EXPECT_TRUE(session.frame().statistics.automatic);
-    EXPECT_EQ(session.frame().statistics.quality, 1.0);
-    EXPECT_EQ(session.frame().statistics.expected_error, 0.1);
-    EXPECT_EQ(session.frame().statistics.error_reference, "this body");
-    session.post(SetQuality{0.0});
-    const std::uint64_t end = play(session, 10).state_hash;
-    session.update_frame();
-    EXPECT_FALSE(session.frame().statistics.automatic);
-    EXPECT_EQ(session.frame().statistics.expected_error, 0.2);
-
-    const Recording& recording = *kept;
-    const auto* first = std::get_if<UseSetting>(&recording.steps[0].commands.at(0));
-    const auto* later = std::get_if<UseSetting>(&recording.steps[10].commands.at(0));
-    ASSERT_NE(first, nullptr);
-    ASSERT_NE(later, nullptr);
-    EXPECT_EQ(first->setting.substeps, 5);
-    EXPECT_EQ(later->setting.substeps, 2);
-    const ReplayResult same = replay(recording, small_patient(), job);  // with the built-in dial
-    EXPECT_FALSE(same.diverged_at.has_value());
-    EXPECT_EQ(same.state_hash, end);
-}
-
-// A machine for which every step is too slow: the session goes down the dial by itself.
-TEST(Session, StepsDownWhenTheMachineFallsBehind) {
-    auto patient = std::make_shared<PatientCase>(*small_patient());
-    StepperOptions cheap, dear;
-    dear.substeps = 8;
-    patient->dial_json =
-        dial_json({{cheap, 1e-7, 0.2, "this body"}, {dear, 1e-6, 0.1, "this body"}}, *patient);
-    SceneSpec spec = default_scene();
-    spec.dt_s = 1e-4;  // a tenth of a millisecond for a step
-    Job job;
-    Session session(patient, spec, job);
-    const auto recording = keep_recording(session);
-    session.post(SetAutomaticQuality{true});
-    session.post(SetGravity{Vec3(0, 0, -9810)});
-    play(session, 30);
-    session.update_frame();
-    EXPECT_EQ(session.frame().statistics.quality, 0.0);
-    int changes = 0;
-    for (const RecordedStep& step : recording->steps)
-        for (const Command& command : step.commands)
-            changes += std::holds_alternative<UseSetting>(command) ? 1 : 0;
-    EXPECT_EQ(changes, 2);  // the one it began with, and the one it stepped down to
-    EXPECT_FALSE(replay(*recording, small_patient(), job).diverged_at.has_value());
 }
 
 TEST(Session, RunsOnItsOwnThreadAtItsRate) {

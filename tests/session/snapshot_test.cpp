@@ -15,6 +15,7 @@
 #include "core/scene/world_checkpoint.h"
 #include "core/session/replay.h"
 #include "core/session/script.h"
+#include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
 #include "tests/session/small_patient.h"
 
@@ -25,10 +26,10 @@ using test::keep_recording;
 using test::middle_of;
 using test::small_patient;
 
-std::unique_ptr<Session> new_session() {
-    Job job;
-    auto session = std::make_unique<Session>(small_patient(), default_scene(), job);
-    session->record([](const RecordedStep&) {});  // for the hash of every step
+// With the hash of every step.
+std::unique_ptr<Session> hashing_session() {
+    auto session = test::new_session();
+    session->record([](const RecordedStep&) {});
     return session;
 }
 
@@ -46,12 +47,12 @@ std::uint64_t pull_step(Session& session, int n) {
 constexpr int snapshot_step = 60;
 
 TEST(Snapshot, RestoringGoesOnWithTheSameBits) {
-    const auto whole = new_session();
+    const auto whole = hashing_session();
     std::vector<std::uint64_t> hashes(1, 0);
     for (int n = 1; n <= 200; ++n) hashes.push_back(pull_step(*whole, n));
     for (const int further : {0, 1, 25, 59}) {
         SCOPED_TRACE(std::to_string(further) + " steps after the snapshot");
-        const auto session = new_session();
+        const auto session = hashing_session();
         for (int n = 1; n <= snapshot_step + further; ++n)
             ASSERT_EQ(pull_step(*session, n), hashes[n]);
         session->post(RestoreSnapshot{});
@@ -61,7 +62,7 @@ TEST(Snapshot, RestoringGoesOnWithTheSameBits) {
 }
 
 TEST(Snapshot, AHandThatHasOpenedSinceStaysOpenAndWhatWasSetStaysSet) {
-    const auto session = new_session();
+    const auto session = hashing_session();
     for (int n = 1; n <= snapshot_step; ++n) pull_step(*session, n);
     session->post(ReleaseGrab{});
     session->post(SetGravity{Vec3(0, 500, 0)});
@@ -111,7 +112,7 @@ TEST(Snapshot, AWorldGoesOnFromTheTextOfItsCheckpoint) {
 TEST(StateHash, IsOfEverythingThatDeterminesWhatComesNext) {
     const VesselTree& tree = small_patient()->tree;
     std::set<std::uint64_t> seen;
-    const auto session = new_session();
+    const auto session = hashing_session();
     for (int n = 1; n <= 30; ++n) seen.insert(pull_step(*session, n));
     EXPECT_EQ(seen.size(), 30u);
     std::size_t expected = seen.size();
@@ -135,7 +136,7 @@ TEST(StateHash, IsOfEverythingThatDeterminesWhatComesNext) {
 }
 
 TEST(StateHash, IsOfNothingElse) {
-    const auto paused = new_session(), straight = new_session();
+    const auto paused = hashing_session(), straight = hashing_session();
     for (int n = 1; n <= 70; ++n) {
         if (n == 40) {
             paused->post(SetPaused{true});
@@ -192,7 +193,7 @@ TEST(Injections, OfAScriptAreWaitedForAtTheirStep) {
     script.actions.push_back(action);
     const auto commands = schedule(script, small_patient()->tree, 0.05, 5);
     ASSERT_EQ(commands[2].size(), 2u);
-    const auto session = new_session();
+    const auto session = hashing_session();
     for (int step = 0; step < 5; ++step) {
         for (const Command& command : commands[step]) session->post(command);
         session->step();

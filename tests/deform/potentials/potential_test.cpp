@@ -6,30 +6,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "core/base/error.h"
 #include "core/deform/potentials/potential_list.h"
 #include "core/deform/step/assembly.h"
 #include "core/mesh/brick_mesh.h"
+#include "tests/deform/support/random_field.h"
 
 namespace hepatica {
 namespace {
+
+using test::random_field;
 
 Body brick() {
     BodyDescription d;
     d.mesh = kuhn_brick(Vec3(30, 20, 20), {2, 1, 1});
     d.tether_pa_per_mm2 = 30.0;
     return build_body(d, ElementModel::corotated, ElementOrder::linear);
-}
-
-std::vector<Vec3> random_field(std::size_t count, double size, unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::vector<Vec3> field(count);
-    for (Vec3& x : field)
-        for (int i = 0; i < 3; ++i)
-            x[i] = size * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1.0);
-    return field;
 }
 
 // One grab within its limit, one beyond it, each of one element: nothing of them is lumped.

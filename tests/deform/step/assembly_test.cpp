@@ -5,14 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <random>
 
 #include "core/deform/elements/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"
+#include "tests/deform/support/random_field.h"
 
 namespace hepatica {
 namespace {
+
+using test::random_field;
 
 using small::Tangent;
 
@@ -34,15 +36,6 @@ BodyDescription brick(bool hexahedra) {
             body.stiffness_factor.push_back(1.0 + 0.1 * static_cast<double>(e % 7));
     }
     return body;
-}
-
-std::vector<Vec3> random_vectors(std::size_t count, double size, unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::vector<Vec3> values(count);
-    for (Vec3& x : values)
-        for (int i = 0; i < 3; ++i)
-            x[i] = size * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1.0);
-    return values;
 }
 
 struct Sum {
@@ -82,7 +75,7 @@ TEST_P(GatheredElements, AreTheSumOverTheElements) {
     const Choice& choice = GetParam();
     const Body body = build_body(brick(choice.hexahedra), choice.model, choice.order);
     std::vector<Vec3> x = body.rest_positions_mm;
-    const auto noise = random_vectors(x.size(), 0.1, 3);
+    const auto noise = random_field(x.size(), 0.1, 3);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += noise[i];
     const Sum sum = choice.tangent == Tangent::rotated
                         ? sum_over_elements<Tangent::rotated>(body, x)
@@ -104,7 +97,7 @@ TEST_P(GatheredElements, AreTheSumOverTheElements) {
             EXPECT_LT((matrix.block[k] - 2.0 * sum.stiffness.block<3, 3>(3 * i, 3 * j)).norm(),
                       1e-13 * stiff);
         }
-    const auto d = random_vectors(x.size(), 1.0, 5);
+    const auto d = random_field(x.size(), 1.0, 5);
     const Eigen::VectorXd flat =
         Eigen::Map<const Eigen::VectorXd>(d.front().data(), 3 * body.node_count());
     const double form = flat.dot(sum.stiffness * flat);

@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "core/deform/step/backward_euler.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"
+#include "tests/deform/support/random_field.h"
 
 namespace hepatica {
 namespace {
+
+using test::random_field;
 
 constexpr double allowed = 1e-5;  // of the energies handled, beside the quadrature's own error
 
@@ -38,15 +40,6 @@ Body brick(const Choice& choice, double tether = 0.0) {
     Body body = build_body(d, choice.model, choice.order);
     if (choice.two_materials) body.groups[0].tetrahedra[0].lambda *= 1.1;
     return body;
-}
-
-std::vector<Vec3> random_field(std::size_t count, double size, unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::vector<Vec3> field(count);
-    for (Vec3& x : field)
-        for (int i = 0; i < 3; ++i)
-            x[i] = size * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1.0);
-    return field;
 }
 
 // A body that is let go out of shape and in random motion.
