@@ -195,6 +195,7 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     played.simulation["steps_asleep"] = times.asleep();
     played.simulation["step_ms_median"] = times.quantile(0.5);
     played.simulation["step_ms_max"] = times.quantile(1.0);
+    played.simulation["frames_in_time"] = times.frames_in_time();
     const FrameStatistics& statistics = player.frame().statistics;
     played.simulation["setting"] = statistics.setting;
     played.simulation["expected_error"] = statistics.expected_error;

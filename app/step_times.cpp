@@ -20,4 +20,11 @@ nlohmann::ordered_json StepTimes::quantile(double share) const {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
+nlohmann::ordered_json StepTimes::frames_in_time() const {
+    constexpr double frame_ms = 1000.0 / 60.0;
+    if (awake_ms_.empty()) return nullptr;
+    const auto in_time = std::ranges::count_if(awake_ms_, [](double ms) { return ms <= frame_ms; });
+    return static_cast<double>(in_time) / static_cast<double>(awake_ms_.size());
+}
+
 }  // namespace hepatica

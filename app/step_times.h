@@ -20,6 +20,8 @@ class StepTimes {
     double wall_ms() const { return wall_ms_; }  // of all steps
     // Over the steps that were awake, `share` from 0 to 1; null where there was none.
     nlohmann::ordered_json quantile(double share) const;
+    // Of the same steps, the share that took at most 1/60 s; null where there was none.
+    nlohmann::ordered_json frames_in_time() const;
 
   private:
     std::vector<double> awake_ms_;

@@ -151,6 +151,7 @@ Json run(const Options& options, Job& job) {
              {{"median", played.times.quantile(0.5)},
               {"p95", played.times.quantile(0.95)},
               {"max", played.times.quantile(1.0)}}},
+            {"frames_in_time", played.times.frames_in_time()},
             {"real_time_factor", played.real_time_factor},
             {"linear_iterations_max", played.linear_iterations_max},
             {"degraded_steps", played.degraded_steps},

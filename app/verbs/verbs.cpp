@@ -20,6 +20,7 @@ void add_all_verbs(CommandLine& line) {
     add_skeleton(line);
 #endif
     add_scene(line);
+    add_bench_drag(line);
     add_bench_iterations(line);
     add_bench_peers(line);
     add_bench_region(line);

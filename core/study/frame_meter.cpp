@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/frame_meter.h"
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
-
 #include "core/base/median.h"
+#include "core/study/timing.h"
 
 namespace hepatica {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
 
-// Of all threads of this program.
-double processor_ms() {
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 }  // namespace
 
 void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
-    const auto start = std::chrono::steady_clock::now();
-    const double processor_start_ms = processor_ms();
+    const FrameTimer timer;
     for (int part = 0; part < parts; ++part) {
         job.throw_if_cancelled();
         iterations_ += stepper.step(frame_s / parts).linear_iterations;
     }
-    last_wall_ms_ =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    frame_ms_.push_back(std::min(last_wall_ms_, processor_ms() - processor_start_ms));
+    const FrameTime time = timer.passed();
+    last_wall_ms_ = time.wall_ms;
+    frame_ms_.push_back(time.cost_ms());
 }
 
 void FrameMeter::book(TradeoffPoint& point) const {

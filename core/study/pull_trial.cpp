@@ -136,14 +136,22 @@ std::vector<Vec3> CentrelineProbes::places_mm(std::span<const Vec3> vertices_mm)
     return places;
 }
 
-double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference) {
-    assert(motion.size() == reference.size());
-    double missed = 0.0, moved = 0.0;
+MotionDifference motion_difference(const CentrelineMotion& motion,
+                                   const CentrelineMotion& reference) {
+    assert(motion.size() == reference.size() && !motion.empty());
+    double missed = 0.0, moved = 0.0, furthest = 0.0;
     for (std::size_t i = 0; i < reference.size(); ++i) {
-        missed += (motion[i] - reference[i]).squaredNorm();
+        const double squared = (motion[i] - reference[i]).squaredNorm();
+        missed += squared;
+        furthest = std::max(furthest, squared);
         moved += reference[i].squaredNorm();
     }
-    return std::sqrt(missed / moved);
+    return {std::sqrt(missed / moved), std::sqrt(missed / static_cast<double>(motion.size())),
+            std::sqrt(furthest)};
+}
+
+double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference) {
+    return motion_difference(motion, reference).relative;
 }
 
 }  // namespace hepatica

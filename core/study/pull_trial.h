@@ -54,8 +54,17 @@ class CentrelineProbes {
 // Displacement of every probe after every frame, one frame after the other.
 using CentrelineMotion = std::vector<Vec3>;
 
-// Root mean square over frames and probes of the difference, relative to the reference's motion,
-// which has as many frames and probes.
+struct MotionDifference {
+    double relative = 0.0;    // rms_mm over the root mean square of the reference's displacements
+    double rms_mm = 0.0;      // root mean square over frames and probes
+    double largest_mm = 0.0;  // of any probe in any frame
+};
+
+// Of two motions with as many frames and probes, of which the reference is not at rest all the
+// time.
+MotionDifference motion_difference(const CentrelineMotion& motion,
+                                   const CentrelineMotion& reference);
+// The relative one.
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
 
 }  // namespace hepatica

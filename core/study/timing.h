@@ -4,9 +4,35 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace hepatica {
+
+// What a frame took. Of the two only processor time, of all threads of this program, does not grow
+// while other programs have the cores.
+struct FrameTime {
+    double wall_ms = 0.0;
+    double processor_ms = 0.0;
+
+    // Processor time is less than wall time only where other programs made the frame wait.
+    double cost_ms() const { return std::min(wall_ms, processor_ms); }
+};
+
+// Runs from its making on.
+class FrameTimer {
+  public:
+    FrameTime passed() const {
+        const std::chrono::duration<double, std::milli> wall =
+            std::chrono::steady_clock::now() - start_;
+        const auto processor = static_cast<double>(std::clock() - processor_start_);
+        return {wall.count(), 1e3 * processor / CLOCKS_PER_SEC};
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::clock_t processor_start_ = std::clock();
+};
 
 // Wall-clock time of one call.
 template <class Work>

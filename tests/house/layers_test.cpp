@@ -29,7 +29,6 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/mesh", {"core/base", "core/tree"}},
     {"core/flow", {"core/base", "core/tree"}},
     {"core/deform", {"core/base", "core/mesh"}},
-    {"core/study", {"core/base", "core/tree", "core/mesh", "core/deform"}},
     {"core/patient", {"core/base", "core/image", "core/tree", "core/mesh"}},
     {"core/reconstruction",
      {"core/base", "core/image", "core/skeleton", "core/segmentation", "core/tree", "core/phantom",
@@ -42,6 +41,9 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/session",
      {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient", "core/scene"}},
+    {"core/study",
+     {"core/base", "core/tree", "core/mesh", "core/deform", "core/patient", "core/scene",
+      "core/session"}},
 };
 
 // Libraries that a layer must not name at all.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motions as a trainee's hand makes them: tens of millimetres within a tenth of a second to some
+// seconds. What the deforming body costs and misses in play is measured by them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/session/script.h"
+
+namespace hepatica {
+
+struct HandMotion {
+    std::string name;
+    Script script;         // its clock begins after steps_before
+    int steps_before = 0;  // of 1/60 s at rest, until a body that is computed in part sleeps
+    int steps = 0;         // of 1/60 s, that are measured
+};
+
+// pull:  by (30, 20, 0) mm in half a second, by (-30, -40, 10) mm in another;
+// jerk:  by (40, 0, 0) mm in a tenth of a second, and back in another;
+// twist: once around a circle of 15 mm radius in three seconds.
+// Each takes the vessel at half of the longest path, lets go at its end, and is watched for another
+// second.
+std::vector<std::string> hand_motion_names();
+// Throws InputError for any other name.
+HandMotion hand_motion(const std::string& name);
+
+// Called "script", from its start until a second after its last action.
+HandMotion motion_of(const Script& script);
+
+}  // namespace hepatica

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A motion of the hand played on a patient as a session plays it: what every frame costs and where
+// the centreline goes; and the same motion of the whole body in short steps, solved exactly, which
+// that is compared with.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/scene_spec.h"
+#include "core/study/hand_motion.h"
+#include "core/study/pull_trial.h"
+#include "core/study/timing.h"
+
+namespace hepatica {
+
+struct HandFrame {
+    FrameTime time;  // of the commands, the world's step and the frame that is shown
+    int newton_iterations = 0;
+    int linear_solves = 0;
+    int linear_iterations = 0;
+    int live_elements = 0;  // computed after the step
+    bool asleep = false;    // nothing moved: the step was skipped
+    bool degraded = false;  // as in StepReport, or the session had to stop
+    std::string message;    // what the frame tells the user
+};
+
+struct HandPlay {
+    std::vector<HandFrame> frames;  // the measured ones
+    CentrelineMotion motion;        // in them
+    int elements = 0;               // of the whole body
+};
+
+enum class PlayedRegion {
+    as_in_scenes,  // what cpu_back_end computes
+    whole_body     // nothing is frozen
+};
+
+// Thread safety: const access only.
+class HandTrial {
+  public:
+    // Throws InputError where the case or the scene's spec cannot be played with.
+    HandTrial(std::shared_ptr<const PatientCase> patient, SceneSpec scene);
+
+    // The setting that the scene plays with.
+    const StepperOptions& setting() const { return setting_; }
+
+    // Throws Cancelled, after a step.
+    HandPlay play(const HandMotion& motion, PlayedRegion region, Job& job) const;
+
+    // The same hand on the same mesh and element, all of it computed in `substeps` substeps a
+    // frame, each solved to 1e-8 in the energy norm: what a setting's error is measured against.
+    // What the mesh itself misses is not in it. It begins at rest and leaves steps_before out.
+    CentrelineMotion reference(const HandMotion& motion, int substeps, Job& job) const;
+    // The same, kept in `folder`, which must exist, and read from there the next time. A file of
+    // another patient, scene, element or motion is left alone; one that is damaged is made anew.
+    // Files know nothing of the program: remove them when elements or potentials change.
+    CentrelineMotion kept_reference(const HandMotion& motion, int substeps,
+                                    const std::filesystem::path& folder, Job& job) const;
+
+  private:
+    SceneSpec reference_scene(int substeps) const;
+    HandPlay play(const SceneSpec& scene, const HandMotion& motion, PlayedRegion region,
+                  Job& job) const;
+
+    std::shared_ptr<const PatientCase> patient_;
+    SceneSpec scene_;
+    StepperOptions setting_;
+    CentrelineProbes probes_;
+    std::vector<Vec3> rest_mm_;  // of the probes
+};
+
+}  // namespace hepatica
