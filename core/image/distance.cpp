@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of Computing
 // 8:415 (2012): exact squared distances, one axis after the other, as lower envelopes of parabolas.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/image/filters.h"
 #include "core/image/line_bundles.h"
 #include "core/image/morphology.h"
 
@@ -115,7 +117,23 @@ Mask erode(const Mask& mask, double radius_mm, Job& job) {
 }
 
 Mask close(const Mask& mask, double radius_mm, Job& job) {
-    return erode(dilate(mask, radius_mm, job), radius_mm, job);
+    // In a room that holds all that is dilated and background around it.
+    Grid room = mask.grid;
+    IndexBox image;
+    for (int a = 0; a < 3; ++a) {
+        image.begin[a] = static_cast<int>(std::ceil(radius_mm / room.spacing_mm[a])) + 1;
+        image.end[a] = image.begin[a] + mask.grid.dims[a];
+        room.dims[a] = image.end[a] + image.begin[a];
+    }
+    room.origin_mm = mask.grid.to_mm(-image.begin[0], -image.begin[1], -image.begin[2]);
+    Mask whole(room);
+    for (int z = 0; z < mask.grid.dims[2]; ++z)
+        for (int y = 0; y < mask.grid.dims[1]; ++y)
+            std::copy_n(&mask.at(0, y, z), mask.grid.dims[0],
+                        &whole.at(image.begin[0], y + image.begin[1], z + image.begin[2]));
+    Mask closed = crop(erode(dilate(whole, radius_mm, job), radius_mm, job), image);
+    closed.grid = mask.grid;  // to the bit
+    return closed;
 }
 
 Mask open(const Mask& mask, double radius_mm, Job& job) {

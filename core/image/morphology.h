@@ -19,8 +19,9 @@ FloatVolume distance_to(const Mask& object, Job& job);
 // to the nearest object voxel.
 FloatVolume signed_distance(const Mask& object, Job& job);
 
-// By a ball of radius_mm (>= 0). The outside of the image counts as background for dilation and
-// closing, and as object for erosion, so that closing never removes an object voxel.
+// By a ball of radius_mm (>= 0). The outside of the image counts as background for dilation and as
+// object for erosion. Closing is that of a mask in a space without borders, all background outside
+// the image: it neither removes an object voxel nor grows towards the border.
 Mask dilate(const Mask& mask, double radius_mm, Job& job);
 Mask erode(const Mask& mask, double radius_mm, Job& job);
 Mask close(const Mask& mask, double radius_mm, Job& job);

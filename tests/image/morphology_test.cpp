@@ -117,6 +117,43 @@ TEST(Morphology, ClosingGrowsAndOpeningShrinksRandomMasks) {
     }
 }
 
+// What lies beyond the image is background: a closing knows no border.
+TEST(Morphology, ClosingIsTheSameInAWiderImage) {
+    Job job;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const Mask mask = random_mask({14, 12, 10}, {1.0, 0.8, 1.5}, 0.05, seed);
+        constexpr int more = 9;
+        Grid wide = mask.grid;
+        wide.origin_mm = mask.grid.to_mm(-more, -more, -more);
+        for (int& n : wide.dims) n += 2 * more;
+        Mask in_wide(wide);
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+            const auto [x, y, z] = mask.grid.index_of(i);
+            in_wide.at(x + more, y + more, z + more) = mask.voxels[i];
+        }
+        const Mask closed = close(mask, 3.0, job), closed_in_wide = close(in_wide, 3.0, job);
+        EXPECT_TRUE(same_grid(closed.grid, mask.grid));
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+            const auto [x, y, z] = mask.grid.index_of(i);
+            ASSERT_EQ(closed.voxels[i], closed_in_wide.at(x + more, y + more, z + more))
+                << x << " " << y << " " << z << ", seed " << seed;
+        }
+    }
+}
+
+// A slab as near to the border as the radius, or nearer, stays the slab that it is.
+TEST(Morphology, ClosingDoesNotGrowTowardsTheBorder) {
+    Job job;
+    for (int gap = 0; gap < 8; ++gap) {
+        Grid grid;
+        grid.dims = {20, 20, 20};
+        Mask slab(grid);
+        for (std::size_t i = 0; i < slab.voxels.size(); ++i)
+            slab.voxels[i] = grid.index_of(i)[2] >= gap && grid.index_of(i)[2] < gap + 4;
+        EXPECT_EQ(close(slab, 6.0, job).voxels, slab.voxels) << gap;
+    }
+}
+
 std::vector<int> flood(const Mask& mask, Connectivity connectivity) {
     std::vector<int> label(mask.voxels.size(), 0);
     int next = 0;

@@ -95,6 +95,25 @@ TEST(LiverFrame, HoldsTheLiverAndClosesWhatWasCutOutOfIt) {
     }
 }
 
+// It is closed by more than the margin: a closing that grew towards the frame's border would add the
+// whole margin to the liver.
+TEST(LiverFrame, DoesNotGrowTheLiverTowardsItsBorder) {
+    Job job;
+    const LiverFrame frame = make_liver_frame(linear_ct(), box(low_mm, high_mm), 1.0, job);
+    const Grid& grid = frame.liver.grid;
+    std::size_t inside_voxels = 0;
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+        if (frame.liver.voxels[i] == 0) continue;
+        ++inside_voxels;
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        const double outside = std::max((low_mm - p).maxCoeff(), (p - high_mm).maxCoeff());
+        // Half a voxel of the mask's and one of the frame's.
+        ASSERT_LE(outside, 2.0) << p.transpose();
+    }
+    EXPECT_NEAR(static_cast<double>(inside_voxels), 22.0 * 22.0 * 22.0, 0.1 * 22.0 * 22.0 * 22.0);
+}
+
 TEST(LiverFrame, EndsWhereTheCtEnds) {
     const Volume ct = linear_ct();
     Job job;
