@@ -36,9 +36,11 @@ Mask read_voxels(const fs::path& folder, const CaseHeader& header, const char* n
     return narrow_labels(labels, (folder / name).string());
 }
 
+const TreeFileFacts in_case{.in_case = true};
+
 VesselTree extracted_tree(const fs::path& folder, const CaseHeader& header) {
     if (!holds(folder, header, case_file::extracted)) return {};
-    return read_tree_vtp(folder / case_file::extracted);
+    return read_tree_vtp(folder / case_file::extracted, in_case);
 }
 
 void read_corrections(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
@@ -68,7 +70,7 @@ void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCa
     if (header.version > 1) return;
     const VesselTree extracted = extracted_tree(folder, header);
     relabel_format_1(patient.mask, extracted.segments.empty()
-                                       ? read_tree_vtp(folder / case_file::tree)
+                                       ? read_tree_vtp(folder / case_file::tree, in_case)
                                        : extracted);
 }
 
@@ -91,7 +93,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     patient.source = header.source;
     for (const char* name : {case_file::tree, case_file::surface, case_file::mesh})
         check_case_file(folder, header, name);
-    patient.tree = read_tree_vtp(folder / case_file::tree);
+    patient.tree = read_tree_vtp(folder / case_file::tree, in_case);
     try {
         read_corrections(folder, header, patient);
     } catch (const nlohmann::json::exception& error) {

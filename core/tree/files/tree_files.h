@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/tree/files/tree_io.h"
 #include "core/tree/vessel_tree.h"
@@ -17,6 +18,11 @@ std::string read_text(const std::filesystem::path& file);
 inline Vec3 signs_to_lps(PatientSpace space) {
     return space == PatientSpace::ras ? Vec3(-1, -1, 1) : Vec3(1, 1, 1);
 }
+
+// Throws InputError where the numbers of the systems, in a file that does not name them, may mean
+// two things: see tree_io.h.
+void require_unambiguous_systems(const std::vector<int>& numbers,
+                                 const std::filesystem::path& file);
 
 // validate() with the file named as the place; also refuses positions beyond 10 m and radii that no
 // vessel has.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tree/files/tree_io.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -27,6 +29,17 @@ void require_plausible_radius(double radius_mm, const std::string& place) {
 }
 
 }  // namespace
+
+void require_unambiguous_systems(const std::vector<int>& numbers,
+                                 const std::filesystem::path& file) {
+    const auto zeros = std::ranges::count(numbers, 0);
+    if (zeros == 0 || zeros == std::ssize(numbers)) return;
+    throw InputError(
+        "counts its vascular systems from 0 and does not name them, as older versions did",
+        file.string(),
+        "Make the tree anew: phantom and reconstruct give the same one from the same options; or "
+        "open the case that it was taken from");
+}
 
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file) {
     for (const VesselNode& node : tree.nodes)

@@ -2,6 +2,8 @@
 // Vessel trees in files that other programs open: VTP (3D Slicer, VMTK, SimVascular, ParaView), SWC
 // (neuron and vessel tracers) and JSON. Positions are millimetres; written in LPS in all of them.
 // System is the number of vascular_system.h; a number that is none of these is read as unknown.
+// Files of this program that do not name their systems are older than those numbers: there 0 was
+// the portal vein in some trees and no system in others. One that holds 0 and others is refused.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +25,8 @@ enum class PatientSpace { lps, ras };
 struct TreeFileFacts {
     std::optional<PatientSpace> space{};
     std::optional<double> radius_mm{};  // of every vessel, in a VTP without radii; 0.001 to 1000
+    // The file lies in a case, whose format says what its System numbers mean.
+    bool in_case = false;
 };
 
 // One polyline per segment. Field data SPACE = LPS and NodeRadius; point arrays

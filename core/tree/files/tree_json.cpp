@@ -42,6 +42,7 @@ void write_tree_json(const std::filesystem::path& file, const VesselTree& tree) 
 
 VesselTree read_tree_json(const std::filesystem::path& file) {
     VesselTree tree;
+    std::vector<int> unnamed_systems;
     try {
         const nlohmann::json whole = nlohmann::json::parse(read_text(file));
         if (whole.at("version").get<int>() != tree_version)
@@ -52,11 +53,12 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
                 {vec3_from(node.at("position_mm")), node.at("radius_mm").get<double>()});
         for (const nlohmann::json& value : whole.at("segments")) {
             VesselSegment& s = tree.segments.emplace_back();
+            const int system = value.at("system").get<int>();
+            if (!value.contains("system_name")) unnamed_systems.push_back(system);
             s.proximal_node = value.at("proximal_node").get<int>();
             s.distal_node = value.at("distal_node").get<int>();
             s.parent = value.at("parent").get<int>();
-            s.system =
-                system_numbered(value.at("system").get<int>()).value_or(VascularSystem::unknown);
+            s.system = system_numbered(system).value_or(VascularSystem::unknown);
             s.system_confidence = value.value("confidence", 0.0);
             s.strahler_order = value.at("strahler_order").get<int>();
             s.closes_loop = value.at("closes_loop").get<bool>();
@@ -68,6 +70,7 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
     } catch (const nlohmann::json::exception& error) {
         throw InputError(error.what(), file.string(), "Give a JSON file that holds a vessel tree");
     }
+    require_unambiguous_systems(unnamed_systems, file);
     validate_from_file(tree, file);
     return tree;
 }

@@ -259,6 +259,15 @@ bool is_own(vtkPolyData* lines) {
            lines->GetPointData()->GetArray("Radius") != nullptr;
 }
 
+void require_known_systems(vtkPolyData* lines, const std::filesystem::path& file) {
+    if (lines->GetCellData()->GetAbstractArray("SystemName") != nullptr) return;
+    vtkDataArray* system = lines->GetCellData()->GetArray("System");
+    std::vector<int> numbers;
+    for (vtkIdType cell = 0; cell < system->GetNumberOfTuples(); ++cell)
+        numbers.push_back(static_cast<int>(system->GetComponent(cell, 0)));
+    require_unambiguous_systems(numbers, file);
+}
+
 VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem::path& file) {
     VesselTree tree;
     vtkDataArray* node_radii = lines->GetFieldData()->GetArray("NodeRadius");
@@ -375,8 +384,9 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
 VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts& facts) {
     const vtkSmartPointer<vtkPolyData> lines = read_lines(file);
     const Vec3 signs = signs_to_lps(space_of(lines, facts, file));
-    VesselTree tree =
-        is_own(lines) ? own_tree(lines, signs, file) : foreign_tree(lines, signs, facts, file);
+    const bool own = is_own(lines);
+    if (own && !facts.in_case) require_known_systems(lines, file);
+    VesselTree tree = own ? own_tree(lines, signs, file) : foreign_tree(lines, signs, facts, file);
     validate_from_file(tree, file);
     return tree;
 }

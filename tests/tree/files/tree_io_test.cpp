@@ -12,6 +12,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "tests/support/test_data.h"
@@ -207,6 +208,70 @@ TEST(TreeJson, BadFilesAreRefused) {
         write_text(scratch("bad.json"), text);
         EXPECT_THROW(read_tree(scratch("bad.json")), InputError) << text;
     }
+}
+
+// As the phantom wrote its truth before systems had names: 0 the portal vein, 1 the hepatic veins.
+// A reconstruction of that time meant nobody's system by 0 and the portal vein by 1.
+void expect_refused_in_words(const std::filesystem::path& file) {
+    try {
+        read_tree(file);
+        FAIL() << file;
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), file.string());
+        EXPECT_NE(error.problem().find("counts its vascular systems from 0"), std::string::npos);
+        EXPECT_NE(error.remedy().find("phantom"), std::string::npos);
+    }
+}
+
+void write_vtp_without_names(const std::filesystem::path& file, const std::vector<int>& systems) {
+    write_tree_vtp(file, forked_tree());
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    vtkPolyData* lines = reader->GetOutput();
+    lines->GetCellData()->RemoveArray("SystemName");
+    lines->GetCellData()->RemoveArray("Confidence");
+    for (std::size_t s = 0; s < systems.size(); ++s)
+        lines->GetCellData()->GetArray("System")->SetComponent(static_cast<vtkIdType>(s), 0,
+                                                               systems[s]);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetFileName(file.c_str());
+    writer->SetInputData(lines);
+    ASSERT_NE(writer->Write(), 0);
+}
+
+TEST(TreeVtp, OfAnOlderVersionThatCountsItsSystemsFromZeroIsRefusedInWords) {
+    const auto file = scratch("old.vtp");
+    const std::size_t segments = forked_tree().segments.size();
+    std::vector<int> systems(segments, 0);
+    write_vtp_without_names(file, systems);  // one system, of which nothing is said
+    for (const VesselSegment& segment : read_tree(file).segments)
+        EXPECT_EQ(segment.system, VascularSystem::unknown);
+    systems.back() = 1;
+    write_vtp_without_names(file, systems);
+    expect_refused_in_words(file);
+    // The case that it lies in says what its numbers mean.
+    EXPECT_EQ(read_tree_vtp(file, {.in_case = true}).segments.back().system,
+              VascularSystem::portal);
+    systems.assign(segments, 2);
+    write_vtp_without_names(file, systems);
+    EXPECT_EQ(read_tree(file).segments.front().system, VascularSystem::hepatic);
+}
+
+TEST(TreeJson, OfAnOlderVersionThatCountsItsSystemsFromZeroIsRefusedInWords) {
+    const auto file = scratch("old.json");
+    write_tree_json(file, forked_tree());
+    std::ifstream in(file);
+    nlohmann::json json = nlohmann::json::parse(in);
+    for (nlohmann::json& segment : json["segments"]) {
+        segment.erase("system_name");
+        segment["system"] = 0;
+    }
+    write_text(file, json.dump());
+    EXPECT_EQ(read_tree(file).segments.front().system, VascularSystem::unknown);
+    json["segments"].back()["system"] = 1;
+    write_text(file, json.dump());
+    expect_refused_in_words(file);
 }
 
 TEST(TreeSwc, ComesBackButForTheRadiusAtForks) {
