@@ -22,6 +22,7 @@ void add_all_verbs(CommandLine& line) {
     add_scene(line);
     add_bench_drag(line);
     add_bench_iterations(line);
+    add_bench_keyframe(line);
     add_bench_peers(line);
     add_bench_region(line);
     add_bench_refinement(line);

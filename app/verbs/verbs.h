@@ -22,6 +22,7 @@ void add_scene(CommandLine& line);
 void add_skeleton(CommandLine& line);
 void add_bench_drag(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
+void add_bench_keyframe(CommandLine& line);
 void add_bench_peers(CommandLine& line);
 void add_bench_region(CommandLine& line);
 void add_bench_refinement(CommandLine& line);

@@ -47,22 +47,23 @@ class TemporaryFolder {
     fs::path path_;
 };
 
-OpenedPatient built_in_patient(Job& job) {
-    const TemporaryFolder scan;
-    Reconstruction made = reconstruct_built_in(scan.path(), job).reconstruction;
+OpenedPatient opened_from(Reconstruction made) {
     OpenedPatient opened;
     opened.patient = std::make_shared<const PatientCase>(std::move(made.patient));
     opened.warnings = std::move(made.warnings);
+    opened.stages = std::move(made.stages);
     return opened;
 }
 
+OpenedPatient built_in_patient(Job& job) {
+    const TemporaryFolder scan;
+    return opened_from(reconstruct_built_in(scan.path(), job));
+}
+
 OpenedPatient reconstructed(const ReconstructOptions& options, Job& job) {
-    Reconstruction made = reconstruct(options, job);
-    OpenedPatient opened;
-    opened.patient = std::make_shared<const PatientCase>(std::move(made.patient));
+    OpenedPatient opened = opened_from(reconstruct(options, job));
     opened.image = options.ct;
     opened.worth_saving = true;
-    opened.warnings = std::move(made.warnings);
     return opened;
 }
 

@@ -30,6 +30,7 @@ struct OpenedPatient {
     // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
     bool worth_saving = false;
     std::vector<std::string> warnings;
+    std::vector<StageTime> stages;  // of the job that reconstructed it just now; else empty
 };
 
 // How many stages of its job open_patient() begins.

@@ -22,18 +22,19 @@ int built_in_stage_count() {
     return phantom + stage_count(built_in_options({}));
 }
 
-BuiltInPatient reconstruct_built_in(const std::filesystem::path& folder, Job& job) {
+Reconstruction reconstruct_built_in(const std::filesystem::path& folder, Job& job) {
     job.expect_stages(built_in_stage_count());
-    BuiltInPatient patient;
-    patient.truth = make_phantom(PhantomOptions{}, job);
+    const Phantom truth = built_in_truth(job);
     ReconstructOptions options = built_in_options(folder);
-    const VesselTree& tree = patient.truth.tree;
-    const VesselSegment& trunk = tree.segments[roots(tree).front()];
+    const VesselSegment& trunk = truth.tree.segments[roots(truth.tree).front()];
     options.seeds.front().position_mm = trunk.points_mm[trunk.points_mm.size() / 2];
-    write_nifti(options.ct, patient.truth.ct);
-    write_nifti(*options.liver_mask, patient.truth.liver);
-    patient.reconstruction = reconstruct(options, job);
-    return patient;
+    write_nifti(options.ct, truth.ct);
+    write_nifti(*options.liver_mask, truth.liver);
+    return reconstruct(options, job);
+}
+
+Phantom built_in_truth(Job& job) {
+    return make_phantom(PhantomOptions{}, job);
 }
 
 }  // namespace hepatica

@@ -11,16 +11,15 @@
 
 namespace hepatica {
 
-struct BuiltInPatient {
-    Reconstruction reconstruction;
-    Phantom truth;
-};
-
-// How many stages of its job it begins.
+// How many stages of its job reconstruct_built_in() begins.
 int built_in_stage_count();
 
 // Writes ct.nii.gz and liver.nii.gz into `folder`, which must exist, and reconstructs them.
 // Throws InputError where the folder cannot be written, Cancelled.
-BuiltInPatient reconstruct_built_in(const std::filesystem::path& folder, Job& job);
+Reconstruction reconstruct_built_in(const std::filesystem::path& folder, Job& job);
+
+// What its CT was drawn from: made anew, with the same bytes. Begins three stages; throws
+// Cancelled.
+Phantom built_in_truth(Job& job);
 
 }  // namespace hepatica

@@ -80,6 +80,23 @@ TEST_F(Play, TellsWhatTheReconstructionWarnedOf) {
     EXPECT_TRUE(fs::exists(path("from_ct/patient.hep/case.json")));
 }
 
+// Whatever the window opens, play opens too; what was not reconstructed leaves no case behind.
+TEST_F(Play, PlaysATreeThatIsNoCase) {
+    const Json played = answer({"play", path("p/truth_tree.vtp"), "--out", path("from_tree")});
+    EXPECT_GT(played["tree"]["tetrahedra"], 100);
+    EXPECT_TRUE(played["accuracy"].is_null());
+    EXPECT_TRUE(fs::exists(path("from_tree/report.html")));
+    for (const auto& entry : fs::directory_iterator(path("from_tree")))
+        EXPECT_NE(entry.path().extension(), ".hep") << entry.path();
+}
+
+TEST_F(Play, LeavesNoFolderWhereThereIsNothingToOpen) {
+    const Outcome run = run_cli({"play", path("nothing.hep"), "--out", path("from_nothing")});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find("nothing.hep"), std::string::npos) << run.errors;
+    EXPECT_FALSE(fs::exists(path("from_nothing")));
+}
+
 TEST_F(Play, LeavesAnOlderReportWholeWhereItIsInterrupted) {
     fs::create_directories(path("kept"));
     for (const char* name : {"kept/report.html", "kept/1_patient.png", "kept/mine.txt"})
