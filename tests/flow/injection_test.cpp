@@ -187,6 +187,18 @@ TEST(Injection, SamplesDoNotChangeTheSolution) {
     EXPECT_NEAR(delivered[0], delivered[1], 1e-12);
 }
 
+TEST(Injection, SamplesLieOneIntervalApartAndEndAtTheEnd) {
+    Job job;
+    InjectionOptions options;
+    options.until_s = 1.0;
+    options.step_s = 0.3;
+    const InjectionResult injection = inject(make_tree(66, 3), options, job);
+    const std::vector<double> expected_s{0.0, 0.3, 0.6, 0.9, 1.0};
+    ASSERT_EQ(injection.series.size(), expected_s.size());
+    for (std::size_t k = 0; k < expected_s.size(); ++k)
+        EXPECT_NEAR(injection.series[k].time_s, expected_s[k], 1e-12);
+}
+
 TEST(Injection, RefusesNonsenseAndStopsWhenAsked) {
     const VesselTree tree = make_tree(68, 2);
     const auto refused = [&](auto change) {
