@@ -45,9 +45,9 @@ Cone fitted_cone(const VesselSegment& segment) {
     }
     const double mean = moment0 / length;
     const double slope = 12.0 * (moment1 / length - 0.5 * length * mean) / (length * length);
-    const auto [low, high] = std::ranges::minmax(segment.radii_mm);
+    const auto radii = std::ranges::minmax(segment.radii_mm);
     const auto at = [&](double from_middle) {
-        return std::clamp(mean + slope * from_middle, low, high);
+        return std::clamp(mean + slope * from_middle, radii.min, radii.max);
     };
     return {at(-0.5 * length), at(0.5 * length), length};
 }

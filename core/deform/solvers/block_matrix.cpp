@@ -31,8 +31,8 @@ Wide load(const double* p) {
 
 // Columns of a block times x, in the first three lanes; nothing beyond the block is read.
 Wide times(const Mat3& block, const Vec3& x) {
-    using Order = long long __attribute__((vector_size(32)));
-    const Wide last = __builtin_shuffle(load(block.data() + 5), Order{1, 2, 3, 0});
+    const Wide from_fifth = load(block.data() + 5);
+    const Wide last = __builtin_shufflevector(from_fifth, from_fifth, 1, 2, 3, 0);
     return load(block.data()) * x[0] + load(block.data() + 3) * x[1] + last * x[2];
 }
 
