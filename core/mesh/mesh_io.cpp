@@ -21,6 +21,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/mesh/surface.h"
+#include "core/tree/files/vtk_file.h"
 
 namespace hepatica {
 
@@ -84,6 +85,7 @@ void write(const fs::path& file, Data* data) {
 template <class Reader>
 vtkSmartPointer<Reader> read(const fs::path& file) {
     if (!fs::is_regular_file(file)) reject(file, "is missing");
+    check_vtk_xml(file);
     auto reader = vtkSmartPointer<Reader>::New();
     bool failed = false;
     const auto listener = error_listener(failed);
@@ -107,7 +109,9 @@ std::vector<Vec3> positions_of(vtkPoints* points, const fs::path& file) {
 }
 
 template <std::size_t N>
-std::vector<std::array<int, N>> corners_of(vtkCellArray* array, const fs::path& file) {
+std::vector<std::array<int, N>> corners_of(vtkCellArray* array, vtkIdType points,
+                                           const fs::path& file) {
+    check_vtk_cells(array, points, file);
     std::vector<std::array<int, N>> cells;
     cells.reserve(static_cast<std::size_t>(array->GetNumberOfCells()));
     vtkIdType count = 0;
@@ -142,7 +146,8 @@ TetMesh read_vtu(const fs::path& file) {
     const auto reader = read<vtkXMLUnstructuredGridReader>(file);
     TetMesh mesh;
     mesh.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
-    mesh.tetrahedra = corners_of<4>(reader->GetOutput()->GetCells(), file);
+    mesh.tetrahedra = corners_of<4>(reader->GetOutput()->GetCells(),
+                                    reader->GetOutput()->GetNumberOfPoints(), file);
     validate(mesh);
     return mesh;
 }
@@ -151,7 +156,8 @@ TriangleMesh read_vtp(const fs::path& file) {
     const auto reader = read<vtkXMLPolyDataReader>(file);
     TriangleMesh surface;
     surface.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
-    surface.triangles = corners_of<3>(reader->GetOutput()->GetPolys(), file);
+    surface.triangles = corners_of<3>(reader->GetOutput()->GetPolys(),
+                                      reader->GetOutput()->GetNumberOfPoints(), file);
     validate_closed(surface);
     return surface;
 }

@@ -9,7 +9,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -29,6 +28,7 @@
 #include "core/base/patient_space.h"
 #include "core/tree/extraction/line_graph.h"
 #include "core/tree/files/tree_files.h"
+#include "core/tree/files/vtk_file.h"
 
 namespace hepatica {
 
@@ -158,25 +158,6 @@ void add_field_data(const VesselTree& tree, vtkPolyData* lines) {
                      "Give a VTP file with the centrelines of vessels as lines");
 }
 
-// VTK's reader takes the numbers of a file's lines at their word.
-void require_lines_between_points(vtkPolyData* data, const std::filesystem::path& file) {
-    vtkCellArray* lines = data->GetLines();
-    const auto offset = [lines](vtkIdType line) {
-        return static_cast<vtkIdType>(lines->GetOffsetsArray()->GetComponent(line, 0));
-    };
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line) {
-        const vtkIdType begin = offset(line), end = offset(line + 1);
-        if (begin < 0 || end < begin || end > lines->GetNumberOfConnectivityIds())
-            refuse(file, "the offsets of its lines do not fit their connectivity");
-        lines->GetCellAtId(line, ids);
-        for (const vtkIdType id : *ids)
-            if (id < 0 || id >= data->GetNumberOfPoints())
-                refuse(file, "a line names point " + std::to_string(id) + " of " +
-                                 std::to_string(data->GetNumberOfPoints()));
-    }
-}
-
 vtkSmartPointer<vtkPolyData> read_lines(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file)) refuse(file, "there is no such file");
     vtkNew<vtkXMLPolyDataReader> reader;
@@ -191,12 +172,13 @@ vtkSmartPointer<vtkPolyData> read_lines(const std::filesystem::path& file) {
     reader->SetParserErrorObserver(on_error);
     reader->SetReaderErrorObserver(on_error);
     reader->SetFileName(file.c_str());
+    check_vtk_xml(file);
     if (reader->CanReadFile(file.c_str()) == 0) refuse(file, "is not a VTK polygon file (VTP)");
     reader->Update();
     vtkSmartPointer<vtkPolyData> lines = reader->GetOutput();
     if (failed || lines == nullptr || reader->GetErrorCode() != 0) refuse(file, "is damaged");
     if (lines->GetNumberOfLines() == 0) refuse(file, "holds no lines");
-    require_lines_between_points(lines, file);
+    check_vtk_cells(lines->GetLines(), lines->GetNumberOfPoints(), file);
     return lines;
 }
 
