@@ -98,7 +98,8 @@ void DrugFront::mix_at_nodes(const Flows& flows) {
         drug_inflow[to] += std::abs(q) * share_at(static_cast<int>(i), q > 0.0);
     }
     for (int n = 0; n < network_.node_count; ++n) {
-        // More leaves into segments than comes from them: the rest comes in through an outlet.
+        // More flows out of this node into segments than arrives from segments: the rest enters
+        // through an outlet.
         const double through = outflow[n] > inflow[n] * (1.0 + 1e-9) ? outflow[n] : inflow[n];
         node_share_[n] = through > 0.0 ? drug_inflow[n] / through : 0.0;
         node_surplus_[n] = inflow[n] - outflow[n];
@@ -180,7 +181,7 @@ DrugFront::Flows DrugFront::predict(double& duration_s) {
             mean.inlet_mm3_s[i] = 0.5 * (mean.inlet_mm3_s[i] + then.inlet_flow_mm3_s[i]);
         const double error = entering > 0.0 ? change / entering : 0.0;
         if (error <= options_.step_tolerance || attempt == most_rejections) {
-            // A step that an event cut short says nothing against a longer one.
+            // A step that was shortened by an event is no reason to keep later ones short.
             suggested_s_ = attempt == 0 ? std::max(suggested_s_, 2.0 * duration_s) : duration_s;
             return mean;
         }

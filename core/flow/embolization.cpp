@@ -107,7 +107,7 @@ class BeadTransport {
         sample();
     }
 
-    // One batch in the present flow; false once nothing more goes in.
+    // Injects one batch into the present flow; false once no more beads enter.
     bool inject_batch() {
         const int count = std::min(options_.batch, options_.bead_count - result_.injected);
         if (count <= 0 || result_.stasis) return false;
@@ -192,7 +192,7 @@ class BeadTransport {
         return through_bed > 0.0 ? leaves : chosen;
     }
 
-    // All ways out of here were plugged within this batch: the bead stays behind the plug.
+    // Every segment out of this node was plugged by this batch: the bead stays behind the plug.
     int last_resort(int node) const {
         for (int i = at_.first[node]; i < at_.first[node + 1]; ++i) {
             const int segment = at_.segments[i];

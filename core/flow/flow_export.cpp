@@ -47,7 +47,8 @@ class CsvRow {
     bool first_ = true;
 };
 
-// The stretches through which something may flow: those that hang on what drives it.
+// The stretches through which fluid may flow: those connected to an inlet, a tear or a given
+// pressure.
 std::vector<char> connected_segments(const FlowNetwork& network, const FlowConditions& conditions) {
     const NodeSegments at = segments_at_nodes(network);
     std::vector<char> seen(network.segments.size(), 0);

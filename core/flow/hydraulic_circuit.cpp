@@ -85,8 +85,8 @@ struct HydraulicSolver::Linear {
 
 namespace {
 
-// What leaves each node. Whatever a node receives has to leave it to the last digit: the largest
-// way out takes the remainder that rounding leaves.
+// The flow out of each node. Inflow and outflow of a node must agree exactly, so the largest
+// outflow takes the rounding error.
 struct Outflows {
     explicit Outflows(const HydraulicCircuit& circuit)
         : surplus(circuit.source_mm3_s),
@@ -341,8 +341,8 @@ void HydraulicSolver::solve_graph(const HydraulicCircuit& circuit, const Linear&
     balance_graph(circuit, next);
 }
 
-// Flow runs from high to low total pressure, so nodes in that order can pass on to the last digit
-// what they receive, as on a tree.
+// Flow runs from high to low total pressure. Nodes are visited in that order, so that the inflow of
+// each is complete before its outflow is balanced against it, as on a tree.
 void HydraulicSolver::balance_graph(const HydraulicCircuit& circuit, HydraulicState& next) const {
     const Incidence incidence = incidence_of(circuit);
     std::vector<int> falling = order_;
@@ -429,7 +429,7 @@ HydraulicState HydraulicSolver::solve(const HydraulicCircuit& circuit, double re
     std::vector<Drop> drops(count);
     evaluate(circuit, flow, drops);
     Linear linear{std::vector<double>(count), std::vector<double>(count)};
-    // Relative to the pressure of rest, so that what is at rest stays there to the last digit.
+    // Pressures relative to the pressure at rest, so that a part at rest stays exactly at rest.
     HydraulicState next{std::vector<double>(count, 0.0),
                         std::vector<double>(circuit.node_count, 0.0), 0};
     for (int n = 0; n < circuit.node_count; ++n)

@@ -14,8 +14,9 @@
 
 namespace hepatica {
 
-// A run that nobody ends lasts at most this many times as long as it takes to inject the volume of
-// the tree: in loops and between ends of equal pressure the blood all but stands.
+// The longest run without an end time, in multiples of the time that it takes to inject the volume
+// of the tree. In loops and between ends of equal pressure the blood hardly moves, and filling
+// would never end.
 inline constexpr double longest_run_in_fillings = 10.0;
 
 struct InjectionOptions {
@@ -47,7 +48,8 @@ struct InjectionOptions {
     std::vector<TreePoint> tears;      // through which both stumps bleed
 
     double injection_s = std::numeric_limits<double>::infinity();  // then the catheter is closed
-    // Until then; none: until nothing changes any more, at most longest_run_in_fillings.
+    // When the run ends; none: when nothing changes any more, at the latest after
+    // longest_run_in_fillings.
     std::optional<double> until_s;
     // Between the samples of the series, which has no influence on the solution; none: a hundredth
     // of the time it takes to inject the volume of the tree.

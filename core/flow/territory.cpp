@@ -44,7 +44,7 @@ Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
                 out += std::abs(flow[id]);
             }
         }
-        // What an inlet adds here has not passed the point.
+        // Fluid that an inlet adds at this node has not passed the point.
         const double through = std::max(entering_node[node], out);
         const double share = through > 0.0 ? passed_node[node] / through : 0.0;
         share_at_node[node] = share;
