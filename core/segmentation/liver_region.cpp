@@ -22,8 +22,8 @@ constexpr double soft_organ_from_hu = 30.0;
 constexpr double soft_organ_to_hu = 250.0;
 constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
 constexpr int histogram_bin_hu = 2;
-// Of an organ around its mode after smoothing: so many deviations of its own histogram's peak, so
-// that a heart 20 HU brighter stays apart where the noise lets it.
+// Half the band of intensities of an organ, in standard deviations of its peak in the smoothed
+// histogram: narrow enough to leave out a heart that is 20 HU brighter, where the noise permits it.
 constexpr double band_deviations = 2.2;
 constexpr double narrowest_band_hu = 12.0;
 constexpr double widest_band_hu = 24.0;
@@ -187,7 +187,7 @@ Mask find_liver(const Volume& ct, Job& job) {
                              std::to_string(static_cast<int>(soft_organ_to_hu)) + " HU has " +
                              std::to_string(static_cast<int>(organ.core_ml)) + " ml",
                          "CT", "Check that the scan shows the liver, or give a liver mask.");
-    // Grown back from the core, and by the rim that smoothing has taken away.
+    // Grows the core back to the organ and adds the rim that smoothing removed.
     Mask liver = dilate(organ.core, neck_radius_mm, job);
     intersect(liver, band(smooth, organ.mode.hu, organ.mode.half_band_hu));
     Mask rim = dilate(liver, rim_mm, job);

@@ -13,7 +13,8 @@ struct SurfaceOptions {
     // right for wide vessels, more for those as thin as the blur; experts draw walls at 0.32 of the
     // rise (docs/accuracy.md).
     double level_share = 0.39;
-    // The surface's pull inwards places the wall this many deviations too high; taken off again.
+    // Minimising the area moves the wall inwards, as if the level were this many deviations higher.
+    // The level is lowered by as much.
     double pull_deviations = 0.7;
     double peak_reach_mm = 2.4;     // how far around a voxel its vessel's peak is looked for
     double least_deviations = 1.6;  // the level is never below this multiple of the deviation

@@ -21,7 +21,8 @@ constexpr double noise_smoothing_mm = 1.0;  // before a voxel is judged to be pa
 constexpr double outlier_deviations = 2.0;
 constexpr double rim_mm = 3.0;
 constexpr int rounds = 3;
-// Weight of the level so far against the voxels around, where hardly any voxel counts.
+// Weight of the level of the round before against the voxels around: it decides where hardly any
+// voxel counts.
 constexpr float prior_weight = 0.02f;
 
 // Robust statistics need no more than a sample: every n-th object voxel.

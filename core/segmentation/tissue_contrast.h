@@ -24,9 +24,9 @@ struct TissueContrast {
 // throughout: medians, not means. Throws InputError where the liver is empty; Cancelled.
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job);
 
-// Over the object voxels of a mask: the median, and the standard deviation of the noise as its
-// lower half tells it (1.4826 times the median of what they fall below the median): vessels only
-// add to the upper half.
+// Over the object voxels of a mask: the median, and the standard deviation of the noise, estimated
+// from the lower half alone (1.4826 times the median distance below the median), because vessels
+// only add to the upper half.
 struct RobustSpread {
     double median = 0.0;
     double deviation = 0.0;

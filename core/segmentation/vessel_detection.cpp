@@ -31,18 +31,18 @@ constexpr double suspect_deviations = 2.0;
 constexpr double smallest_suspect_mm3 = 20.0;
 constexpr double suspect_reach_mm = 2.0;
 constexpr double least_deviation_hu = 0.3;  // a CT is stored in whole Hounsfield units
-// Slices up to the first are not thick at all, from the second on they are.
+// Thickness up to which slices do not dim thin vessels, and from which on they dim them fully.
 constexpr double undimmed_slices_mm = 1.5;
 constexpr double dimming_slices_mm = 3.0;
 // Between thick slices the organs around shine this far into the liver.
 constexpr double dimmed_rim_mm = 1.8;
 constexpr double tubular_deviations = 1.5;
-// No single voxel says more than this, however bright: a line is many voxels.
+// Limits of the excess of one voxel, so that a single bright voxel is not taken for a line.
 constexpr double clip_below_deviations = 3.0;
 constexpr double clip_above_deviations = 8.0;
 constexpr double line_sigma_mm = 0.7;
 constexpr double surroundings_sigma_mm = 3.0;
-// Edge of the cube that has a voxel's volume: a CT of fine voxels, and one of coarse.
+// Edge of the cube that has a voxel's volume, for a CT of fine voxels and for one of coarse voxels.
 constexpr double fine_voxel_mm = 0.8;
 constexpr double coarse_voxel_mm = 1.15;
 // In multiples of the strength of a line that noise can make.
@@ -66,7 +66,7 @@ struct Evidence {
     double deviation = 0.0;
 };
 
-// What the CT's own voxels do to thin vessels, each from 0 to 1.
+// How much the CT's voxel size degrades thin vessels, each from 0 to 1.
 struct Sampling {
     double thick;   // slices: the organs around shine into the next one
     double coarse;  // voxels: what is thin is dim, and looks wide at half of its peak
@@ -150,7 +150,7 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
 
 Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
               const Sampling& sampling, Job& job) {
-    if (tissue.threshold_hu) {  // the user's word, whatever the noise
+    if (tissue.threshold_hu) {  // as the user has set it, whatever the noise
         const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
         return grown_from(bright, bright, job);
     }

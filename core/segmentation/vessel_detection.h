@@ -23,8 +23,8 @@ struct Detection {
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          SegmentationMethod method, Job& job);
 
-// Takes the user's word for what a vessel is: intensities between low and high. The excess is then
-// measured from one level for the whole liver. Throws InputError unless low < high.
+// Uses the window that the user has set: vessels have intensities between low and high. The excess
+// is then measured from one level for the whole liver. Throws InputError unless low < high.
 void apply_window(const LiverFrame& frame, const std::pair<double, double>& window_hu,
                   TissueContrast& tissue);
 
