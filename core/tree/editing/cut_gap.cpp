@@ -21,7 +21,7 @@ struct Ball {
 
 using Wall = std::vector<Ball>;  // round cones from ball to ball
 
-// From the ball to the wall; negative where they overlap.
+// Distance from the ball to the wall; negative where they overlap.
 double clearance_mm(const Ball& ball, const Wall& wall) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < wall.size(); ++i) {
@@ -74,7 +74,7 @@ class Cutter {
         const Vec3 axis = tangents(curve_.points_mm, curve_.radii_mm[middle])[middle];
         const VesselLink& cut = graph_.links[link_];
         const std::vector<Wall> before = walls_at(cut.from), behind = walls_at(cut.to);
-        // Where a stump is missing, its node ends the part in its place.
+        // Where no stump is left on a side, the part on that side ends at its node.
         for (const Wall& wall : before)
             if (!is_clear_of(wall.front(), behind)) return std::nullopt;
         for (const Wall& wall : behind)
@@ -100,8 +100,8 @@ class Cutter {
         return away_mm - curve_.radii_mm[i] >= 0.5 * cut_gap_mm;
     }
 
-    // Of the vessels that end in one of the link's two nodes only: from one that joins both, a cut
-    // parts nothing.
+    // The walls of the other vessels at a node. Vessels that join both nodes of the link are left
+    // out, because a cut of the link does not part them.
     std::vector<Wall> walls_at(int node) const {
         const VesselLink& cut = graph_.links[link_];
         const int other = cut.from == node ? cut.to : cut.from;

@@ -21,7 +21,7 @@ std::string text_of(const Vec3& p) {
     return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
 }
 
-// Of a system that a person chose.
+// The confidence of a system that a person chose.
 double confidence_by_hand(VascularSystem system) {
     return system == VascularSystem::unknown ? 0.0 : 1.0;
 }
@@ -34,7 +34,7 @@ TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     return found;
 }
 
-// Which segments hang on one, itself included.
+// Marks a segment and all segments downstream of it.
 std::vector<std::uint8_t> downstream(const VesselTree& tree, int first) {
     std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
     hangs[first] = 1;
@@ -73,7 +73,7 @@ class Edit {
                              text_of(edit.at_mm), "Cut a longer one beside it, or delete it");
         int taken = at.segment;
         if (stretch->to_mm) split_link(graph_, taken, *stretch->to_mm, 0.0);
-        // What is parted begins at the cut, unless its root stays.
+        // The part beyond the cut gets its root at the cut, unless it has one already.
         wishes_.push_back({graph_.links[taken].to, graph_.links[taken].system});
         if (stretch->from_mm) {
             split_link(graph_, taken, *stretch->from_mm, 0.0);
@@ -137,7 +137,7 @@ class Edit {
                 graph_.links[i].system_confidence = confidence_by_hand(edit.system);
             }
         merge_touching_nodes(graph_, wishes_);
-        // If it touches nothing of its new system, it begins where it hung before.
+        // A part that touches nothing of its new system begins where it was attached before.
         wishes_.push_back({graph_.links[first].from, edit.system});
     }
 

@@ -45,7 +45,8 @@ void flood(VesselGraph& graph) {
         if (link.system != unknown) continue;
         const VascularSystem one = node_system[link.from], other = node_system[link.to];
         if (one != unknown && other != unknown && one != other) {
-            // Where two systems meet: the link goes to the side that its narrowest point is not on.
+            // Two systems meet in this link. They are parted at its narrowest point, so the link
+            // belongs to the system at the end farther from that point.
             const auto narrowest = std::ranges::min_element(link.radii_mm) - link.radii_mm.begin();
             const bool near_from = 2 * narrowest < std::ssize(link.radii_mm);
             link.system = near_from ? other : one;

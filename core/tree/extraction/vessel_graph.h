@@ -40,7 +40,7 @@ void join_passing_nodes(VesselGraph& graph);
 // The component of each node, numbered by first node. Links join whatever their systems.
 std::vector<int> component_of_nodes(const VesselGraph& graph);
 
-// Where a system is wished to begin.
+// A place at which a system should begin.
 struct RootWish {
     int node = -1;
     VascularSystem system = VascularSystem::unknown;
