@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mesh is worth as a body: shape of its tetrahedra, and the topology of its boundary.
+// Quality of a mesh as a body: the shape of its tetrahedra and the topology of its boundary.
 #pragma once
 
 #include "core/mesh/tet_mesh.h"

@@ -44,8 +44,8 @@ struct SizeByRadius {
     }
 };
 
-// CGAL's measure of slivers, the smallest dihedral angle. Moving vertices asks it far more often
-// than it asks the field: here, too, it is heard that work goes on.
+// CGAL's measure of slivers, the smallest dihedral angle. While vertices are moved it is evaluated
+// far more often than the field, so that progress is reported from here, too.
 class WatchedCriterion : public CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation> {
     using Base = CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>;
 

@@ -16,8 +16,8 @@ struct RefinementOptions {
     bool optimise = true;              // perturb and exude slivers
 };
 
-// on_calls(n) is told every n evaluations of the field that work goes on; what it throws
-// (Cancelled) ends the work. Vertices that no tetrahedron uses are dropped; tetrahedra are
+// on_calls(n) is called after every n evaluations of the field, to report progress; what it throws
+// (Cancelled) ends the meshing. Vertices that no tetrahedron uses are dropped; tetrahedra are
 // right-handed. Deterministic. Thread safety: any number of calls at once.
 TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& options,
                           const std::function<void(int)>& on_calls);

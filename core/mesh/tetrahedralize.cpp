@@ -26,9 +26,9 @@ constexpr double longest_in_radii = 1e6;  // some 1e7 tetrahedra; a liver's vess
 constexpr double finest_in_radii = 0.3;
 constexpr double coarsest_in_radii = 1.0;  // above it cross-sections are triangles and tubes tear
 
-// A polyhedron inscribed in a tube holds less than the tube. So much wider must the tube be for the
-// polyhedron to have the right volume, by facet size in radii: measured on branching trees without
-// compensation (the tests hold what comes out to a few per cent).
+// A polyhedron inscribed in a tube holds less than the tube. The tube is widened by this factor so
+// that the polyhedron has the right volume, by facet size in radii: measured on branching trees
+// without compensation (the tests hold what comes out to a few per cent).
 double radius_factor(double facet_size_in_radii) {
     constexpr std::array<std::pair<double, double>, 8> measured{{{0.3, 1.012},
                                                                  {0.4, 1.020},
@@ -94,7 +94,7 @@ void check(const VesselTree& tree, const MeshOptions& options) {
                              "mesh options", "Choose a size from 0.3 to 1 radius");
 }
 
-// How often refinement will ask for a distance, roughly: what progress is measured by.
+// A rough estimate of how often refinement evaluates the distance: progress is measured by it.
 double expected_calls(const VesselTree& tree, const MeshOptions& options) {
     return calls_per_radius_of_length * length_in_radii(tree, options) /
            (options.facet_size_in_radii * options.facet_size_in_radii);
