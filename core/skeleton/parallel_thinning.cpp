@@ -41,7 +41,7 @@ std::vector<std::uint8_t> matching(const PaddedObject& object,
     return match;
 }
 
-// Deletes matching voxels of the border, all at once, until none matches; returns how many went.
+// Deletes matching voxels of the border, all at once, until none matches; returns their number.
 std::size_t peel(PaddedObject& object, std::vector<std::size_t>& border,
                  const std::vector<ThinningTemplate>& templates, Job& job) {
     std::size_t deleted = 0;

@@ -11,7 +11,7 @@ namespace {
 
 struct Candidate {
     std::size_t voxel;
-    int degree;  // when it was chosen
+    int degree;  // when the voxel was chosen
 };
 
 class Queue {
@@ -21,7 +21,7 @@ class Queue {
         for (const std::size_t p : border_) object_.mark(p);
     }
 
-    // One sub-iteration per direction; returns how many voxels went.
+    // One sub-iteration per direction; returns how many voxels were deleted.
     std::size_t iterate() {
         std::size_t deleted = 0;
         // Opposite directions follow each other, so that the skeleton stays in the middle.

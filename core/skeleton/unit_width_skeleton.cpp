@@ -155,7 +155,7 @@ Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& 
     return path;
 }
 
-// Deletes what may go among `voxels` until nothing may; `keep` says which voxels must stay.
+// Deletes removable voxels among `voxels` until none is left; `keep` marks those that must stay.
 template <class Keep>
 void delete_removable(PaddedObject& object, const Voxels& voxels, const Keep& keep) {
     for (bool changed = true; changed;) {
@@ -194,7 +194,7 @@ UnitWidthStages unit_width_stages(const Mask& skeleton, Job& job) {
     PaddedObject object(skeleton);
     const Voxels voxels = object.object_voxels();
     Valence valence(object);
-    // All regions are measured on the skeleton as it came, before any voxel goes.
+    // All regions are measured on the original skeleton, before any voxel is deleted.
     std::vector<CrowdedRegion> regions;
     for (Voxels& crowded : valence.regions(voxels)) {
         job.throw_if_cancelled();
