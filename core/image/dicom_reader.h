@@ -11,8 +11,8 @@
 
 namespace hepatica {
 
-// The CT series that is wished for, see choose_series. Padding (0028,0120) becomes padding_value.
-// For the rest see read_volume.
+// The CT series that the caller asks for, see choose_series. Padding (0028,0120) becomes
+// padding_value. For the rest see read_volume.
 Volume read_dicom(const std::filesystem::path& folder, const SeriesWish& wish,
                   std::int16_t padding_value, Job& job, ReadRemarks& remarks);
 

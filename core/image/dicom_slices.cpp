@@ -153,7 +153,8 @@ struct Passed {
     std::vector<std::string> damaged;
 };
 
-// Collects the files below a folder; what stands in the way is said, and the rest is still found.
+// Collects the files below a folder. What cannot be listed is named in the remarks, and the search
+// goes on.
 class FileScan {
   public:
     explicit FileScan(ReadRemarks& remarks) : remarks_(remarks) {}

@@ -117,7 +117,7 @@ Mask erode(const Mask& mask, double radius_mm, Job& job) {
 }
 
 Mask close(const Mask& mask, double radius_mm, Job& job) {
-    // In a room that holds all that is dilated and background around it.
+    // On a grid wide enough to hold the dilated mask with background around it.
     Grid room = mask.grid;
     IndexBox image;
     for (int a = 0; a < 3; ++a) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
-// What the process may still map under its own limit (ulimit -v). Beyond it not even the stack
-// grows any more, and the process ends without a word.
+// What the process may still map under its own limit (ulimit -v). Beyond that limit the stack
+// cannot grow either, and the system ends the process without a message.
 std::uint64_t bytes_below_own_limit() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return most;

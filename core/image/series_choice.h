@@ -23,8 +23,9 @@ struct SeriesWish {
 // The series of a folder, CT first and the best first, scouts left out.
 std::vector<SeriesDescription> describe_series(const std::vector<DicomSlice>& slices);
 
-// The slices of the series wished for, in no order. What was chosen over what, and why, is said in
-// `remarks` wherever there was a choice. Throws InputError where there is no CT or no such number.
+// The slices of the series that the wish names, in no order. Where there was a choice, `remarks`
+// say which series was preferred to which, and why. Throws InputError where there is no CT or no
+// such number.
 std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices, const SeriesWish& wish,
                                       const std::filesystem::path& folder, ReadRemarks& remarks);
 

@@ -31,8 +31,9 @@ void require_existing(const fs::path& path) {
         throw InputError("does not exist", path.string(), "Check the path");
 }
 
-// Gives the voxels marked in `missing` of whose neighbours at least half are there the mean of
-// those, and returns how many: scattered holes are damage, large ones padding around the scan.
+// Sets each voxel marked in `missing` to the mean of its neighbours where at least half of them
+// have values, and returns how many voxels it set. Scattered holes are damage, large ones are
+// padding around the scan.
 std::size_t fill_from_neighbours(Volume& volume, const std::vector<std::uint8_t>& missing,
                                  const Job& job) {
     std::size_t filled = 0;
