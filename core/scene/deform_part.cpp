@@ -19,8 +19,8 @@ namespace hepatica {
 
 namespace {
 
-// The hand's springs together are as stiff as a piece of the vessel one radius long. They pull at
-// most as hard as stretches the vessel by this strain; a weaker hand could not move a vessel that
+// The hand's springs together are as stiff as a piece of the vessel one radius long. Their force is
+// limited to what stretches the vessel by this strain; a weaker hand could not move a vessel that
 // the tissue around it holds.
 constexpr double hand_strain = 0.4;
 
@@ -131,7 +131,8 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const Vec3 centre_at_rest = body_.mesh.vertices_mm[vertex];
     Hold hold;
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        // Near at rest as well: another vessel that only lies beside this one now is not held.
+        // The vertices must be near at rest, too: a vessel that has merely moved beside this one is
+        // not held.
         const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
                           (body_.mesh.vertices_mm[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
         if (near && body_.fixed[v] == 0) hold.vertices.push_back(static_cast<int>(v));

@@ -76,7 +76,7 @@ class DeformPart {
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
     DeformSettings settings() const;
-    // What is as it is already costs nothing and leaves the bits of the steps to come as they are.
+    // Settings that are already in force cost nothing and do not change the bits of later steps.
     void use(const DeformSettings& settings);
 
     StepReport step(double dt_s) { return stepper_->step(dt_s); }

@@ -40,8 +40,9 @@ Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& option
                       result.balance.error_relative()})};
 }
 
-// Five times the time by which half of the vertices that are ever reached have been: links in which
-// the blood all but stands would stretch clock and colours over days.
+// The time at which the drug's clock ends: five times the median arrival time of the vertices that
+// are reached at all. Links with almost no flow would otherwise stretch clock and colours over
+// days.
 double useful_end_s(const std::vector<float>& arrival_s) {
     std::vector<float> reached;
     for (const float time_s : arrival_s)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an injection comes to: when the drug reaches each vertex of what is shown. A drug that flows
+// The result of an injection: when the drug reaches each vertex of what is shown. A drug that flows
 // like the blood it displaces has the times of the closed form, in O(segments + vertices); another
 // changes the splits of the bifurcations as it advances and has those of the stepped front, which
 // take seconds for a large tree.

@@ -24,7 +24,7 @@ class InjectionRun {
     InjectionRun& operator=(const InjectionRun&) = delete;
 
     const Injection& injection() const { return injection_; }
-    // It has ended, however it did.
+    // It has ended, with a result or an error.
     bool ready() const;
     // Waits for the end; once only. Throws what computing it threw.
     DrugArrival take() { return result_.get(); }
