@@ -7,6 +7,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/json_number.h"
 #include "core/base/sha256.h"
 #include "core/patient/format_1.h"
 #include "core/tree/files/tree_json.h"
@@ -33,7 +34,8 @@ Json to_json(const Grid& grid) {
 
 Grid grid_from(const Json& json) {
     Grid grid;
-    grid.dims = json.at("dims").get<Index3>();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        grid.dims[axis] = whole_number<int>(json.at("dims").at(axis));
     grid.spacing_mm = vec3_from(json.at("spacing_mm"));
     grid.origin_mm = vec3_from(json.at("origin_mm"));
     for (int axis = 0; axis < 3; ++axis)
@@ -83,7 +85,7 @@ CaseHeader read_case_header(const fs::path& folder) {
     try {
         if (json.value("format", "") != "hepatica-case")
             refuse_case(file, "was not written by this program");
-        const int version = json.value("version", 0);
+        const int version = whole_number<int>(json.value("version", Json(0)));
         if (version < oldest_version || version > present_version)
             refuse_case(file, "has version " + std::to_string(version) +
                                   "; this program reads versions " +

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 
@@ -40,7 +41,8 @@ MeshOptions mesh_options_of(const PatientCase& patient) {
     const auto& mesh = parameters["mesh"];
     options.facet_size_in_radii = mesh.value("facet_size_in_radii", options.facet_size_in_radii);
     options.cell_size_in_radii = mesh.value("cell_size_in_radii", options.cell_size_in_radii);
-    options.target_tetrahedra = mesh.value("target_tetrahedra", options.target_tetrahedra);
+    if (mesh.contains("target_tetrahedra"))
+        options.target_tetrahedra = whole_number<int>(mesh["target_tetrahedra"]);
     options.minimum_radius_mm = mesh.value("minimum_radius_mm", options.minimum_radius_mm);
     return options;
 }

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/json_number.h"
+
 namespace hepatica {
 
 namespace {
@@ -29,11 +31,11 @@ std::string parameters_of_format_1(const std::string& parameters_json) {
     }
     if (parameters.contains("seeds"))
         for (Json& seed : parameters["seeds"])
-            seed["system"] = name_of(system_of(seed.at("system").get<int>(), true));
+            seed["system"] = name_of(system_of(whole_number<int>(seed.at("system")), true));
     if (parameters.contains("vessel_labels")) {
         int number = 0;
         for (Json& label : parameters["vessel_labels"]) {
-            const int value = label.get<int>();
+            const int value = whole_number<int>(label);
             label = {{"label", value}, {"system", name_of(system_of(++number, true))}};
         }
     }
@@ -44,7 +46,7 @@ std::string edits_of_format_1(const std::string& edits_json, bool seeded) {
     Json edits = Json::parse(edits_json);
     for (Json& edit : edits)
         if (edit.contains("system"))
-            edit["system"] = name_of(system_of(edit["system"].get<int>(), seeded));
+            edit["system"] = name_of(system_of(whole_number<int>(edit["system"]), seeded));
     return edits.dump();
 }
 

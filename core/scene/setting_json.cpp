@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/deform/body/element_name.h"
 
 namespace hepatica {
@@ -27,11 +28,11 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
     } else if (key == "energy_tolerance") {
         options.linear.energy_tolerance = value.get<double>();
     } else if (key == "max_iterations") {
-        options.linear.max_iterations = value.get<int>();
+        options.linear.max_iterations = whole_number<int>(value);
     } else if (key == "newton_iterations") {
-        options.newton_iterations = value.get<int>();
+        options.newton_iterations = whole_number<int>(value);
     } else if (key == "substeps") {
-        options.substeps = value.get<int>();
+        options.substeps = whole_number<int>(value);
     } else if (key == "published") {
         options.published = value.get<bool>();
     } else {

@@ -8,6 +8,7 @@
 
 #include "core/base/base64.h"
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -41,7 +42,7 @@ Json to_json(const Hold& hold) {
 
 Hold hold_from(const Json& json) {
     Hold hold;
-    hold.vertices = json.at("vertices").get<std::vector<int>>();
+    hold.vertices = whole_numbers<int>(json.at("vertices"));
     for (const Json& offset : json.at("offsets_mm")) hold.offsets_mm.push_back(vector_from(offset));
     hold.target_mm = vector_from(json.at("target_mm"));
     hold.stiffness_un_per_mm = json.at("stiffness_un_per_mm").get<double>();
@@ -86,7 +87,7 @@ Json to_json(const Injection& injection) {
 
 Injection injection_from(const Json& json) {
     Injection injection;
-    injection.at.segment = json.at("segment").get<int>();
+    injection.at.segment = whole_number<int>(json.at("segment"));
     injection.at.arclength_mm = json.at("arclength_mm").get<double>();
     injection.mass_flow_g_s = json.at("mass_flow_g_s").get<double>();
     injection.void_fraction = json.at("void_fraction").get<double>();

@@ -2,11 +2,13 @@
 #include "core/session/command.h"
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -121,7 +123,10 @@ struct Reader {
         const auto found = json.find(name);
         if (found == json.end()) refuse(name, "is missing");
         try {
-            value = found->get<T>();
+            if constexpr (std::integral<T> && !std::same_as<T, bool>)
+                value = whole_number<T>(*found);
+            else
+                value = found->get<T>();
         } catch (const Json::exception&) {
             refuse(name, "has a value of the wrong kind (" + found->dump() + ")");
         }

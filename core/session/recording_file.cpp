@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/json_number.h"
 
 namespace hepatica {
 
@@ -54,8 +55,9 @@ std::string lines_of(const RecordedStep& step) {
 void read_header(const Json& json, Recording& recording) {
     if (json.value("format", "") != "hepatica-recording")
         throw InputError("is not a recording", "", how_to_record);
-    if (json.value("version", 0) != format_version)
-        throw InputError("is of format " + std::to_string(json.value("version", 0)) +
+    const int version = whole_number<int>(json.value("version", Json(0)));
+    if (version != format_version)
+        throw InputError("is of format " + std::to_string(version) +
                              ", and this program reads format " + std::to_string(format_version),
                          "", "Record the session again");
     recording.program = json.at("program").get<std::string>();
@@ -84,8 +86,8 @@ void read_step(const Json& json, Recording& recording) {
 // It stands behind the line of its step.
 void read_keyframe(const Json& json, Recording& recording) {
     auto keyframe = std::make_shared<Keyframe>();
-    keyframe->step = json.at("keyframe").get<std::uint64_t>();
-    keyframe->played_steps = json.at("played_steps").get<std::uint64_t>();
+    keyframe->step = whole_number<std::uint64_t>(json.at("keyframe"));
+    keyframe->played_steps = whole_number<std::uint64_t>(json.at("played_steps"));
     keyframe->automatic = json.at("automatic").get<bool>();
     keyframe->world = world_checkpoint_from_json(json.at("world"));
     if (recording.steps.empty() || keyframe->step != recording.steps.size())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/json_number.h"
 #include "core/tree/files/tree_io.h"
 
 #include "core/base/atomic_write.h"
@@ -45,7 +46,7 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
     std::vector<int> unnamed_systems;
     try {
         const nlohmann::json whole = nlohmann::json::parse(read_text(file));
-        if (whole.at("version").get<int>() != tree_version)
+        if (whole_number<int>(whole.at("version")) != tree_version)
             throw InputError("is of version " + whole.at("version").dump(), file.string(),
                              "Write it anew with this program");
         for (const nlohmann::json& node : whole.at("nodes"))
@@ -53,19 +54,19 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
                 {vec3_from(node.at("position_mm")), node.at("radius_mm").get<double>()});
         for (const nlohmann::json& value : whole.at("segments")) {
             VesselSegment& s = tree.segments.emplace_back();
-            const int system = value.at("system").get<int>();
+            const int system = whole_number<int>(value.at("system"));
             if (!value.contains("system_name")) unnamed_systems.push_back(system);
-            s.proximal_node = value.at("proximal_node").get<int>();
-            s.distal_node = value.at("distal_node").get<int>();
-            s.parent = value.at("parent").get<int>();
+            s.proximal_node = whole_number<int>(value.at("proximal_node"));
+            s.distal_node = whole_number<int>(value.at("distal_node"));
+            s.parent = whole_number<int>(value.at("parent"));
             s.system = system_numbered(system).value_or(VascularSystem::unknown);
             s.system_confidence = value.value("confidence", 0.0);
-            s.strahler_order = value.at("strahler_order").get<int>();
+            s.strahler_order = whole_number<int>(value.at("strahler_order"));
             s.closes_loop = value.at("closes_loop").get<bool>();
             s.points_mm = path_from(value.at("points_mm"));
             s.radii_mm = value.at("radii_mm").get<std::vector<double>>();
             if (value.contains("bridged"))
-                s.bridged = value.at("bridged").get<std::vector<std::uint8_t>>();
+                s.bridged = whole_numbers<std::uint8_t>(value.at("bridged"));
         }
     } catch (const nlohmann::json::exception& error) {
         throw InputError(error.what(), file.string(), "Give a JSON file that holds a vessel tree");

@@ -51,18 +51,31 @@ class Check {
         const std::string_view name = element->GetName() != nullptr ? element->GetName() : "";
         for (const char* count : counts) require_number(element, count, 0, most_items_);
         if (name == "DataArray" || name == "Array") array(element);
+        if (name == "Points") points(element);
         for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
             whole(element->GetNestedElement(i));
     }
 
   private:
+    // VTK would write to the terminal.
+    void points(vtkXMLDataElement* element) const {
+        for (int i = 0; i < element->GetNumberOfNestedElements(); ++i) {
+            const char* components =
+                element->GetNestedElement(i)->GetAttribute("NumberOfComponents");
+            if (components == nullptr || std::string_view(components) != "3")
+                refuse(file_, "holds points that are not of three coordinates");
+        }
+    }
+
     void array(vtkXMLDataElement* element) const {
         if (!holds(array_types, element->GetAttribute("type")))
             refuse(file_, "holds an array of no known type");
         const char* format = element->GetAttribute("format");
         if (format != nullptr && !holds(formats, format))
             refuse(file_, "holds an array in no known format");
-        require_number(element, "NumberOfComponents", 1, most_components);
+        // VTK writes beyond texts of several components.
+        const bool texts = std::string_view(element->GetAttribute("type")) == "String";
+        require_number(element, "NumberOfComponents", 1, texts ? 1 : most_components);
         require_number(element, "offset", 0, most_items_);
     }
 
