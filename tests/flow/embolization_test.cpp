@@ -140,6 +140,26 @@ TEST(Embolization, BeadsNarrowerThanTheCapillariesPass) {
     EXPECT_EQ(result.series.front().flow_mm3_s, result.series.back().flow_mm3_s);
 }
 
+// A second supply at a lower pressure draws blood off: beads leave with it and lodge nowhere, least
+// of all in the narrow branch beside it, in which nothing flows.
+TEST(Embolization, BeadsLeaveThroughASupplyThatDrawsBloodOff) {
+    const FlowNetwork network = fork(0.05, 0.05);
+    FlowConditions conditions;
+    conditions.inlets = {{0, InletKind::pressure, 5000.0, pure(blood())},
+                         {1, InletKind::pressure, 0.0, pure(blood())}};
+    conditions.terminal_resistances = murray_terminal_resistances(network, 0.05);
+    EmbolizationOptions options;
+    options.beads = bead_preset("300-500");
+    options.bead_count = 200;
+    options.batch = 50;
+    Job job;
+    const Embolization result = embolize(network, conditions, 0, options, job);
+    EXPECT_EQ(result.injected, 200);
+    EXPECT_EQ(result.passed, 200);
+    EXPECT_EQ(result.lodged_in_segment, (std::vector<int>{0, 0, 0}));
+    EXPECT_EQ(result.lodged_beyond_outlet, (std::vector<int>{0, 0}));
+}
+
 TEST(Embolization, IsTheSameForTheSameSeed) {
     Random random(73);
     const FlowNetwork network = random_tree(random, 31, 1.5);
