@@ -5,13 +5,16 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
+#include <QStandardPaths>
 #include <clocale>
 #include <cstdio>
 
 #include "app/process_clock.h"
+#include "app/program_identity.h"
 #include "core/patient/patient_case.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
+#include "ui/paths.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
 
@@ -33,7 +36,7 @@ Options parse(const QCoreApplication& application) {
     parser.addVersionOption();
     parser.addPositionalArgument("PATH", "A case, a CT (folder or file) or a tree", "[PATH]");
     const QCommandLineOption built_in("built-in", "Open the built-in patient.");
-    const QCommandLineOption safe("safe-mode", "Ignore the settings, and keep none.");
+    const QCommandLineOption safe("safe-mode", "Ignore settings and cache, and keep none.");
     const QCommandLineOption report("startup-report", "Print how long the window took to appear.");
     const QCommandLineOption quit("quit-after-start", "Leave after the first picture.");
     const QCommandLineOption json("json", "Print the report as JSON.");
@@ -56,6 +59,12 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
         std::printf("%s\n", QJsonDocument(report).toJson(QJsonDocument::Compact).constData());
     }
     std::fflush(stdout);
+}
+
+hepatica::BuiltInCache users_cache() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    if (folder.isEmpty()) return {};
+    return {hepatica::to_path(folder), hepatica::program_identity()};
 }
 
 int refuse(const QString& problem) {
@@ -86,7 +95,12 @@ int main(int argc, char** argv) {
         return refuse(problem);
     }
     Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
-    MainWindow window(settings, {load_patient, write_case});
+    const BuiltInCache cache = options.safe_mode ? BuiltInCache{} : users_cache();
+    const auto load = [&cache](OpenRequest request, Job& job) {
+        request.cache = cache;
+        return load_patient(request, job);
+    };
+    MainWindow window(settings, {load, write_case});
     window.on_first_picture([&] {
         if (options.startup_report) {
             print_report(seconds_since_process_start(), window.view().renderer_name(),

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -55,9 +56,20 @@ OpenedPatient opened_from(Reconstruction made) {
     return opened;
 }
 
-OpenedPatient built_in_patient(Job& job) {
+OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
+    OpenedPatient opened;
+    if (holds_patient(cache)) {
+        job.begin_stage("Reading the built-in patient");
+        if (std::optional<KeptPatient> kept = patient_of(cache)) {
+            opened.patient = std::make_shared<const PatientCase>(std::move(kept->patient));
+            opened.warnings = std::move(kept->warnings);
+            return opened;
+        }
+    }
     const TemporaryFolder scan;
-    return opened_from(reconstruct_built_in(scan.path(), job));
+    opened = opened_from(reconstruct_built_in(scan.path(), job));
+    keep(cache, *opened.patient, opened.warnings);
+    return opened;
 }
 
 OpenedPatient reconstructed(const ReconstructOptions& options, Job& job) {
@@ -90,7 +102,7 @@ OpenRequest with_absolute_paths(OpenRequest request) {
 
 int opening_stage_count(const OpenRequest& request) {
     const fs::path& path = request.reconstruct.ct;
-    if (request.built_in) return built_in_stage_count();
+    if (request.built_in) return holds_patient(request.cache) ? 1 : built_in_stage_count();
     if (is_case(path)) return 1;
     return is_tree_file(path) ? 2 : stage_count(request.reconstruct);
 }
@@ -100,7 +112,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     const fs::path& path = request.reconstruct.ct;
     OpenedPatient opened;
     if (request.built_in) {
-        opened = built_in_patient(job);
+        opened = built_in_patient(request.cache, job);
     } else if (!fs::exists(path)) {
         throw InputError("there is no such file or folder", path.string(),
                          "check the name, and that its disk is connected");

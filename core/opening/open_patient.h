@@ -9,14 +9,16 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/opening/built_in_cache.h"
 #include "core/patient/patient_case.h"
 #include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
 
 struct OpenRequest {
-    bool built_in = false;           // the synthetic patient; the rest is not read
+    bool built_in = false;           // the synthetic patient; `reconstruct` is not read
     ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
+    BuiltInCache cache{};            // keeps the built-in patient from one start to the next
 };
 
 // The same with every path absolute, so that it means the same from every working folder.
@@ -33,7 +35,7 @@ struct OpenedPatient {
     std::vector<StageTime> stages;  // of the job that reconstructed it just now; else empty
 };
 
-// How many stages of its job open_patient() begins.
+// How many stages of its job open_patient() begins; more where it finds its cache damaged.
 int opening_stage_count(const OpenRequest& request);
 
 // Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled. Any

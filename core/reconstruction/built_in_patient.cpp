@@ -2,6 +2,7 @@
 #include "core/reconstruction/built_in_patient.h"
 
 #include "core/image/volume_writer.h"
+#include "core/reconstruction/reconstruct_parameters.h"
 
 namespace hepatica {
 
@@ -20,6 +21,10 @@ ReconstructOptions built_in_options(const std::filesystem::path& folder) {
 int built_in_stage_count() {
     constexpr int phantom = 3;
     return phantom + stage_count(built_in_options({}));
+}
+
+std::string built_in_parameters() {
+    return parameters_json(built_in_options({}));
 }
 
 Reconstruction reconstruct_built_in(const std::filesystem::path& folder, Job& job) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/job.h"
 #include "core/phantom/phantom.h"
@@ -13,6 +14,9 @@ namespace hepatica {
 
 // How many stages of its job reconstruct_built_in() begins.
 int built_in_stage_count();
+
+// What the reconstruction is asked for, one JSON object; the phantom is that of PhantomOptions{}.
+std::string built_in_parameters();
 
 // Writes ct.nii.gz and liver.nii.gz into `folder`, which must exist, and reconstructs them.
 // Throws InputError where the folder cannot be written, Cancelled.

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/built_in_cache.h"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "core/base/atomic_write.h"
+#include "core/base/sha256.h"
+#include "core/patient/case_header.h"
+#include "core/reconstruction/built_in_patient.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder with a case and a label. The label's lines: a digest of the lines below; the key; the
+// digest of case.json, which holds those of all other files; the warnings, one a line.
+fs::path entry_of(const BuiltInCache& cache) {
+    return cache.folder / "built_in_patient";
+}
+constexpr const char* case_name = "patient.hep";
+constexpr const char* label_name = "label.txt";
+
+std::string digest_of(std::string_view text) {
+    Sha256 digest;
+    digest.add_bytes(text.data(), text.size());
+    return digest.hex_digest();
+}
+
+std::string key_of(const BuiltInCache& cache) {
+    return digest_of(cache.program + '\n' + built_in_parameters());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+struct Label {
+    std::string case_digest;
+    std::vector<std::string> warnings;
+};
+
+// None where the label is missing, damaged, or that of another program.
+std::optional<Label> read_label(const BuiltInCache& cache) {
+    if (cache.folder.empty()) return std::nullopt;
+    std::ifstream file(entry_of(cache) / label_name, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t first_line = text.find('\n');
+    if (first_line == std::string::npos) return std::nullopt;
+    const std::string below = text.substr(first_line + 1);
+    std::vector<std::string> lines = lines_of(below);
+    if (text.substr(0, first_line) != digest_of(below) || lines.size() < 2 ||
+        lines[0] != key_of(cache))
+        return std::nullopt;
+    Label label{lines[1], {}};
+    label.warnings.assign(lines.begin() + 2, lines.end());
+    return label;
+}
+
+void write_label(const fs::path& folder, const BuiltInCache& cache,
+                 std::span<const std::string> warnings) {
+    std::string below =
+        key_of(cache) + '\n' + sha256_of_file(folder / case_name / case_file::header) + '\n';
+    for (const std::string& warning : warnings) below += warning + '\n';
+    write_text_atomically(folder / label_name, digest_of(below) + '\n' + below);
+}
+
+}  // namespace
+
+bool holds_patient(const BuiltInCache& cache) {
+    return read_label(cache).has_value();
+}
+
+std::optional<KeptPatient> patient_of(const BuiltInCache& cache) {
+    try {
+        std::optional<Label> label = read_label(cache);
+        if (!label) return std::nullopt;
+        const fs::path folder = entry_of(cache) / case_name;
+        if (sha256_of_file(folder / case_file::header) != label->case_digest) return std::nullopt;
+        return KeptPatient{read_case(folder), std::move(label->warnings)};
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
+
+void keep(const BuiltInCache& cache, const PatientCase& patient,
+          std::span<const std::string> warnings) {
+    if (cache.folder.empty()) return;
+    try {
+        fs::create_directories(cache.folder);
+        write_folder_atomically(entry_of(cache), [&](const fs::path& temporary) {
+            write_case(temporary / case_name, patient);
+            write_label(temporary, cache, warnings);
+        });
+    } catch (const std::exception&) {
+        // A cache that cannot be written only costs time at the next start.
+    }
+}
+
+}  // namespace hepatica
