@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/patient_wizard.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -13,6 +14,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/image/volume_reader.h"
+#include "core/patient/patient_case.h"
+#include "ui/background_job.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -49,32 +53,41 @@ std::vector<double> numbers_in(const QString& text, const std::string& field) {
 }
 
 PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
-    : QDialog(parent), folder_(folder), problem_(new QLabel(this)) {
+    : QDialog(parent),
+      folder_(folder),
+      form_(new QFormLayout),
+      series_(new QComboBox(this)),
+      problem_(new QLabel(this)) {
     setWindowTitle("Reconstruct a patient");
     setMinimumWidth(560);
     auto* column = new QVBoxLayout(this);
-    auto* form = new QFormLayout;
-    ct_ = add_path(*form, "CT (folder or file)", true);
+    ct_ = add_path(*form_, "CT (folder or file)", true);
     ct_->setObjectName("ct");
-    liver_mask_ = add_path(*form, "Liver mask", false);
+    connect(ct_, &QLineEdit::editingFinished, this, [this] { look_for_series(); });
+    series_->setObjectName("series");
+    series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    series_->setToolTip("Of the folder; the first shows the liver's vessels best");
+    form_->addRow("Series", series_);
+    offer({});
+    liver_mask_ = add_path(*form_, "Liver mask", false);
     liver_mask_->setObjectName("liverMask");
     liver_mask_->setPlaceholderText("optional: speeds up and steadies the segmentation");
-    vessel_mask_ = add_path(*form, "Vessel mask", false);
+    vessel_mask_ = add_path(*form_, "Vessel mask", false);
     vessel_mask_->setObjectName("vesselMask");
     vessel_mask_->setPlaceholderText("optional: replaces the segmentation");
     window_ = new QLineEdit(this);
     window_->setObjectName("window");
     window_->setPlaceholderText("optional: lowest and highest HU of the vessels, as 140 260");
-    form->addRow("Window (HU)", window_);
+    form_->addRow("Window (HU)", window_);
     for (const auto& [seeds, label] : {std::pair(&portal_seeds_, "Portal vein seeds"),
                                        std::pair(&hepatic_seeds_, "Hepatic vein seeds")}) {
         *seeds = new QLineEdit(this);
         (*seeds)->setPlaceholderText("optional: x y z in LPS mm; next seed after a semicolon");
-        form->addRow(label, *seeds);
+        form_->addRow(label, *seeds);
     }
     portal_seeds_->setObjectName("portalSeeds");
     hepatic_seeds_->setObjectName("hepaticSeeds");
-    column->addLayout(form);
+    column->addLayout(form_);
     problem_->setObjectName("problem");
     problem_->setWordWrap(true);
     problem_->setStyleSheet("color: #f0a090");
@@ -106,7 +119,9 @@ QLineEdit* PatientWizard::add_path(QFormLayout& form, const QString& label, bool
             const QString chosen =
                 folder ? QFileDialog::getExistingDirectory(this, label, folder_)
                        : QFileDialog::getOpenFileName(this, label, folder_, volume_filter());
-            if (!chosen.isEmpty()) edit->setText(chosen);
+            if (chosen.isEmpty()) return;
+            edit->setText(chosen);
+            emit edit->editingFinished();
         });
         row->addWidget(button);
     };
@@ -116,8 +131,45 @@ QLineEdit* PatientWizard::add_path(QFormLayout& form, const QString& label, bool
     return edit;
 }
 
+PatientWizard::~PatientWizard() = default;
+
 void PatientWizard::set_ct(const QString& path) {
     ct_->setText(path);
+    look_for_series();
+}
+
+void PatientWizard::look_for_series() {
+    listing_.reset();
+    offer({});
+    const std::filesystem::path folder = to_path(ct_->text().trimmed());
+    if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [](const JobProgress&) {};
+    callbacks.failed = [](const Failure&) {};  // reading the CT will say the same
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] { listing_.reset(); };
+    listing_ = std::make_unique<BackgroundJob>(
+        [this, folder](Job& job) -> std::function<void()> {
+            return [this, series = list_series(folder, job)] { offer(series); };
+        },
+        std::move(callbacks));
+}
+
+void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
+    series_->clear();
+    for (const SeriesDescription& one : series) {
+        QString text = QString("%1: %2, %3 images")
+                           .arg(series_->count() + 1)
+                           .arg(QString::fromStdString(one.description))
+                           .arg(one.slices);
+        if (one.spacing_mm > 0.0) text += QString(", %1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
+        for (const std::string& word : {one.kernel, one.phase})
+            if (!word.empty()) text += ", " + QString::fromStdString(word);
+        series_->addItem(text);
+        const QString why = QString::fromStdString(one.why_not_chosen);
+        series_->setItemData(series_->count() - 1, why, Qt::ToolTipRole);
+    }
+    form_->setRowVisible(series_, series.size() > 1);
 }
 
 ReconstructOptions PatientWizard::options() const {
@@ -126,6 +178,7 @@ ReconstructOptions PatientWizard::options() const {
         throw InputError("nothing is chosen", "CT", "choose a DICOM folder or a volume file");
     }
     options.ct = to_path(ct_->text().trimmed());
+    if (series_->currentIndex() > 0) options.series = series_->currentIndex() + 1;
     if (!liver_mask_->text().isEmpty()) options.liver_mask = to_path(liver_mask_->text());
     if (!vessel_mask_->text().isEmpty()) options.vessel_mask = to_path(vessel_mask_->text());
     const std::vector<double> window = numbers_in(window_->text(), "Window");

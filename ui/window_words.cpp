@@ -8,7 +8,7 @@ namespace hepatica {
 namespace {
 
 // The longer ones first: they hold the shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 21> words{{
+constexpr std::array<std::pair<const char*, const char*>, 22> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
     {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<const char*, const char*>, 21> words{{
     {"Leave --tree-space out", "Leave the tree's space out"},
     {"Leave --radius-mm out", "Leave the radius out"},
     {"Leave --series out", "Leave the series out"},
+    {"On the command line --series ", "In File > Reconstruct with options, Series "},
     {"--tree-space lps or --tree-space ras", "on the command line"},
     {"--radius-mm", "on the command line"},
 }};

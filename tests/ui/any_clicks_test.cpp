@@ -70,7 +70,7 @@ class AnyClicks : public testing::WindowTest, public ::testing::WithParamInterfa
 TEST_P(AnyClicks, end_with_screen_title_and_disk_in_agreement) {
     for (int click = 0; click < 14; ++click) {
         do_something();
-        QTest::qWait(pick(40));
+        for (int turns = pick(40); turns > 0; --turns) QApplication::processEvents();
     }
     wait();
     const Workspace& workspace = window_.workspace();

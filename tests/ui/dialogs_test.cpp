@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wizard's fields, the dialog that saves a case, and what the window remembers of its layout.
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +9,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
@@ -63,6 +66,50 @@ TEST_F(Wizard, leaves_out_what_is_left_empty) {
     const ReconstructOptions options = wizard_.options();
     EXPECT_FALSE(options.liver_mask || options.vessel_mask || options.window_hu);
     EXPECT_TRUE(options.seeds.empty());
+}
+
+// Two series of an examination, the thin one the better.
+fs::path two_series(const fs::path& folder) {
+    Volume volume;
+    volume.grid.dims = {16, 16, 8};
+    volume.grid.spacing_mm = Vec3(1, 1, 1);
+    volume.voxels.assign(16 * 16 * 8, 40);
+    Job job;
+    DicomSeriesInfo info;
+    info.series_description = "thin";
+    write_dicom_series(folder / "one", volume, info, job);
+    volume.grid.dims[2] = 4;
+    volume.voxels.resize(16 * 16 * 4);
+    info.series_description = "thick";
+    volume.grid.spacing_mm.z() = 2.0;
+    write_dicom_series(folder / "two", volume, info, job);
+    return folder;
+}
+
+TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
+    const QTemporaryDir temporary;
+    const fs::path both = two_series(to_path(temporary.filePath("scan")));
+    auto* series = wizard_.findChild<QComboBox*>("series");
+    ASSERT_NE(series, nullptr);
+    EXPECT_TRUE(series->isHidden());
+    wizard_.set_ct(to_text(both));
+    ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
+    EXPECT_FALSE(series->isHidden());
+    EXPECT_TRUE(series->itemText(0).contains("thin")) << series->itemText(0).toStdString();
+    EXPECT_TRUE(series->itemText(1).contains("\"thick\", 4 images"))
+        << series->itemText(1).toStdString();
+    EXPECT_EQ(wizard_.options().series, 0);
+    series->setCurrentIndex(1);
+    EXPECT_EQ(wizard_.options().series, 2);
+    Job job;
+    EXPECT_EQ(read_volume(both, job, nullptr, 2).grid.dims[2], 4);
+    // Another folder, of one series, typed by hand.
+    field("ct").setText(to_text(both / "one"));
+    emit field("ct").editingFinished();
+    EXPECT_TRUE(series->isHidden());
+    EXPECT_EQ(wizard_.options().series, 0);
+    ASSERT_TRUE(testing::wait_for([&] { return series->count() == 1; }));
+    EXPECT_TRUE(series->isHidden());
 }
 
 TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
