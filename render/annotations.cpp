@@ -19,6 +19,7 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 #include "render/palette.h"
 #include "render/text_style.h"
@@ -124,6 +125,18 @@ void Annotations::set_caption(const std::string& text) {
 }
 
 void Annotations::update(const PictureSize& size, vtkCamera& camera, const DrugView& drug) {
+    Shown now{size.width,
+              size.height,
+              size.pixel_ratio,
+              camera.GetDistance(),
+              camera.GetViewAngle(),
+              visible_,
+              drug.arrival_s != nullptr,
+              drug.time_s,
+              drug.end_s,
+              caption_text_};
+    if (now == shown_) return;
+    shown_ = std::move(now);
     update_legend(size, drug);
     update_scale_bar(size, camera);
     const double r = size.pixel_ratio;

@@ -32,15 +32,26 @@ class Annotations {
   public:
     explicit Annotations(vtkRenderer& renderer);
 
-    // Places every mark for the next picture; call before each.
+    // Places every mark for the next picture; call before each. Costs nothing where all is as it
+    // was.
     void update(const PictureSize& size, vtkCamera& camera, const DrugView& drug);
     void set_caption(const std::string& text);
     void set_visible(bool visible) { visible_ = visible; }
 
   private:
+    // Everything that the marks show or depend on.
+    struct Shown {
+        int width = 0, height = 0;
+        double pixel_ratio = 0.0, distance_mm = 0.0, view_angle_deg = 0.0;
+        bool visible = false, injected = false;
+        double drug_time_s = 0.0, drug_end_s = 0.0;
+        std::string caption;
+        bool operator==(const Shown&) const = default;
+    };
     void update_legend(const PictureSize& size, const DrugView& drug);
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
 
+    Shown shown_;
     bool visible_ = true;
     std::string caption_text_;
     vtkSmartPointer<vtkPoints> legend_points_;

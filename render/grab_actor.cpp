@@ -34,13 +34,19 @@ GrabActor::GrabActor()
     line_->GetProperty()->SetLineWidth(2.0f);
 }
 
-void GrabActor::update(const std::optional<GrabView>& grab) {
+bool GrabActor::update(const std::optional<GrabView>& grab) {
+    const bool same =
+        grab.has_value() == shown_.has_value() &&
+        (!grab || (grab->point_mm == shown_->point_mm && grab->target_mm == shown_->target_mm));
+    if (same) return false;
+    shown_ = grab;
     line_->SetVisibility(grab.has_value());
     point_->SetVisibility(grab.has_value());
-    if (!grab) return;
+    if (!grab) return true;
     line_source_->SetPoint1(grab->point_mm.data());
     line_source_->SetPoint2(grab->target_mm.data());
     point_->SetPosition(grab->target_mm.x(), grab->target_mm.y(), grab->target_mm.z());
+    return true;
 }
 
 void GrabActor::set_scale(double mm_per_point) {

@@ -17,7 +17,8 @@ class GrabActor {
   public:
     GrabActor();
 
-    void update(const std::optional<GrabView>& grab);
+    // Returns true if the picture is another now.
+    bool update(const std::optional<GrabView>& grab);
     // Size of one screen point at the focal plane, so that line and bead look alike at any zoom.
     void set_scale(double mm_per_point);
 
@@ -25,6 +26,7 @@ class GrabActor {
     vtkActor* point() const { return point_; }
 
   private:
+    std::optional<GrabView> shown_;
     vtkSmartPointer<vtkLineSource> line_source_;
     vtkSmartPointer<vtkActor> line_;
     vtkSmartPointer<vtkActor> point_;

@@ -6,6 +6,7 @@
 #include <vtkLight.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,14 +25,16 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-void add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour, double intensity) {
-    vtkNew<vtkLight> light;
+vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour,
+                                    double intensity) {
+    auto light = vtkSmartPointer<vtkLight>::New();
     light->SetLightTypeToCameraLight();
     light->SetPosition(from.x(), from.y(), from.z());
     light->SetFocalPoint(0, 0, 0);
     light->SetColor(colour[0], colour[1], colour[2]);
     light->SetIntensity(intensity);
     renderer.AddLight(light);
+    return light;
 }
 
 double distance_to_stretch(const Pixel& point, const Pixel& from, const Pixel& to) {
@@ -77,6 +80,7 @@ struct SceneView::Parts {
 
     vtkRenderWindow& window;
     vtkNew<vtkRenderer> renderer;
+    vtkSmartPointer<vtkLight> light_from_below;
     TreeActor tree;
     GhostActor liver;
     GrabActor grab;
@@ -86,7 +90,6 @@ struct SceneView::Parts {
     DrugView drug;
     double pixel_ratio = 1.0;
     bool annotated = true;
-    bool pulled = false;
     bool looked = false;  // a camera was chosen for the present tree
 };
 
@@ -99,11 +102,12 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.SetBackground2(top[0], top[1], top[2]);
     renderer.AutomaticLightCreationOff();
     // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
-    // one from the right, and a weak one from below, which keeps undersides readable.
+    // one from the right, and a weak one from below, which keeps undersides readable where a card
+    // can afford it.
     add_light(renderer, {-0.6, 0.9, 1.0}, {1.0, 0.98, 0.95}, 0.85);
     add_light(renderer, {1.0, 0.1, 0.8}, {0.80, 0.88, 1.0}, 0.35);
-    add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);
-    renderer.AddActor(parts_->tree.actor());
+    parts_->light_from_below = add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);
+    for (vtkActor* actor : parts_->tree.actors()) renderer.AddActor(actor);
     renderer.AddActor(parts_->liver.actor());
     renderer.AddActor(parts_->grab.line());
     renderer.AddActor(parts_->grab.point());
@@ -117,16 +121,14 @@ SceneView::~SceneView() {
 }
 
 bool SceneView::show(const Frame& frame) {
-    const bool pulled = frame.grab.has_value() || parts_->pulled;
-    const bool changed = parts_->tree.update(frame);
-    parts_->grab.update(frame.grab);
-    parts_->pulled = frame.grab.has_value();
+    const bool tree_changed = parts_->tree.update(frame);
+    const bool pull_changed = parts_->grab.update(frame.grab);
     parts_->drug = frame.drug;
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
     }
-    return changed || pulled;
+    return tree_changed || pull_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -181,6 +183,8 @@ void SceneView::set_annotations_visible(bool visible) {
 void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->window.SetMultiSamples(smoothing == Smoothing::best ? 8 : 0);
     parts_->renderer->SetUseFXAA(smoothing == Smoothing::cheap);
+    parts_->light_from_below->SetSwitch(smoothing == Smoothing::best);
+    parts_->tree.set_rounded(smoothing != Smoothing::none);
 }
 
 void SceneView::look_from(ViewDirection direction) {

@@ -33,8 +33,9 @@ struct ViewRay {
     Vec3 direction = Vec3::UnitZ();
 };
 
-// How edges are smoothed: by a pass over the finished picture, which software renderers can afford,
-// or by eight samples a pixel.
+// How much is spent on a picture: nothing, for those that must be quick; the surface is rounded and
+// its edges smoothed by a pass over the finished picture, which software renderers can afford at
+// rest; or the surface is rounded, lit from below as well, and has eight samples a pixel.
 enum class Smoothing { none, cheap, best };
 
 // What the OpenGL driver of the window, whose context must be current, calls itself.

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel surface on the graphics card. Positions and normals are uploaded every frame in which
-// they change, triangles and colours only when they change; the drug's arrival times are uploaded
-// once an injection, and its clock is one uniform.
+// The vessel surface in the picture, rounded or plain: the plain one has a quarter of the triangles
+// and is for pictures that must be quick. Positions and normals of the one that is shown are
+// uploaded in every frame in which they change, triangles and colours only when they change; the
+// drug's arrival times are uploaded once an injection, and its clock is one uniform.
 #pragma once
 
-#include <vtkSmartPointer.h>
-
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
+#include "render/drawn_surface.h"
 #include "render/rounded_surface.h"
 #include "render/surface_geometry.h"
-
-class vtkActor;
-class vtkFloatArray;
-class vtkOpenGLPolyDataMapper;
-class vtkPolyData;
-class vtkUnsignedCharArray;
 
 namespace hepatica {
 
@@ -30,6 +25,9 @@ class TreeActor {
     // Returns true if the picture is another now.
     bool update(const Frame& frame);
 
+    // Whether the surface is drawn rounded (rounded_surface.h), as it is at first.
+    void set_rounded(bool rounded);
+
     // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
     // the end count as unknown.
     void set_vertex_systems(std::vector<VascularSystem> systems);
@@ -38,29 +36,30 @@ class TreeActor {
     // Depths (mm from the camera) between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
-    vtkActor* actor() const { return actor_; }
+    // One of them is visible at a time.
+    std::array<vtkActor*, 2> actors() const { return {plain_.actor(), rounded_.actor()}; }
     const SurfaceGeometry& surface() const { return surface_; }
 
   private:
-    void upload_topology();
-    void upload_positions();
-    void upload_colours();
-    void upload_arrival(const DrugView& drug);
+    void take_topology();
+    void take_colours();
+    void take_arrival(const DrugView& drug);
+    // Of the surface that is shown.
+    void take_positions();
+    void show_one();
 
     SurfaceGeometry surface_;
-    RoundedSurface rounded_;
+    RoundedSurface rounding_;
+    DrawnSurface plain_;
+    DrawnSurface rounded_;
+    bool is_rounded_ = true;
+    bool plain_is_old_ = false;    // its positions are those of an earlier frame
+    bool rounded_is_old_ = false;  // the same
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> highlight_;
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;
-    vtkSmartPointer<vtkPolyData> polydata_;
-    vtkSmartPointer<vtkFloatArray> positions_;
-    vtkSmartPointer<vtkFloatArray> normals_;
-    vtkSmartPointer<vtkFloatArray> arrival_;
-    vtkSmartPointer<vtkUnsignedCharArray> colours_;
-    vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
-    vtkSmartPointer<vtkActor> actor_;
 };
 
 }  // namespace hepatica

@@ -82,12 +82,10 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
 
-    frame_timer_ = new QTimer(this);
-    frame_timer_->setTimerType(Qt::PreciseTimer);
-    connect(frame_timer_, &QTimer::timeout, this, [this] { show_newest_frame(); });
     figures_timer_ = new QTimer(this);
+    figures_timer_->setSingleShot(true);
+    figures_timer_->setInterval(250);
     connect(figures_timer_, &QTimer::timeout, this, [this] { show_figures(); });
-    figures_timer_->start(250);
 }
 
 MainWindow::~MainWindow() = default;
@@ -109,7 +107,7 @@ void MainWindow::build_view() {
                        },
                        [this](int bridge) { editing_->accept(bridge); }},
                       centre);
-    view_->on_painted([this](double ms) { picture_painted(ms); });
+    view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
     column->addWidget(view_, 1);
     column->addWidget(progress_);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@ class QualityPanel;
 class StatusLine;
 class VtkWidget;
 class Welcome;
+struct PictureTime;
 
 class MainWindow : public QMainWindow {
   public:
@@ -93,13 +95,17 @@ class MainWindow : public QMainWindow {
     void show_patient(LoadedPatient patient, bool corrected);
     void show_warnings();
     void show_workspace();
+    // Frames come when the simulation has one to show: nothing asks for them.
+    void follow_simulation();
     void show_newest_frame();
     void follow(const Frame& frame);  // by the controls of the play
+    // Within a quarter of a second, and then not again until something has changed.
+    void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
     void show_hover(const SurfacePick& pick);
     void inject(const SurfacePick& pick);
-    void picture_painted(double ms);
+    void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
 
@@ -115,8 +121,8 @@ class MainWindow : public QMainWindow {
     QualityPanel* quality_ = nullptr;
     CurvesDock* curves_ = nullptr;
     std::unique_ptr<StatusLine> status_;
-    QTimer* frame_timer_ = nullptr;
     QTimer* figures_timer_ = nullptr;
+    std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way
     std::optional<LoadedPatient> patient_;
     int hovered_vertex_ = -1;  // of the frame
     double picture_ms_ = 0.0;

@@ -144,7 +144,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
     settings_.set_window(saveGeometry(), saveState());
-    frame_timer_->stop();
     keeper_->end();
     curves_->clear();
     patient_.reset();

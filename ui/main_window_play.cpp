@@ -30,7 +30,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     actions_->set_patient_shown(true);
     quality_->post_choices();
     inject_->post_choices();
-    frame_timer_->start(16);
+    follow_simulation();
     editing_->show_body();
     if (!corrected) show_warnings();
 }
@@ -54,10 +54,25 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
 }
 
+void MainWindow::follow_simulation() {
+    patient_->simulation->on_frame([this] {
+        if (frame_waits_.exchange(true)) return;
+        QMetaObject::invokeMethod(
+            this, [this] { show_newest_frame(); }, Qt::QueuedConnection);
+    });
+    show_newest_frame();  // of those that came before
+}
+
 void MainWindow::show_newest_frame() {
+    if (const int wait_ms = view_->wait_before_picture_ms(); wait_ms > 0) {
+        QTimer::singleShot(wait_ms, Qt::PreciseTimer, this, [this] { show_newest_frame(); });
+        return;
+    }
+    frame_waits_ = false;  // first: what comes from here on is told of again
     if (!patient_ || !patient_->simulation->update_frame()) return;
     view_->show_frame(frame());
     follow(frame());
+    show_figures_soon();
 }
 
 void MainWindow::follow(const Frame& frame) {
@@ -65,6 +80,10 @@ void MainWindow::follow(const Frame& frame) {
     (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
     inject_->show_drug(frame.drug);
     curves_->follow(patient_->patient, frame.drug);
+}
+
+void MainWindow::show_figures_soon() {
+    if (!figures_timer_->isActive()) figures_timer_->start();
 }
 
 void MainWindow::show_figures() {
@@ -110,13 +129,12 @@ void MainWindow::inject(const SurfacePick& pick) {
     post(inject_->injection_at(pick.position_mm));
 }
 
-void MainWindow::picture_painted(double ms) {
+void MainWindow::picture_shown(const PictureTime& time) {
     if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
-    picture_ms_ = ms;
-    if (patient_) patient_->simulation->set_drawing_ms(ms);
-    if (!first_picture_) return;
-    // The frame is on the screen once the event loop comes round again.
-    QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));
+    picture_ms_ = time.on_screen_ms;
+    if (patient_) patient_->simulation->set_drawing_ms(time.processor_ms);
+    show_figures_soon();
+    if (first_picture_) QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));
 }
 
 void MainWindow::post(Command command) {

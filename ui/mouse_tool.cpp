@@ -39,26 +39,30 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     }
 }
 
-void MouseTool::move(const Pixel& at) {
+bool MouseTool::move(const Pixel& at) {
+    const Pixel from = std::exchange(last_, at);
     switch (action_) {
         case Action::none:
             callbacks_.hover(view_.pick(at));
-            break;
+            return false;
         case Action::pull:
             callbacks_.post(MoveGrab{view_.point_at_depth(at, held_mm_)});
-            break;
+            return false;
         case Action::pan:
-            view_.drag_pan(last_, at);
-            break;
+            view_.drag_pan(from, at);
+            return true;
         case Action::wait_for_click:
-            if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) return;
+            if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) {
+                last_ = from;
+                return false;
+            }
             action_ = Action::orbit;
             [[fallthrough]];
         case Action::orbit:
-            view_.drag_orbit(last_, at);
-            break;
+            view_.drag_orbit(from, at);
+            return true;
     }
-    last_ = at;
+    return false;
 }
 
 void MouseTool::release(const Pixel& at) {

@@ -43,7 +43,9 @@ class MouseTool {
     void set_click_radius(double pixels) { click_radius_px_ = pixels; }
 
     void press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers);
-    void move(const Pixel& at);
+    // True where the camera has moved, so that the picture is to be drawn anew; what a pull moves
+    // comes with a later frame.
+    bool move(const Pixel& at);
     void release(const Pixel& at);
     // The second press of a double click, in place of press(). Injects, unless the first click has
     // done what a click does here: bridged a gap, or injected already.

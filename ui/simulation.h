@@ -3,6 +3,8 @@
 // The real one is SimulationThread; tests put their own in its place.
 #pragma once
 
+#include <functional>
+
 #include "core/scene/frame.h"
 #include "core/session/command.h"
 
@@ -16,6 +18,9 @@ class Simulation {
     virtual void post(Command command) = 0;
     // What drawing a picture takes: the simulation leaves it that much of the frame.
     virtual void set_drawing_ms(double) {}
+    // UI thread: `tell` is called on any thread whenever a newer frame is there, and must not wait.
+    // Frames that came before are not told of. A simulation at rest makes no frames.
+    virtual void on_frame(std::function<void()> tell) = 0;
     // UI thread: true where a newer frame is there; frame() stays as it is until the next call.
     virtual bool update_frame() = 0;
     virtual const Frame& frame() const = 0;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "core/session/session.h"
 #include "ui/simulation.h"
@@ -18,6 +19,7 @@ class SimulationThread : public Simulation {
 
     void post(Command command) override;
     void set_drawing_ms(double ms) override { session_->set_drawing_ms(ms); }
+    void on_frame(std::function<void()> tell) override { session_->on_frame(std::move(tell)); }
     bool update_frame() override { return session_->update_frame(); }
     const Frame& frame() const override { return session_->frame(); }
 

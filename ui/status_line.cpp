@@ -17,7 +17,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     step_->setToolTip("Wall time of one step of the simulation");
     real_time_->setToolTip("Simulated time over wall time: 1 is real time, less is slower");
     error_->setToolTip("Of the present setting of the dial, and what it was measured against");
-    picture_->setToolTip("Time to draw one picture");
+    picture_->setToolTip("Time of one picture, until it is on the screen");
     renderer_->setToolTip("The OpenGL renderer");
     for (QLabel* label : {step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
@@ -29,7 +29,9 @@ void StatusLine::show_statistics(const FrameStatistics& statistics) {
     step_->setText(QString("step %1 ms").arg(statistics.step_ms, 0, 'f', 1));
     real_time_->setText(
         statistics.paused ? QString("held")
-                          : QString("real time × %1").arg(statistics.real_time_factor, 0, 'f', 2));
+        : statistics.resting
+            ? QString("at rest")
+            : QString("real time × %1").arg(statistics.real_time_factor, 0, 'f', 2));
     QString error;
     if (statistics.expected_error > 0.0) {
         error = "error " + percent_text(statistics.expected_error);

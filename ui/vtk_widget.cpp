@@ -4,11 +4,12 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/pixel_mapping.h"
@@ -42,6 +43,7 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
         scene_->set_smoothing(Smoothing::cheap);
         update();
     });
+    connect(this, &QOpenGLWidget::frameSwapped, this, [this] { picture_swapped(); });
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -72,6 +74,11 @@ void VtkWidget::initializeGL() {
     window_->InitializeFromCurrentContext();
     const auto* name = context()->functions()->glGetString(GL_RENDERER);
     renderer_name_ = name ? reinterpret_cast<const char*>(name) : "";
+    scene_->set_smoothing(software() ? Smoothing::cheap : Smoothing::best);
+}
+
+bool VtkWidget::software() const {
+    return is_software_renderer(renderer_name_);
 }
 
 void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
@@ -81,8 +88,7 @@ void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
 }
 
 void VtkWidget::paintGL() {
-    QElapsedTimer clock;
-    clock.start();
+    since_painting_.start();
     const QSize size = pixel_size(this->size(), devicePixelRatioF());
     mouse_->set_click_radius(4.0 * devicePixelRatioF());
     window_->SetIsCurrent(true);
@@ -103,7 +109,25 @@ void VtkWidget::paintGL() {
     gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
     window_->GetState()->Pop();
-    if (on_painted_) on_painted_(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+    submitted_ms_ = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
+    awaits_swap_ = true;
+}
+
+// Qt swaps the whole window, also where only something beside this widget was painted.
+void VtkWidget::picture_swapped() {
+    if (!std::exchange(awaits_swap_, false)) return;
+    last_.on_screen_ms = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
+    // With a card the swap waits for the screen, not for the processor.
+    last_.processor_ms = software() ? last_.on_screen_ms : submitted_ms_;
+    if (on_picture_) on_picture_(last_);
+}
+
+int VtkWidget::wait_before_picture_ms() const {
+    constexpr double longest_ms = 45.0;
+    if (!software() || !since_painting_.isValid()) return 0;
+    const double period_ms = std::min(2.0 * last_.on_screen_ms, longest_ms);
+    const double passed_ms = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
+    return std::max(0, static_cast<int>(std::lround(period_ms - passed_ms)));
 }
 
 void VtkWidget::show_frame(const Frame& frame) {
@@ -111,7 +135,7 @@ void VtkWidget::show_frame(const Frame& frame) {
 }
 
 void VtkWidget::draw_again() {
-    if (is_software_renderer(renderer_name_)) {
+    if (software()) {
         scene_->set_smoothing(Smoothing::none);
         rest_timer_.start();
     }
@@ -120,7 +144,10 @@ void VtkWidget::draw_again() {
 
 QImage VtkWidget::picture() {
     scene_->set_smoothing(Smoothing::best);
-    return grabFramebuffer();
+    const QImage picture = grabFramebuffer();
+    awaits_swap_ = false;  // it is not for the screen
+    if (software()) scene_->set_smoothing(Smoothing::cheap);
+    return picture;
 }
 
 Pixel VtkWidget::pixel_of(const QPointF& point) const {
@@ -133,8 +160,7 @@ void VtkWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
-    mouse_->move(pixel_of(event->position()));
-    if (event->buttons() != Qt::NoButton) draw_again();
+    if (mouse_->move(pixel_of(event->position()))) draw_again();
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {

@@ -6,6 +6,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <functional>
@@ -16,6 +17,13 @@
 
 namespace hepatica {
 
+// What one picture took [ms] since its painting began.
+struct PictureTime {
+    double on_screen_ms = 0.0;  // until it was swapped onto the screen
+    double processor_ms = 0.0;  // the part that a graphics card does not do, and that the
+                                // simulation has to leave: all of it where there is no card
+};
+
 class VtkWidget : public QOpenGLWidget {
   public:
     explicit VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent = nullptr);
@@ -24,8 +32,14 @@ class VtkWidget : public QOpenGLWidget {
     SceneView& scene() { return *scene_; }
     MouseTool& mouse() { return *mouse_; }
 
-    // Called after each painted frame, with its time in milliseconds.
-    void on_painted(std::function<void(double)> callback) { on_painted_ = std::move(callback); }
+    // Called for each picture when it has been swapped onto the screen.
+    void on_picture(std::function<void(const PictureTime&)> callback) {
+        on_picture_ = std::move(callback);
+    }
+    // How long the next picture is to wait [ms], 0 for not at all. Without a graphics card the
+    // simulation needs the processor as well: pictures then take half of the time, but never come
+    // less often than 20 times a second if they can.
+    int wait_before_picture_ms() const;
 
     // What the OpenGL driver calls itself; empty until the first painted frame.
     const std::string& renderer_name() const { return renderer_name_; }
@@ -53,15 +67,21 @@ class VtkWidget : public QOpenGLWidget {
 
   private:
     Pixel pixel_of(const QPointF& point) const;
+    bool software() const;
+    void picture_swapped();
     void release_graphics();
 
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     std::unique_ptr<SceneView> scene_;
     std::unique_ptr<MouseTool> mouse_;
-    std::function<void(double)> on_painted_;
+    std::function<void(const PictureTime&)> on_picture_;
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
     QTimer rest_timer_;
+    QElapsedTimer since_painting_;
+    PictureTime last_;           // of the last picture that was swapped
+    double submitted_ms_ = 0.0;  // of the picture that is painted
+    bool awaits_swap_ = false;
 };
 
 }  // namespace hepatica

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/flow_part.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -118,7 +119,11 @@ void FlowPart::set_speed(double factor) {
 void FlowPart::step(double dt_s) {
     follow_topology();
     drop_ended_runs();
-    if (drug_.playing) drug_.time_s += speed_ * dt_s;
+    if (!drug_.playing) return;
+    const double next_s = drug_.time_s + speed_ * dt_s;
+    drug_.playing = next_s < drug_.end_s;
+    // A time beyond the end that somebody has set stays as it was set.
+    drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
 }
 
 FlowCheckpoint FlowPart::checkpoint() const {

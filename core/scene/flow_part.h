@@ -54,6 +54,7 @@ class FlowPart {
     void finish_injection();
     // Takes the drug away and ends what is being computed.
     void remove_drug();
+    // The clock runs until the drug's end_s and stops there.
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
     void set_time(double time_s);   // >= 0, else InputError
     void set_speed(double factor);  // > 0, else InputError

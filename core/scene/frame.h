@@ -32,9 +32,10 @@ struct DrugView {
     std::shared_ptr<const InjectionOptions> injection;
     std::uint64_t version = 0;  // changes whenever arrival_s does
     double time_s = 0.0;        // since the injection began
-    double end_s = 0.0;         // when most vertices have been reached; some may be later
+    double end_s = 0.0;  // when most vertices have been reached, some may be later: there the clock
+                         // stops by itself
     bool playing = false;    // the drug's clock runs whenever the world is not paused; false where
-                             // nothing was injected
+                             // nothing was injected, and from end_s on
     bool computing = false;  // another injection is being computed and will take this one's place
 };
 
@@ -49,6 +50,7 @@ struct FrameStatistics {
     std::string setting;          // in words
     bool degraded = false;
     bool paused = false;    // the world stands still, the drug's clock included
+    bool resting = false;   // nothing changes, and no other frame comes, until the next command
     bool diverged = false;  // it was stopped by itself and taken back to its last good state;
                             // RestoreSnapshot and SetPaused{false} go on from there
     std::string message;    // for the user; usually empty

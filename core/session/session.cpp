@@ -63,13 +63,21 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
 Session::~Session() = default;
 
 void Session::post(Command command) {
-    const std::scoped_lock lock(queue_mutex_);
-    const bool supersedes = std::holds_alternative<MoveGrab>(command) && !queue_.empty() &&
-                            std::holds_alternative<MoveGrab>(queue_.back());
-    if (supersedes)
-        queue_.back() = std::move(command);
-    else
-        queue_.push_back(std::move(command));
+    {
+        const std::scoped_lock lock(queue_mutex_);
+        const bool supersedes = std::holds_alternative<MoveGrab>(command) && !queue_.empty() &&
+                                std::holds_alternative<MoveGrab>(queue_.back());
+        if (supersedes)
+            queue_.back() = std::move(command);
+        else
+            queue_.push_back(std::move(command));
+    }
+    command_waits_.notify_one();
+}
+
+void Session::on_frame(std::function<void()> tell) {
+    const std::scoped_lock lock(listener_mutex_);
+    tell_of_frame_ = std::move(tell);
 }
 
 void Session::apply_waiting_commands() {
@@ -228,10 +236,24 @@ SessionStep Session::step() {
     if (failed_) shielded([&] { recover(); });
     shielded([&] { keep_step(done); });
     shielded([&] {
+        resting_ = rests_after(done);
         publish(done, start);
         govern(done);
     });
     return done;
+}
+
+bool Session::rests_after(const SessionStep& done) const {
+    const FlowPart* flow = world_->flow();
+    if (failed_ || (flow != nullptr && flow->computing())) return false;
+    if (done.paused) return true;
+    const bool still = world_->deform() == nullptr || done.deform.asleep;
+    return still && !(flow != nullptr && flow->drug().playing);
+}
+
+void Session::wait_for_command(const std::stop_token& stop) {
+    std::unique_lock lock(queue_mutex_);
+    command_waits_.wait(lock, stop, [this] { return !queue_.empty(); });
 }
 
 void Session::finish_ready_injection() {
@@ -254,6 +276,12 @@ void Session::run(const std::stop_token& stop) {
         last = now;
         shielded([&] { finish_ready_injection(); });
         step();
+        if (resting_) {
+            wait_for_command(stop);
+            due = Clock::now();
+            last = due - period;  // time at rest is no delay
+            continue;
+        }
         due = std::max(due + period, Clock::now());  // time that was lost is not made up for
         std::this_thread::sleep_until(due);
     }
@@ -283,10 +311,13 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.degraded = step.deform.degraded;
     statistics.paused = paused_;
     statistics.diverged = diverged_;
+    statistics.resting = resting_;
     statistics.message = message_.empty() ? step.deform.message : message_;
     // Last, so that it holds the frame's own cost; handing it over is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);
     frames_.publish();
+    const std::scoped_lock lock(listener_mutex_);
+    if (tell_of_frame_) tell_of_frame_();
 }
 
 }  // namespace hepatica

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The play: owns the world, takes commands, advances the clock at 60 Hz and publishes a Frame per
-// step. The UI's simulation thread does nothing but run(); a script calls step() as fast as it can.
+// step. Where nothing moves and no clock runs, it rests and costs nothing until the next command.
+// The UI's simulation thread does nothing but run(); a script calls step() as fast as it can.
 // No error of a command or a step ends the program: the session stops, says what happened, and goes
 // back to its last good state.
 //
@@ -12,6 +13,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -62,6 +64,11 @@ class Session {
     // has seen yet are replaced by the newest.
     void post(Command command);
 
+    // Called after every frame that is published, on the thread that steps; it must neither wait
+    // nor throw. Takes the place of the one before, which is not called any more once this returns;
+    // empty for none. Any time, from any thread but out of `tell` itself.
+    void on_frame(std::function<void()> tell);
+
     // What drawing a picture takes [ms]: automatic quality leaves it that much of the frame. Any
     // time, from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
@@ -79,7 +86,8 @@ class Session {
     SessionStep step();
     // Steps at the scene's rate until asked to stop. When a step takes longer than its period,
     // simulated time runs slower than the wall's, and the frames' real_time_factor says by how
-    // much; it never tries to catch up.
+    // much; it never tries to catch up. Where further steps would change nothing (the last frame
+    // says `resting`), it makes none and waits for a command.
     void run(const std::stop_token& stop);
 
     // Hands every step to `keep`, on the thread that steps, from the first one on: call it before.
@@ -122,6 +130,9 @@ class Session {
     void govern(const SessionStep& done);
     void guard_state();
     void forget_divergence();
+    // Nothing but a command can change anything after this step.
+    bool rests_after(const SessionStep& done) const;
+    void wait_for_command(const std::stop_token& stop);
     // Fills a frame in and hands it to the reader; `step.step_ms` is then the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
@@ -141,9 +152,13 @@ class Session {
     std::uint64_t played_steps_ = 0;  // not paused
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
+    bool resting_ = false;
 
     std::mutex queue_mutex_;
+    std::condition_variable_any command_waits_;
     std::vector<Command> queue_;
+    std::mutex listener_mutex_;
+    std::function<void()> tell_of_frame_;
 
     TripleBuffer<Frame> frames_;
     std::function<void(RecordedStep)> keep_;  // none: nothing is recorded

@@ -74,7 +74,7 @@ bool layer_may_include(const std::string& from, const std::string& to) {
         {"render", {"core"}},
         {"ui", {"render", "core"}},
         {"app", {"ui", "render", "gpu", "core"}},
-        {"bench", {"app", "render", "gpu", "core"}},
+        {"bench", {"app", "ui", "render", "gpu", "core"}},
     };
     return from == to || allowed.at(from).contains(to);
 }

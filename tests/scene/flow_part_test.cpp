@@ -143,6 +143,32 @@ TEST(FlowPart, TheClockEndsThoughBloodStandsInMostOfTheVessels) {
     EXPECT_LE(part.drug().end_s, 10.0 * filling_s * (1.0 + 1e-9));
 }
 
+TEST(FlowPart, TheClockStopsAtItsEndAndStandsWhereItWasSet) {
+    Shown made(test::small_patient()->tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const double end_s = part.drug().end_s;
+    part.set_time(0.5 * end_s);
+    part.step(0.25 * end_s);
+    EXPECT_TRUE(part.drug().playing);
+    EXPECT_DOUBLE_EQ(part.drug().time_s, 0.75 * end_s);
+    part.step(end_s);
+    EXPECT_FALSE(part.drug().playing);
+    EXPECT_EQ(part.drug().time_s, end_s);
+    // Started there again, it stops again at once; beyond it no step takes it back.
+    for (const double set_s : {end_s, 2.0 * end_s}) {
+        part.set_time(set_s);
+        part.play(true);
+        part.step(0.1 * end_s);
+        EXPECT_FALSE(part.drug().playing);
+        EXPECT_EQ(part.drug().time_s, set_s);
+    }
+    part.set_time(0.0);
+    part.play(true);
+    part.step(0.1 * end_s);
+    EXPECT_TRUE(part.drug().playing);
+}
+
 TEST(FlowPart, ADrugLikeBloodHasTheTimesOfTheClosedForm) {
     const VesselTree& tree = test::small_patient()->tree;
     const Injection injection{.at = {0, 0.0, 0.0}};

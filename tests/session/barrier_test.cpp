@@ -194,8 +194,10 @@ TEST(Barrier, TheSimulationThreadLivesOnThroughAnyOfThem) {
         {
             std::jthread thread([&](const std::stop_token& stop) { play.session->run(stop); });
             const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-            while (play.frame().step < 5 && std::chrono::steady_clock::now() < deadline)
+            while (play.frame().step < 5 && std::chrono::steady_clock::now() < deadline) {
+                play.session->post(PlayDrug{false});  // it rests while it is stopped
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
         }
         EXPECT_GE(play.frame().step, 5u);
         expect_stopped(play, error);

@@ -23,6 +23,7 @@ class Overheard : public Simulation {
         heard_.push_back(command);
         played_->post(std::move(command));
     }
+    void on_frame(std::function<void()> tell) override { played_->on_frame(std::move(tell)); }
     bool update_frame() override { return played_->update_frame(); }
     const Frame& frame() const override { return played_->frame(); }
 
@@ -158,7 +159,7 @@ TEST_F(Editing, a_corrected_patient_is_played_on_with_all_that_was_chosen) {
     EXPECT_EQ(heard<SetWall>()->wall_mm, 0.8);
     EXPECT_EQ(heard<SetDrugSpeed>()->factor, 2.5);
     // The simulation itself took them, and the panels still show them.
-    EXPECT_TRUE(testing::wait_for([this] { return window_.frame().step > 2; }));
+    paint();
     EXPECT_EQ(window_.frame().statistics.message, "");
     EXPECT_FALSE(window_.frame().statistics.automatic);
     wait_for_figures();

@@ -18,14 +18,21 @@ void FakeSimulation::post(Command command) {
     waiting_.push_back(std::move(command));
 }
 
+void FakeSimulation::on_frame(std::function<void()> tell) {
+    timer_ = std::make_unique<QTimer>();
+    QObject::connect(timer_.get(), &QTimer::timeout, timer_.get(), std::move(tell));
+    timer_->start(16);
+}
+
 bool FakeSimulation::update_frame() {
     for (const Command& command : std::exchange(waiting_, {})) apply(command);
+    if (std::exchange(diverges_, false)) stop();
     if (frame_.drug.playing && !frame_.statistics.paused) frame_.drug.time_s += 1.0 / 60.0;
     ++frame_.step;
     return true;
 }
 
-void FakeSimulation::diverge() {
+void FakeSimulation::stop() {
     frame_.grab.reset();
     frame_.statistics.paused = true;
     frame_.statistics.diverged = true;

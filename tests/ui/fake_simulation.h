@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A simulation without physics for tests of the window: what is held goes where it is pulled, its
-// surroundings follow less, every command is kept, and each update_frame() is one step.
+// surroundings follow less, every command is kept, and each update_frame() is one step. Sixty times
+// a second it says that a frame is there: it never rests.
 #pragma once
 
+#include <QTimer>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "ui/patient_loader.h"
@@ -16,16 +20,19 @@ class FakeSimulation : public Simulation {
     explicit FakeSimulation(Frame rest);
 
     void post(Command command) override;
+    void on_frame(std::function<void()> tell) override;
     bool update_frame() override;
     const Frame& frame() const override { return frame_; }
 
     const std::vector<Command>& commands() const { return commands_; }
 
-    // As a session does whose body diverged: it stops of its own accord and says why.
-    void diverge();
+    // As a session does whose body diverged: it stops of its own accord at its next step and says
+    // why.
+    void diverge() { diverges_ = true; }
 
   private:
     void apply(const Command& command);
+    void stop();
     void go_on();
     void pull_to(const Vec3& target_mm);
 
@@ -34,6 +41,8 @@ class FakeSimulation : public Simulation {
     std::vector<float> at_rest_;
     std::vector<Command> commands_;
     std::vector<Command> waiting_;
+    std::unique_ptr<QTimer> timer_;
+    bool diverges_ = false;
 };
 
 // The fake tree (tests/render/fake_frame.h) as a patient whose simulation is fake; `simulation`

@@ -51,11 +51,13 @@ class WindowTest : public ::testing::Test {
         window_.open(OpenRequest{true, {}});
         wait();
     }
-    // Until the window has taken over two more frames, and draws the last one. The fake simulation
-    // has then applied whatever was posted before this call.
+    // Until the window has taken over two more frames or the simulation rests, and draws the last
+    // one. The fake simulation, which never rests, has then applied whatever was posted before this
+    // call.
     void paint() {
         const std::uint64_t now = window_.frame().step;
-        EXPECT_TRUE(wait_for([&] { return window_.frame().step > now + 1; }));
+        EXPECT_TRUE(wait_for(
+            [&] { return window_.frame().step > now + 1 || window_.frame().statistics.resting; }));
         window_.view().grabFramebuffer();
     }
     // Until the figures at the window's foot and in its panels are those of a frame that was shown

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window costs on a screen: processor time while nothing moves, before and after an
+// injection that has run out, and pictures a second, counted when they are swapped onto the screen,
+// while the patient is turned and while a hand pulls a vessel. The whole window, with its mouse
+// events, on whatever display there is:
+//
+//     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QMouseEvent>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <algorithm>
+#include <array>
+#include <clocale>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <vector>
+
+#include "core/patient/patient_case.h"
+#include "core/session/script.h"
+#include "ui/main_window.h"
+#include "ui/opengl_probe.h"
+#include "ui/pixel_mapping.h"
+#include "ui/theme.h"
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double idle_s = 20.0;
+constexpr double patience_s = 300.0;
+constexpr double frame_ms = 1e3 / 60.0;
+constexpr int mouse_period_ms = 8;
+// Of one leg of the hand's way, which leads through these places and back, again and again.
+constexpr double leg_s = 0.5;
+const std::array<Vec3, 3> hand_mm{Vec3(0, 0, 0), Vec3(30, 20, 0), Vec3(0, -20, 10)};
+constexpr int rounds = 8;
+constexpr double turning_s = 5.0;
+
+double process_s() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void run_for(double seconds) {
+    QEventLoop loop;
+    QTimer::singleShot(static_cast<int>(1e3 * seconds), Qt::PreciseTimer, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+bool run_until(const std::function<bool()>& condition) {
+    QElapsedTimer waited;
+    waited.start();
+    while (!condition()) {
+        if (1e-3 * static_cast<double>(waited.elapsed()) > patience_s) return false;
+        run_for(0.05);
+    }
+    return true;
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+// Each picture of the view, from the moment it is asked to paint until it is on the screen.
+class Pictures : public QObject {
+  public:
+    explicit Pictures(VtkWidget& view) {
+        view.installEventFilter(this);
+        connect(&view, &QOpenGLWidget::frameSwapped, this, [this] {
+            if (painting_) times_ms.push_back(1e-6 * static_cast<double>(clock_.nsecsElapsed()));
+            painting_ = false;
+        });
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            painting_ = true;
+            clock_.start();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+    std::vector<double> times_ms;
+
+  private:
+    QElapsedTimer clock_;
+    bool painting_ = false;
+};
+
+class WindowBench {
+  public:
+    explicit WindowBench(MainWindow& window) : window_(window), pictures_(window.view()) {}
+
+    void idle(const char* when) {
+        run_for(3.0);
+        pictures_.times_ms.clear();
+        const std::uint64_t step = window_.frame().step;
+        const double before = process_s();
+        run_for(idle_s);
+        std::printf("idle %s: %.2f %% of a core, %zu pictures, %llu steps in %.0f s\n", when,
+                    100.0 * (process_s() - before) / idle_s, pictures_.times_ms.size(),
+                    static_cast<unsigned long long>(window_.frame().step - step), idle_s);
+        std::fflush(stdout);
+    }
+
+    // A double click on the root, and a clock that runs ten times as fast.
+    bool inject() {
+        window_.findChild<QDoubleSpinBox*>("speed")->setValue(10.0);
+        mouse(QEvent::MouseButtonDblClick, on_vessel(0.1));
+        return run_until([this] {
+            const DrugView& drug = window_.frame().drug;
+            return drug.arrival_s && drug.time_s >= drug.end_s;
+        });
+    }
+
+    // Drags beside the vessels, so that nothing but the picture is at work.
+    void turn() {
+        VtkWidget& view = window_.view();
+        const QPointF corner(0.9 * view.width(), 0.9 * view.height());
+        send(QEvent::MouseButtonPress, corner);
+        pictures_.times_ms.clear();
+        const double before = process_s();
+        QElapsedTimer clock;
+        clock.start();
+        QTimer timer;
+        timer.setTimerType(Qt::PreciseTimer);
+        QObject::connect(&timer, &QTimer::timeout, [&] {
+            send(QEvent::MouseMove,
+                 corner - QPointF(0.01 * static_cast<double>(clock.elapsed()), 0.0));
+        });
+        timer.start(mouse_period_ms);
+        run_for(turning_s);
+        timer.stop();
+        send(QEvent::MouseButtonRelease, corner);
+        std::printf("turned for %.0f s:\n", turning_s);
+        print_pictures(turning_s);
+        std::printf("  %.1f ms of processor time a picture\n",
+                    1e3 * (process_s() - before) /
+                        std::max<double>(1.0, double(pictures_.times_ms.size())));
+        std::fflush(stdout);
+        view.scene().look_from(ViewDirection::anterior);
+        view.draw_again();
+    }
+
+    void pull() {
+        const Vec3 held = on_vessel(0.5);
+        mouse(QEvent::MouseButtonPress, held);
+        pictures_.times_ms.clear();
+        std::vector<double> steps_ms;
+        std::uint64_t seen = window_.frame().step;
+        const std::uint64_t first = seen;
+        const double before = process_s();
+        const double all_s = rounds * leg_s * hand_mm.size();
+        QElapsedTimer clock;
+        clock.start();
+        QTimer timer;
+        timer.setTimerType(Qt::PreciseTimer);
+        QObject::connect(&timer, &QTimer::timeout, [&] {
+            mouse(QEvent::MouseMove,
+                  held + hand_at(1e-9 * static_cast<double>(clock.nsecsElapsed())));
+            if (window_.frame().step == seen) return;
+            seen = window_.frame().step;
+            steps_ms.push_back(window_.frame().statistics.step_ms);
+        });
+        timer.start(mouse_period_ms);
+        run_for(all_s);
+        timer.stop();
+        const double took_s = 1e-9 * static_cast<double>(clock.nsecsElapsed());
+        const double processor_s = process_s() - before;
+        const double pulled_mm =
+            window_.frame().grab ? (window_.frame().grab->point_mm - held).norm() : 0.0;
+        mouse(QEvent::MouseButtonRelease, held);
+        const auto in_time = std::count_if(steps_ms.begin(), steps_ms.end(),
+                                           [](double ms) { return ms <= frame_ms; });
+        std::printf("pull for %.1f s (the vessel is %.1f mm from where it was):\n", took_s,
+                    pulled_mm);
+        print_pictures(took_s);
+        std::printf(
+            "  %.1f steps a second; of %zu that were shown %.3f in time, median %.1f ms, "
+            "p95 %.1f ms\n",
+            static_cast<double>(seen - first) / took_s, steps_ms.size(),
+            static_cast<double>(in_time) / std::max<double>(1.0, double(steps_ms.size())),
+            quantile(steps_ms, 0.5), quantile(steps_ms, 0.95));
+        std::printf("  %.2f cores\n", processor_s / took_s);
+        std::fflush(stdout);
+    }
+
+  private:
+    void print_pictures(double seconds) const {
+        std::printf("  %.1f pictures a second; each, to the swap: median %.1f ms, p95 %.1f ms\n",
+                    static_cast<double>(pictures_.times_ms.size()) / seconds,
+                    quantile(pictures_.times_ms, 0.5), quantile(pictures_.times_ms, 0.95));
+    }
+
+    static Vec3 hand_at(double time_s) {
+        const double legs = time_s / leg_s;
+        const auto leg = static_cast<std::size_t>(legs);
+        const Vec3& from = hand_mm[leg % hand_mm.size()];
+        const Vec3& to = hand_mm[(leg + 1) % hand_mm.size()];
+        return from + (legs - static_cast<double>(leg)) * (to - from);
+    }
+
+    Vec3 on_vessel(double share_of_longest_path) const {
+        return point_on_longest_path(window_.workspace().patient()->tree, share_of_longest_path);
+    }
+
+    void mouse(QEvent::Type type, const Vec3& at_mm) {
+        VtkWidget& view = window_.view();
+        send(type, point_at(view.scene().pixel_of(at_mm), view.devicePixelRatioF()));
+    }
+
+    void send(QEvent::Type type, const QPointF& place) {
+        VtkWidget& view = window_.view();
+        const bool moves = type == QEvent::MouseMove;
+        const Qt::MouseButtons held =
+            type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+        QMouseEvent event(type, place, view.mapToGlobal(place),
+                          moves ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+    }
+
+    MainWindow& window_;
+    Pictures pictures_;
+};
+
+}  // namespace
+}  // namespace hepatica
+
+int main(int argc, char** argv) {
+    using namespace hepatica;
+    prepare_opengl();
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");
+    const bool only_pull = application.arguments().contains("--only-pull");
+    if (application.arguments().size() < 2) {
+        std::fprintf(stderr, "usage: window_bench CASE|built-in [--only-pull]\n");
+        return 2;
+    }
+    apply_theme(application);
+    const QTemporaryDir folder;
+    Settings settings(folder.filePath("settings.ini"));
+    MainWindow window(settings, {load_patient, write_case});
+    window.resize(1280, 800);
+    window.show();
+    const QString path = application.arguments().at(1);
+    if (path == "built-in")
+        window.open(OpenRequest{true, {}});
+    else
+        window.open(path);
+    if (!run_until([&] { return window.has_patient() && !window.busy(); })) return 1;
+    run_for(2.0);
+    std::printf("%s, %s, view of %d x %d\n", qPrintable(path),
+                window.view().renderer_name().c_str(), window.view().width(),
+                window.view().height());
+    WindowBench bench(window);
+    if (!only_pull) {
+        bench.idle("before an injection");
+        if (!bench.inject()) return 1;
+        bench.idle("after it has run out");
+    }
+    bench.turn();
+    bench.pull();
+    return 0;
+}

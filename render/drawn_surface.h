@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A triangle surface on the graphics card: each of its arrays is uploaded when it was given anew
+// and at no other time. Colours are kept with an alpha of 255, because VTK would make such an array
+// of any other one for every picture in which the points have moved.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+class vtkActor;
+class vtkFloatArray;
+class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace hepatica {
+
+// Belongs to one OpenGL context; not thread-safe. Closed surfaces only: what faces away from the
+// eye is not drawn.
+class DrawnSurface {
+  public:
+    DrawnSurface();
+
+    // What comes after has one value, or three, or four, per vertex.
+    void set_triangles(std::span<const std::array<int, 3>> triangles, std::size_t vertex_count);
+    void set_positions(std::span<const float> positions_mm, std::span<const float> normals);
+    void set_colours(std::span<const std::uint8_t> rgba);
+    void set_arrival(std::span<const float> arrival_s);
+
+    vtkActor* actor() const;
+    vtkOpenGLPolyDataMapper* mapper() const;
+
+  private:
+    vtkSmartPointer<vtkPolyData> polydata_;
+    vtkSmartPointer<vtkFloatArray> positions_;
+    vtkSmartPointer<vtkFloatArray> normals_;
+    vtkSmartPointer<vtkFloatArray> arrival_;
+    vtkSmartPointer<vtkUnsignedCharArray> colours_;
+    vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
+    vtkSmartPointer<vtkActor> actor_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture sends to the graphics card: only what is new.
+#include "render/tree_actor.h"
+
+#include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkOpenGLVertexBufferObjectGroup.h>
+#include <vtkRenderer.h>
+
+#include "render/osmesa_context.h"
+#include "tests/render/fake_frame.h"
+
+namespace hepatica {
+namespace {
+
+using testing::fake_frame;
+
+class TreeOnCard : public ::testing::TestWithParam<bool> {
+  protected:
+    TreeOnCard() {
+        for (vtkActor* actor : tree_.actors()) renderer_->AddActor(actor);
+        context_.window().AddRenderer(renderer_);
+        tree_.set_rounded(GetParam());
+        tree_.update(first_);
+        renderer_->ResetCamera();
+        context_.window().Render();
+    }
+    ~TreeOnCard() override { context_.window().RemoveRenderer(renderer_); }
+
+    vtkActor* shown() {
+        for (vtkActor* actor : tree_.actors())
+            if (actor->GetVisibility() != 0) return actor;
+        return nullptr;
+    }
+    // The same tree, bent and with its drug further on.
+    Frame later(double bend, double drug_time_s) {
+        Frame frame = first_;
+        frame.positions_mm = fake_frame(bend).positions_mm;
+        frame.drug.time_s = drug_time_s;
+        return frame;
+    }
+    // When an array of the surface that is shown was last sent.
+    vtkMTimeType sent(const char* array) {
+        auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(shown()->GetMapper());
+        return mapper->GetVBOs()->GetVBO(array)->GetUploadTime();
+    }
+
+    const Frame first_ = fake_frame(0.0, 1.0);
+    OsmesaContext context_{64, 48};
+    vtkNew<vtkRenderer> renderer_;
+    TreeActor tree_;
+};
+
+TEST_P(TreeOnCard, takes_no_colours_and_no_times_of_arrival_where_only_the_body_moves) {
+    const vtkMTimeType positions = sent("vertexMC");
+    const vtkMTimeType colours = sent("scalarColor");
+    const vtkMTimeType arrival = sent("arrivalMC");
+    tree_.update(later(0.5, 1.0));
+    context_.window().Render();
+    EXPECT_GT(sent("vertexMC"), positions);
+    EXPECT_EQ(sent("scalarColor"), colours);
+    EXPECT_EQ(sent("arrivalMC"), arrival);
+    tree_.set_highlight({1, 1, 1});
+    context_.window().Render();
+    EXPECT_GT(sent("scalarColor"), colours);
+}
+
+TEST_P(TreeOnCard, takes_nothing_where_only_the_drug_runs) {
+    const vtkMTimeType positions = sent("vertexMC");
+    const vtkMTimeType arrival = sent("arrivalMC");
+    EXPECT_TRUE(tree_.update(later(0.0, 2.0)));
+    context_.window().Render();
+    EXPECT_EQ(sent("vertexMC"), positions);
+    EXPECT_EQ(sent("arrivalMC"), arrival);
+}
+
+TEST_P(TreeOnCard, shows_where_the_body_is_now_when_it_is_rounded_or_no_longer) {
+    tree_.update(later(0.5, 1.0));
+    tree_.set_rounded(!GetParam());
+    context_.window().Render();
+    std::array<double, 6> now{}, expected{};
+    shown()->GetBounds(now.data());
+    TreeActor other;
+    other.set_rounded(!GetParam());
+    other.update(fake_frame(0.5));
+    for (vtkActor* actor : other.actors())
+        if (actor->GetVisibility() != 0) actor->GetBounds(expected.data());
+    EXPECT_EQ(now, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(PlainAndRounded, TreeOnCard, ::testing::Bool());
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where nothing can change, a running session makes no steps and no frames, and a command wakes it.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/session/session.h"
+#include "tests/session/new_session.h"
+#include "tests/session/small_patient.h"
+
+namespace hepatica {
+namespace {
+
+using test::middle_of;
+using test::new_session;
+using test::small_patient;
+
+// A session on a thread of its own, and what it says of its frames.
+class Running {
+  public:
+    explicit Running(const SceneSpec& spec = default_scene()) : session_(new_session(spec)) {
+        session_->on_frame([this] { ++told_; });
+        thread_ = std::jthread([this](const std::stop_token& stop) { session_->run(stop); });
+    }
+
+    Session& session() { return *session_; }
+    const Frame& newest() {
+        session_->update_frame();
+        return session_->frame();
+    }
+    bool comes_to(const std::function<bool(const Frame&)>& condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        while (std::chrono::steady_clock::now() < end) {
+            if (condition(newest())) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    }
+    bool comes_to_rest() {
+        return comes_to([](const Frame& frame) { return frame.statistics.resting; });
+    }
+    // In a time in which it would have made a dozen steps.
+    void expect_nothing_happens() {
+        const std::uint64_t step = newest().step;
+        const int told = told_;
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        EXPECT_FALSE(session_->update_frame());
+        EXPECT_EQ(told_, told);
+        EXPECT_EQ(session_->frame().step, step);
+    }
+
+  private:
+    std::unique_ptr<Session> session_;
+    std::atomic<int> told_{0};
+    std::jthread thread_;
+};
+
+TEST(RestingSession, MakesNoStepsAndNoFramesUntilACommandComes) {
+    Running running;
+    ASSERT_TRUE(running.comes_to_rest());
+    running.expect_nothing_happens();
+    const std::uint64_t step = running.newest().step;
+    const Vec3 start = middle_of(small_patient()->tree, 1);
+    running.session().post(GrabPoint{start});
+    running.session().post(MoveGrab{start + Vec3(3, 0, 0)});
+    ASSERT_TRUE(
+        running.comes_to([&](const Frame& frame) { return frame.grab && frame.step > step + 5; }));
+    EXPECT_FALSE(running.newest().statistics.resting);
+    // The time at rest was no delay.
+    EXPECT_GT(running.newest().statistics.real_time_factor, 0.2);
+    running.session().post(ReleaseGrab{});
+    ASSERT_TRUE(running.comes_to_rest());
+    running.expect_nothing_happens();
+}
+
+TEST(RestingSession, AnInjectionThatHasRunOutIsRest) {
+    Running running;
+    ASSERT_TRUE(running.comes_to_rest());
+    running.session().post(SetDrugSpeed{100.0});
+    running.session().post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm});
+    ASSERT_TRUE(running.comes_to([](const Frame& frame) { return frame.drug.playing; }));
+    ASSERT_TRUE(running.comes_to_rest());
+    EXPECT_FALSE(running.newest().drug.playing);
+    EXPECT_EQ(running.newest().drug.time_s, running.newest().drug.end_s);
+    running.expect_nothing_happens();
+}
+
+TEST(RestingSession, APauseIsRestInMidPull) {
+    Running running;
+    const Vec3 start = middle_of(small_patient()->tree, 1);
+    running.session().post(GrabPoint{start});
+    running.session().post(MoveGrab{start + Vec3(3, 0, 0)});
+    running.session().post(SetPaused{true});
+    ASSERT_TRUE(running.comes_to_rest());
+    running.expect_nothing_happens();
+    running.session().post(SetPaused{false});
+    EXPECT_TRUE(running.comes_to([](const Frame& frame) { return !frame.statistics.paused; }));
+}
+
+TEST(RestingSession, IsStillWokenByAnInjectionThatIsBeingComputed) {
+    Running running;
+    ASSERT_TRUE(running.comes_to_rest());
+    running.session().post(SetPaused{true});
+    running.session().post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm,
+                                      .void_fraction = 0.4,
+                                      .second_phase = "gas"});
+    EXPECT_TRUE(
+        running.comes_to([](const Frame& frame) { return frame.drug.arrival_s != nullptr; }));
+}
+
+// Without parts that move there is nothing to wait for.
+TEST(RestingSession, OfASceneThatDoesNotDeformRestsAtOnce) {
+    SceneSpec still = default_scene();
+    still.deform.reset();
+    Running running(still);
+    ASSERT_TRUE(running.comes_to_rest());
+    EXPECT_LE(running.newest().step, 1u);
+}
+
+}  // namespace
+}  // namespace hepatica

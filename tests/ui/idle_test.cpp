@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What nobody sees changing costs nothing: a window whose patient rests takes no step and draws no
+// picture, before an injection and after it has run out.
+#include <QDoubleSpinBox>
+#include <QPushButton>
+
+#include "tests/session/small_patient.h"
+#include "tests/ui/fake_window_test.h"
+
+namespace hepatica {
+namespace {
+
+// Counts the paintings of a widget.
+class Paintings : public QObject {
+  public:
+    explicit Paintings(QWidget& widget) { widget.installEventFilter(this); }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) ++count;
+        return QObject::eventFilter(watched, event);
+    }
+    int count = 0;
+};
+
+void turn_the_event_loop(int turns) {
+    for (int i = 0; i < turns; ++i) {
+        QApplication::processEvents();
+        QTest::qSleep(1);
+    }
+}
+
+// The picture is drawn once more, smoothed, when it has come to rest.
+bool comes_to_rest(const Paintings& paintings) {
+    return testing::wait_for([&] {
+        const int before = paintings.count;
+        turn_the_event_loop(400);
+        return paintings.count == before;
+    });
+}
+
+class Idle : public testing::WindowTest {
+  protected:
+    Idle()
+        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+                      write_case}) {
+        open_built_in();
+    }
+
+    void expect_rest() {
+        ASSERT_TRUE(testing::wait_for([this] { return window_.frame().statistics.resting; }));
+        Paintings paintings(window_.view());
+        ASSERT_TRUE(comes_to_rest(paintings));
+        const std::uint64_t step = window_.frame().step;
+        Paintings whole_window(window_);
+        paintings.count = 0;
+        turn_the_event_loop(500);
+        EXPECT_EQ(paintings.count, 0);
+        EXPECT_EQ(whole_window.count, 0);
+        EXPECT_EQ(window_.frame().step, step);
+    }
+};
+
+TEST_F(Idle, before_an_injection_and_after_it_has_run_out) {
+    expect_rest();
+    window_.findChild<QDoubleSpinBox*>("speed")->setValue(100.0);
+    const Vec3 root = test::small_patient()->tree.nodes[0].position_mm;
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_widget(root + Vec3(0, 0, 3)));
+    auto& play = *window_.findChild<QPushButton*>("play");
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().drug.arrival_s != nullptr; }));
+    ASSERT_TRUE(testing::wait_for([&] { return !window_.frame().drug.playing; }));
+    expect_rest();
+    EXPECT_EQ(play.text(), "Play");
+    // Played once more, it begins anew.
+    window_.actions()[ActionId::play_pause].trigger();
+    EXPECT_TRUE(testing::wait_for([&] {
+        const DrugView& drug = window_.frame().drug;
+        return drug.playing && drug.time_s < 0.9 * drug.end_s;
+    }));
+}
+
+class FakeIdle : public testing::FakeWindowTest {};
+
+// Frames that show what is shown already are not drawn.
+TEST_F(FakeIdle, a_frame_like_the_last_is_not_drawn) {
+    open_built_in();
+    Paintings paintings(window_.view());
+    ASSERT_TRUE(comes_to_rest(paintings));
+    const std::uint64_t step = window_.frame().step;
+    paintings.count = 0;
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().step > step + 30; }));
+    EXPECT_EQ(paintings.count, 0);
+    // Nor those of a hand that holds still; one that moves is drawn.
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().grab.has_value(); }));
+    ASSERT_TRUE(comes_to_rest(paintings));
+    paintings.count = 0;
+    paint();
+    paint();
+    EXPECT_EQ(paintings.count, 0);
+    QTest::mouseMove(&window_.view(), on_trunk() + QPoint(30, 0));
+    EXPECT_TRUE(testing::wait_for([&] { return paintings.count > 0; }));
+}
+
+}  // namespace
+}  // namespace hepatica
