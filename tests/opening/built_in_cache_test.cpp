@@ -77,7 +77,7 @@ TEST_F(BuiltInCacheTest, whatever_is_damaged_counts_as_absent) {
         std::string flipped = whole;
         flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 4);
         for (const std::string& damaged :
-             {flipped, whole.substr(0, whole.size() / 2), std::string()}) {
+             {flipped, whole + '\n', whole.substr(0, whole.size() / 2), std::string()}) {
             write(file, damaged);
             // tree.swc is for other programs: nobody reads it here.
             if (file.extension() == ".swc") {
