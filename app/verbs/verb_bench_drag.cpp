@@ -114,12 +114,12 @@ void measure(const Options& options, const std::string& name,
     std::optional<Script> script;
     if (name == "script") script = read_script(options.script);
     const HandMotion motion = script ? motion_of(*script) : hand_motion(name);
-    const HandTrial trial(patient, scene_of(options, script));
-    study.setting = to_json(trial.setting());
-    study.element = element_name(trial.setting().model, trial.setting().order);
     const auto region = options.whole ? PlayedRegion::whole_body : PlayedRegion::as_in_scenes;
     job.begin_stage("Playing " + name);
-    const HandPlay played = trial.play(motion, region, job);
+    HandTrial trial(patient, scene_of(options, script), region, job);
+    study.setting = to_json(trial.setting());
+    study.element = element_name(trial.setting().model, trial.setting().order);
+    const HandPlay played = trial.play(motion, job);
     Json row = row_of(name, summary_of(played));
     study.csv += csv_of(name, played);
     if (!options.no_error) {

@@ -8,7 +8,6 @@
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
-#include "core/scene/measured_dial.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -44,31 +43,16 @@ Json json_of(const TradeoffPoint& point) {
     return json;
 }
 
-// The patient without any tissue around, so that errors are the solver's, on the case's own mesh
-// and on one of half as many again (it is as coarse as the mesher makes them).
+// The patient in tissue as scenes begin, on the case's own mesh and on one of half as many again
+// (it is as coarse as the mesher makes them).
 std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
-    const DeformSpec alone{.fixed = FixedEnds::roots, .tether_pa_per_mm2 = 0.0};
-    std::vector<BodyDescription> bodies{DeformPart(patient, alone).body()};
+    std::vector<BodyDescription> bodies{DeformPart(patient, {}).body()};
     job.begin_stage("Making a finer mesh");
     MeshOptions finer;
     finer.target_tetrahedra = static_cast<int>(3 * patient.mesh.tetrahedra.size() / 2);
     patient.mesh = tetrahedralize(patient.tree, finer, job);
-    bodies.push_back(DeformPart(patient, alone).body());
+    bodies.push_back(DeformPart(patient, {}).body());
     return bodies;
-}
-
-// What a session can play on the case's own mesh goes into the case; a setting that misses more
-// than half of the motion is not on the dial.
-void leave_dial(const Tradeoff& tradeoff, const std::filesystem::path& folder,
-                const PatientCase& patient) {
-    constexpr double most_error = 0.5;
-    std::vector<QualityPoint> points;
-    for (const TradeoffPoint& point : tradeoff.points)
-        if (point.own_mesh && point.region == "whole" && point.not_measured.empty() &&
-            point.error_relative <= most_error)
-            points.push_back(
-                {point.options, point.frame_ms, point.error_relative, tradeoff.reference});
-    if (!points.empty()) write_dial(folder, dial_json(points, patient));
 }
 
 Tradeoff measure(const Options& options, Job& job) {
@@ -76,15 +60,12 @@ Tradeoff measure(const Options& options, Job& job) {
         job.expect_stages(2);
         return measure_beam_tradeoff(options.measure, job);
     }
-    require_writable(options.patient / "dial.json");
     job.expect_stages(5);
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case_without_voxels(options.patient);
     TradeoffOptions how = options.measure;
     how.region = DeformPart::region;
-    const Tradeoff tradeoff = measure_body_tradeoff(bodies_of(patient, job), how, job);
-    leave_dial(tradeoff, options.patient, patient);
-    return tradeoff;
+    return measure_body_tradeoff(bodies_of(patient, job), how, job);
 }
 
 Json run(const Options& options, Job& job) {
@@ -107,7 +88,6 @@ Json run(const Options& options, Job& job) {
     answer["seconds"] = tradeoff.seconds;
     answer["csv"] = (options.out / "tradeoff.csv").string();
     answer["plot"] = (options.out / "tradeoff.svg").string();
-    if (!options.patient.empty()) answer["dial"] = (options.patient / "dial.json").string();
     answer["points"] = points;
     answer["pareto"] = front;
     answer["not_measured"] = left_out;

@@ -31,6 +31,7 @@ void add_all_verbs(CommandLine& line) {
     add_diagnose(line);
     add_extremes(line);
     add_tradeoff(line);
+    add_dial(line);
 }
 
 }  // namespace hepatica

@@ -31,6 +31,7 @@ void add_bench_step(CommandLine& line);
 void add_diagnose(CommandLine& line);
 void add_extremes(CommandLine& line);
 void add_tradeoff(CommandLine& line);
+void add_dial(CommandLine& line);
 
 // All of them, in the order in which --help lists them.
 void add_all_verbs(CommandLine& line);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/measured_dial.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -13,11 +15,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int dial_version = 1;
+// 1 was measured with a pull by three radii, and costs were medians.
+constexpr int dial_version = 2;
+constexpr double most_error = 0.5;
 
 [[noreturn]] void refuse(const std::string& problem) {
     throw InputError(problem, "dial.json of the case",
-                     "Measure again: hepatica-cli tradeoff CASE --out FOLDER; or remove the file");
+                     "Measure again: hepatica-cli dial CASE --anew; or remove the file");
 }
 
 std::vector<QualityPoint> points_from(const Json& json) {
@@ -61,19 +65,32 @@ QualityDial built_in_dial(std::size_t tetrahedra) {
          {element(Model::corotated, quadratic, 4, 1e-2), 155.0 * size, 0.0125, reference}});
 }
 
-QualityDial dial_of(const PatientCase& patient) {
-    if (patient.dial_json.empty()) return built_in_dial(patient.mesh.tetrahedra.size());
+std::vector<QualityPoint> measured_points(const PatientCase& patient) {
+    if (patient.dial_json.empty()) return {};
     const Json json = Json::parse(patient.dial_json, nullptr, false);
     if (json.is_discarded() || !json.is_object()) refuse("is damaged");
     try {
-        if (json.at("format") != "hepatica-dial" || json.at("version") != dial_version)
+        if (json.at("format") != "hepatica-dial" || json.at("version") > dial_version)
             refuse("has another format or version");
-        if (json.at("patient_hash") != to_hex(hash_of(patient)))
-            return built_in_dial(patient.mesh.tetrahedra.size());
-        return QualityDial(points_from(json));
+        if (json.at("version") < dial_version) return {};
+        if (json.at("patient_hash") != to_hex(hash_of(patient))) return {};
+        return points_from(json);
     } catch (const Json::exception& error) {
         refuse(std::string("is damaged (") + error.what() + ")");
     }
+}
+
+QualityDial dial_of_points(std::vector<QualityPoint> points) {
+    const auto good = [](const QualityPoint& point) { return point.error_relative <= most_error; };
+    if (std::ranges::any_of(points, good))
+        std::erase_if(points, [&](const QualityPoint& point) { return !good(point); });
+    return QualityDial(std::move(points));
+}
+
+QualityDial dial_of(const PatientCase& patient) {
+    std::vector<QualityPoint> points = measured_points(patient);
+    return points.empty() ? built_in_dial(patient.mesh.tetrahedra.size())
+                          : dial_of_points(std::move(points));
 }
 
 std::string dial_json(const std::vector<QualityPoint>& points, const PatientCase& patient) {

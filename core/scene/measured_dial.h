@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dial as a scene knows it: settings with the cost and the error that were measured for them,
-// on the patient's own body where `hepatica-cli tradeoff CASE` has left them in the case, on a
-// small synthetic patient's otherwise. The points' reference says which.
+// on the patient's own body where that was done (core/study/dial_study.h, `hepatica-cli dial
+// CASE`), on a small synthetic patient's otherwise. The points' reference says which.
 #pragma once
 
 #include <string>
@@ -13,8 +13,15 @@
 namespace hepatica {
 
 // Throws InputError where the case holds a dial that is damaged. A dial that was measured on
-// another mesh than the case's is left aside.
+// another mesh than the case's, or by an older program in another way, is left aside. A setting
+// that misses more than half of the motion is on no dial where there is a better one.
 QualityDial dial_of(const PatientCase& patient);
+
+// All points of the dial that the case holds, on a dial or not; none where dial_of() leaves it
+// aside. Throws InputError likewise.
+std::vector<QualityPoint> measured_points(const PatientCase& patient);
+// The dial of such points, of which there is one or more.
+QualityDial dial_of_points(std::vector<QualityPoint> points);
 
 // The small synthetic patient's, with costs in proportion to the tetrahedra.
 QualityDial built_in_dial(std::size_t tetrahedra);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/frame_meter.h"
 
-#include "core/base/median.h"
 #include "core/study/timing.h"
 
 namespace hepatica {
@@ -23,7 +22,7 @@ void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
 }
 
 void FrameMeter::book(TradeoffPoint& point) const {
-    point.frame_ms = median(frame_ms_);
+    point.frame_ms = quantile(frame_ms_, 0.95);
     point.step_ms = point.frame_ms / point.options.substeps;
     point.dt_s = frame_s / point.options.substeps;
     point.iterations = iterations_ / (static_cast<double>(frames()) * point.options.substeps);

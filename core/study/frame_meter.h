@@ -18,7 +18,8 @@ class FrameMeter {
 
     int frames() const { return static_cast<int>(frame_ms_.size()); }
     double last_wall_ms() const { return last_wall_ms_; }
-    // Cost and mean iterations of the frames so far, which are one or more.
+    // Cost (what 95 of 100 frames take at most) and mean iterations of the frames so far, which are
+    // one or more.
     void book(TradeoffPoint& point) const;
 
   private:

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double step_s = 1.0 / 60.0;
 constexpr double watched_s = 1.0;  // after the last action
-constexpr int steps_to_fall_asleep = 60;
 
 int steps_in(double seconds) {
     return static_cast<int>(std::lround(seconds / step_s));
@@ -67,11 +66,11 @@ Script twist() {
     return script;
 }
 
-int steps_of(const Script& script) {
+double end_s(const Script& script) {
     double end_s = 0.0;
     for (const ScriptAction& action : script.actions)
         end_s = std::max(end_s, action.at_s + action.over_s);
-    return steps_in(end_s + watched_s);
+    return end_s;
 }
 
 }  // namespace
@@ -92,12 +91,20 @@ HandMotion hand_motion(const std::string& name) {
         throw InputError("\"" + name + "\" is not known", "motion",
                          "Choose one of: pull, jerk, twist");
     script.name = name;
-    const int steps = steps_of(script);
-    return {name, std::move(script), steps_to_fall_asleep, steps};
+    const int steps = steps_in(end_s(script) + watched_s);
+    return {name, std::move(script), steps};
 }
 
 HandMotion motion_of(const Script& script) {
-    return {"script", script, 0, steps_of(script)};
+    return {"script", script, steps_in(end_s(script) + watched_s)};
+}
+
+HandMotion dial_motion() {
+    const Vec3 way_mm(18, 24, 0);
+    Script script = held_vessel();
+    const double turned_s = move(script, 0.0, way_mm, 0.5);
+    const double back_s = move(script, turned_s, -way_mm, 0.5);
+    return {"dial", std::move(script), steps_in(back_s)};
 }
 
 }  // namespace hepatica

@@ -12,9 +12,8 @@ namespace hepatica {
 
 struct HandMotion {
     std::string name;
-    Script script;         // its clock begins after steps_before
-    int steps_before = 0;  // of 1/60 s at rest, until a body that is computed in part sleeps
-    int steps = 0;         // of 1/60 s, that are measured
+    Script script;
+    int steps = 0;  // of 1/60 s
 };
 
 // pull:  by (30, 20, 0) mm in half a second, by (-30, -40, 10) mm in another;
@@ -28,5 +27,9 @@ HandMotion hand_motion(const std::string& name);
 
 // Called "script", from its start until a second after its last action.
 HandMotion motion_of(const Script& script);
+
+// What the settings of the dial are measured by: the same place, by 30 mm in half a second and back
+// in another; a second in all.
+HandMotion dial_motion();
 
 }  // namespace hepatica

@@ -9,50 +9,30 @@
 #include "core/deform/stepper/live_stepper.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
+#include "core/scene/world_checkpoint.h"
 #include "core/session/command.h"
 #include "core/session/session.h"
 #include "core/study/motion_file.h"
 
 namespace hepatica {
+
 namespace {
 
+constexpr double frame_s = 1.0 / 60.0;
+constexpr int most_frames_to_fall_asleep = 120;
 constexpr double exact_energy_tolerance = 1e-8;
 constexpr int enough_iterations = 10000;
 
-// Makes the steppers of a session, and knows how much of the body the present one computes.
-class WatchedBackEnd {
-  public:
-    explicit WatchedBackEnd(PlayedRegion region) : region_(region) {}
-    WatchedBackEnd(const WatchedBackEnd&) = delete;
-    WatchedBackEnd& operator=(const WatchedBackEnd&) = delete;
+SceneSpec validated(SceneSpec scene) {
+    if (!scene.deform)
+        throw InputError("has no body that deforms", "the scene", "Name its deform part");
+    scene.dt_s = frame_s;
+    return scene;
+}
 
-    // Must not be used longer than this object lives.
-    DeformBackEnd back_end() {
-        return {"cpu", [this](const BodyDescription& body, const StepperOptions& options,
-                              const LiveRegionOptions& region) {
-                    std::unique_ptr<Stepper> made =
-                        region_ == PlayedRegion::whole_body
-                            ? make_cpu_stepper(body, options)
-                            : cpu_back_end().make(body, options, region);
-                    elements_ = static_cast<int>(body.mesh.tetrahedra.size());
-                    live_ = dynamic_cast<const LiveStepper*>(made.get());
-                    return made;
-                }};
-    }
-
-    int elements() const { return elements_; }
-    int live_elements() const {
-        return live_ != nullptr ? live_->extent().live_elements : elements_;
-    }
-
-  private:
-    PlayedRegion region_;
-    int elements_ = 0;
-    const LiveStepper* live_ = nullptr;  // owned by the session
-};
-
-const std::vector<Vec3>& centreline_of(const DeformPart& deform) {
-    return deform.body().skeleton.positions_mm;
+DeformBackEnd whole_body_back_end() {
+    return {"cpu", [](const BodyDescription& body, const StepperOptions& options,
+                      const LiveRegionOptions&) { return make_cpu_stepper(body, options); }};
 }
 
 HandFrame frame_of(const SessionStep& step, const FrameStatistics& statistics) {
@@ -68,67 +48,118 @@ HandFrame frame_of(const SessionStep& step, const FrameStatistics& statistics) {
 
 }  // namespace
 
-HandTrial::HandTrial(std::shared_ptr<const PatientCase> patient, SceneSpec scene)
-    : patient_(std::move(patient)), scene_(std::move(scene)), probes_({}, {}) {
-    if (!scene_.deform)
-        throw InputError("has no body that deforms", "the scene", "Name its deform part");
-    const DeformPart deform(*patient_, *scene_.deform);
+// Makes the steppers of a session, and knows how much of the body the present one computes.
+class HandTrial::WatchedBackEnd {
+  public:
+    explicit WatchedBackEnd(PlayedRegion region)
+        : maker_(region == PlayedRegion::whole_body ? whole_body_back_end() : cpu_back_end()) {}
+    WatchedBackEnd(const WatchedBackEnd&) = delete;
+    WatchedBackEnd& operator=(const WatchedBackEnd&) = delete;
+
+    // Must not be used longer than this object lives.
+    DeformBackEnd back_end() {
+        return {maker_.name, [this](const BodyDescription& body, const StepperOptions& options,
+                                    const LiveRegionOptions& region) {
+                    std::unique_ptr<Stepper> made = maker_.make(body, options, region);
+                    elements_ = static_cast<int>(body.mesh.tetrahedra.size());
+                    live_ = dynamic_cast<const LiveStepper*>(made.get());
+                    return made;
+                }};
+    }
+
+    int elements() const { return elements_; }
+    int live_elements() const {
+        return live_ != nullptr ? live_->extent().live_elements : elements_;
+    }
+
+  private:
+    DeformBackEnd maker_;
+    int elements_ = 0;
+    const LiveStepper* live_ = nullptr;  // owned by the session
+};
+
+HandTrial::HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec& scene,
+                     PlayedRegion region, Job& job)
+    : patient_(std::move(patient)),
+      scene_(validated(scene)),
+      watched_(std::make_unique<WatchedBackEnd>(region)),
+      probes_({}, {}) {
+    Job building;  // its stages are none of the caller's
+    session_ = std::make_unique<Session>(patient_, scene_, building, watched_->back_end());
+    const DeformPart& deform = *session_->world().deform();
     setting_ = deform.setting();
-    probes_ = CentrelineProbes(centreline_of(deform), deform.body().mesh);
+    probes_ = CentrelineProbes(deform.body().skeleton.positions_mm, deform.body().mesh);
     rest_mm_ = probes_.places_mm(deform.rest_positions_mm());
+    let_sleep(job);
+    at_rest_.world = session_->world().checkpoint();
 }
 
-HandPlay HandTrial::play(const SceneSpec& scene, const HandMotion& motion, PlayedRegion region,
-                         Job& job) const {
-    WatchedBackEnd watched(region);
-    Job building;  // its stages are none of the caller's
-    Session session(patient_, scene, building, watched.back_end());
-    HandPlay played;
-    played.elements = watched.elements();
-    for (int i = 0; i < motion.steps_before; ++i) {
+HandTrial::~HandTrial() = default;
+
+void HandTrial::let_sleep(Job& job) {
+    for (int f = 0; f < most_frames_to_fall_asleep; ++f) {
         job.throw_if_cancelled();
-        session.step();
+        if (session_->step().deform.asleep) break;
     }
-    const auto commands = schedule(motion.script, patient_->tree, scene.dt_s, motion.steps);
+}
+
+void HandTrial::watch(const DeformPart& deform, CentrelineMotion& motion) const {
+    const std::vector<Vec3> places = probes_.places_mm(deform.positions_mm());
+    for (std::size_t p = 0; p < places.size(); ++p) motion.push_back(places[p] - rest_mm_[p]);
+}
+
+HandPlay HandTrial::play(const HandMotion& motion, const StepperOptions& setting, Job& job) {
+    session_->restore(at_rest_);
+    session_->post(UseSetting{setting});
+    let_sleep(job);
+    HandPlay played;
+    played.elements = watched_->elements();
+    const auto commands = schedule(motion.script, patient_->tree, frame_s, motion.steps);
     for (const std::vector<Command>& now : commands) {
         const FrameTimer timer;
-        for (const Command& command : now) session.post(command);
-        const SessionStep step = session.step();
+        for (const Command& command : now) session_->post(command);
+        const SessionStep step = session_->step();
         const FrameTime time = timer.passed();
-        session.update_frame();
-        HandFrame frame = frame_of(step, session.frame().statistics);
+        session_->update_frame();
+        HandFrame frame = frame_of(step, session_->frame().statistics);
         frame.time = time;
-        frame.live_elements = watched.live_elements();
+        frame.live_elements = watched_->live_elements();
         played.frames.push_back(std::move(frame));
-        const auto places = probes_.places_mm(session.world().deform()->positions_mm());
-        for (std::size_t p = 0; p < places.size(); ++p)
-            played.motion.push_back(places[p] - rest_mm_[p]);
+        watch(*session_->world().deform(), played.motion);
         job.advance(static_cast<double>(played.frames.size()) /
                     static_cast<double>(commands.size()));
     }
     return played;
 }
 
-HandPlay HandTrial::play(const HandMotion& motion, PlayedRegion region, Job& job) const {
-    return play(scene_, motion, region, job);
-}
-
+// Its substeps are steps of the session, so that one can stop between two of them.
 SceneSpec HandTrial::reference_scene(int substeps) const {
     StepperOptions exact;
     exact.model = setting_.model;
     exact.order = setting_.order;
     exact.linear = {.energy_tolerance = exact_energy_tolerance,
                     .max_iterations = enough_iterations};
-    exact.substeps = substeps;
     SceneSpec scene = scene_;
     scene.deform->setting = exact;
+    scene.dt_s = frame_s / substeps;
     return scene;
 }
 
 CentrelineMotion HandTrial::reference(const HandMotion& motion, int substeps, Job& job) const {
-    HandMotion from_rest = motion;
-    from_rest.steps_before = 0;
-    return play(reference_scene(substeps), from_rest, PlayedRegion::whole_body, job).motion;
+    Job building;
+    Session session(patient_, reference_scene(substeps), building, whole_body_back_end());
+    CentrelineMotion moved;
+    const auto commands = schedule(motion.script, patient_->tree, frame_s, motion.steps);
+    for (std::size_t f = 0; f < commands.size(); ++f) {
+        for (const Command& command : commands[f]) session.post(command);
+        for (int part = 0; part < substeps; ++part) {
+            job.advance((static_cast<double>(f) + static_cast<double>(part) / substeps) /
+                        static_cast<double>(commands.size()));
+            session.step();
+        }
+        watch(*session.world().deform(), moved);
+    }
+    return moved;
 }
 
 CentrelineMotion HandTrial::kept_reference(const HandMotion& motion, int substeps,
@@ -139,7 +170,7 @@ CentrelineMotion HandTrial::kept_reference(const HandMotion& motion, int substep
     hasher.add_bytes(&patient, sizeof patient);
     const std::string words = to_json(scene).dump();
     hasher.add_bytes(words.data(), words.size());
-    for (const auto& now : schedule(motion.script, patient_->tree, scene.dt_s, motion.steps))
+    for (const auto& now : schedule(motion.script, patient_->tree, frame_s, motion.steps))
         for (const Command& command : now) {
             const std::string text = to_json(command).dump() + "\n";
             hasher.add_bytes(text.data(), text.size());

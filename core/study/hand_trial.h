@@ -12,11 +12,15 @@
 #include "core/base/job.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
+#include "core/session/recording.h"
 #include "core/study/hand_motion.h"
 #include "core/study/pull_trial.h"
 #include "core/study/timing.h"
 
 namespace hepatica {
+
+class DeformPart;
+class Session;
 
 struct HandFrame {
     FrameTime time;  // of the commands, the world's step and the frame that is shown
@@ -30,9 +34,9 @@ struct HandFrame {
 };
 
 struct HandPlay {
-    std::vector<HandFrame> frames;  // the measured ones
-    CentrelineMotion motion;        // in them
-    int elements = 0;               // of the whole body
+    std::vector<HandFrame> frames;
+    CentrelineMotion motion;  // in them
+    int elements = 0;         // of the whole body
 };
 
 enum class PlayedRegion {
@@ -40,21 +44,27 @@ enum class PlayedRegion {
     whole_body     // nothing is frozen
 };
 
-// Thread safety: const access only.
+// Not thread-safe.
 class HandTrial {
   public:
-    // Throws InputError where the case or the scene's spec cannot be played with.
-    HandTrial(std::shared_ptr<const PatientCase> patient, SceneSpec scene);
+    // Builds a session of the scene (at 1/60 s a step) and lets it fall asleep. Throws InputError
+    // where case or scene cannot be played with; Cancelled.
+    HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec& scene,
+              PlayedRegion region, Job& job);
+    ~HandTrial();
+    HandTrial(const HandTrial&) = delete;
+    HandTrial& operator=(const HandTrial&) = delete;
 
-    // The setting that the scene plays with.
+    // The setting that the scene begins with.
     const StepperOptions& setting() const { return setting_; }
 
-    // Throws Cancelled, after a step.
-    HandPlay play(const HandMotion& motion, PlayedRegion region, Job& job) const;
+    // From rest, asleep. Looks at the job after every step; throws Cancelled.
+    HandPlay play(const HandMotion& motion, const StepperOptions& setting, Job& job);
+    HandPlay play(const HandMotion& motion, Job& job) { return play(motion, setting_, job); }
 
     // The same hand on the same mesh and element, all of it computed in `substeps` substeps a
     // frame, each solved to 1e-8 in the energy norm: what a setting's error is measured against.
-    // What the mesh itself misses is not in it. It begins at rest and leaves steps_before out.
+    // What the mesh itself misses is not in it. Looks at the job after every substep.
     CentrelineMotion reference(const HandMotion& motion, int substeps, Job& job) const;
     // The same, kept in `folder`, which must exist, and read from there the next time. A file of
     // another patient, scene, element or motion is left alone; one that is damaged is made anew.
@@ -63,12 +73,17 @@ class HandTrial {
                                     const std::filesystem::path& folder, Job& job) const;
 
   private:
+    class WatchedBackEnd;
+
+    void let_sleep(Job& job);
     SceneSpec reference_scene(int substeps) const;
-    HandPlay play(const SceneSpec& scene, const HandMotion& motion, PlayedRegion region,
-                  Job& job) const;
+    void watch(const DeformPart& deform, CentrelineMotion& motion) const;
 
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec scene_;
+    std::unique_ptr<WatchedBackEnd> watched_;
+    std::unique_ptr<Session> session_;
+    Keyframe at_rest_;
     StepperOptions setting_;
     CentrelineProbes probes_;
     std::vector<Vec3> rest_mm_;  // of the probes

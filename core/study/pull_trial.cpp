@@ -14,7 +14,7 @@ namespace hepatica {
 namespace {
 
 constexpr double share_of_the_way = 0.6;  // from the root to the furthest tip
-constexpr int moving_frames = 15;
+constexpr int frames_out = Pull::frames / 2;
 constexpr double reach_radii = 1.5;  // of the hand, so that it holds whole cross-sections
 constexpr double hand_strain = 0.4;  // the hand pulls no harder than would stretch the vessel so
 
@@ -92,8 +92,8 @@ std::vector<Grab> Pull::grabs(const BodyDescription& body, int frame) const {
         held.push_back(static_cast<int>(v));
         held_mm3 += volume[v];
     }
-    const double moved =
-        distance_mm() * std::min(1.0, static_cast<double>(frame + 1) / moving_frames);
+    const int frames_from_start = std::min(frame + 1, Pull::frames - frame - 1);
+    const double moved = distance_mm * frames_from_start / frames_out;
     const double modulus_pa = body.material.young_modulus_pa;
     std::vector<Grab> grabs(held.size());
     for (std::size_t i = 0; i < held.size(); ++i) {

@@ -12,12 +12,13 @@
 
 namespace hepatica {
 
-// The hand takes the vessel three fifths of the way from a fixed root to the furthest tip, moves
-// sideways by three radii within a quarter of a second, and holds still for another quarter.
+// The hand takes the vessel three fifths of the way from a fixed root to the furthest tip and moves
+// sideways by 30 mm within half a second, and back in another.
 class Pull {
   public:
-    static constexpr int frames = 30;
+    static constexpr int frames = 60;
     static constexpr double frame_s = 1.0 / 60.0;
+    static constexpr double distance_mm = 30.0;
 
     // Throws InputError where the body has no skeleton or nothing of it is fixed.
     explicit Pull(const BodyDescription& body);
@@ -28,7 +29,6 @@ class Pull {
     std::vector<Grab> grabs(const BodyDescription& body, int frame) const;
 
     const Vec3& place_mm() const { return place_mm_; }
-    double distance_mm() const { return 3.0 * radius_mm_; }
 
   private:
     Vec3 place_mm_, way_;

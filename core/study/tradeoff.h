@@ -20,11 +20,11 @@ struct TradeoffPoint {
     int elements = 0;              // of the mesh
     std::string region = "whole";  // or "live": only what moves or is held is computed
     StepperOptions options;
-    double dt_s = 0.0;                 // of one substep
-    double step_ms = 0.0;              // of one substep, as below
-    double frame_ms = 0.0;             // median for 1/60 s of simulated time, see FrameMeter
-    double iterations = 0.0;           // linear, mean over the substeps
-    double error_relative = 0.0;       // of the motion, root mean square over half a second
+    double dt_s = 0.0;            // of one substep
+    double step_ms = 0.0;         // of one substep, as below
+    double frame_ms = 0.0;        // what 95 of 100 frames of 1/60 s take at most, see FrameMeter
+    double iterations = 0.0;      // linear, mean over the substeps
+    double error_relative = 0.0;  // of the motion, root mean square over half a second
     double rest_error_relative = 0.0;  // two seconds after gravity set in; NaN: not measured
     bool own_mesh = true;              // the mesh that the body is played with
     bool on_front = false;

@@ -180,6 +180,9 @@ TEST_F(Identity, IsInNothingThatTheProgramWrites) {
             case_folder()});
     EXPECT_EQ(found_in_files(case_folder()), "");
     answer({"tradeoff", case_folder(), "--out", written("tradeoff"), "--budget", "2"});
+    answer({"dial", case_folder(), "--budget", "1"});
+    answer({"bench", "drag", case_folder(), "--motion", "jerk", "--steps-csv", written("steps.csv"),
+            "--references", written("references")});
     answer({"edit", case_folder(), "--accept-bridges", "0.1", "--out", written("edited.hep")});
     answer({"inject", case_folder(), "--csv", written("inject.csv"), "--plot",
             written("inject.png"), "--lengths-csv", written("lengths.csv"), "--svzerod",

@@ -61,6 +61,7 @@ TEST_F(Play, CountsTheStepsThatTheBodySleptThroughApart) {
     EXPECT_GT(asleep, 0);
     EXPECT_LE(asleep, rest["steps"]);
     EXPECT_EQ(rest["step_ms"]["median"].is_null(), rest["steps"] == asleep);
+    EXPECT_EQ(rest["frames_in_time"].is_null(), rest["steps"] == asleep);
     const Json drag = answer({"simulate", path("p.hep"), "--script",
                               HEPATICA_ASSETS "/scripts/drag.json", "--steps", "60"});
     EXPECT_LT(drag["steps_asleep"], 60);
@@ -68,6 +69,8 @@ TEST_F(Play, CountsTheStepsThatTheBodySleptThroughApart) {
     const Json played = answer({"play", path("p.hep"), "--out", path("played")})["simulation"];
     EXPECT_TRUE(played.contains("steps_asleep"));
     EXPECT_GT(played["step_ms_median"], 0.0);
+    EXPECT_GE(played["frames_in_time"], 0.0);
+    EXPECT_LE(played["frames_in_time"], 1.0);
 }
 
 // What reconstruct would have said, the report says too.

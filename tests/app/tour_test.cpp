@@ -214,7 +214,7 @@ TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
     EXPECT_EQ(replayed["state_hash"], played["state_hash"]);
 }
 
-TEST_F(Tour, TradeoffOfAPatientEndsInItsBudgetAndLeavesTheDialInTheCase) {
+TEST_F(Tour, TradeoffOfAPatientEndsInItsBudget) {
     const Json measured =
         answer({"tradeoff", path("p.hep"), "--out", path("tradeoff"), "--budget", "4"});
     EXPECT_FALSE(measured["points"].empty());
@@ -230,12 +230,55 @@ TEST_F(Tour, TradeoffOfAPatientEndsInItsBudgetAndLeavesTheDialInTheCase) {
         }
     EXPECT_EQ(regions.size(), 2u);
     EXPECT_EQ(meshes.size(), 2u);
-    for (const char* name : {"tradeoff/tradeoff.csv", "tradeoff/tradeoff.svg", "p.hep/dial.json"})
+    for (const char* name : {"tradeoff/tradeoff.csv", "tradeoff/tradeoff.svg"})
         EXPECT_TRUE(fs::exists(path(name))) << name;
+}
+
+TEST_F(Tour, TheDialOfAPatientStaysInTheCaseAndIsMeasuredOnce) {
+    const Json begun = answer({"dial", path("p.hep"), "--budget", "1"});
+    EXPECT_GE(begun["measured"].size(), 1u);
     const Json played = answer({"simulate", path("p.hep"), "--script",
                                 HEPATICA_ASSETS "/scripts/drag.json", "--steps", "5"});
-    EXPECT_EQ(played["error_reference"], measured["reference"]);
+    EXPECT_EQ(played["error_reference"], begun["reference"]);
+    const Json whole = answer({"dial", path("p.hep")});
+    EXPECT_TRUE(whole["complete"]);
+    EXPECT_GE(begun["measured"].size() + whole["measured"].size(), 6u);
+    double cost = 0.0, error = 1.0;
+    for (const Json& point : whole["front"]) {
+        EXPECT_GT(point["frame_ms"], cost);
+        EXPECT_LT(point["error_relative"], error);
+        cost = point["frame_ms"];
+        error = point["error_relative"];
+    }
+    EXPECT_TRUE(answer({"dial", path("p.hep")})["measured"].empty());
     fs::remove(path("p.hep/dial.json"));
+}
+
+TEST_F(Tour, BenchDragSaysWhatAHandsMotionCostsAndMisses) {
+    const Json measured = answer({"bench", "drag", path("p.hep"), "--motion", "jerk", "--motion",
+                                  "script", "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                                  "--steps-csv", path("steps.csv"), "--references", path("refs")});
+    ASSERT_EQ(measured["motions"].size(), 2u);
+    for (const Json& row : measured["motions"]) {
+        EXPECT_LE(row["median_ms"], row["p95_ms"]);
+        EXPECT_LE(row["p95_ms"], row["p99_ms"]);
+        EXPECT_LE(row["p99_ms"], row["longest_ms"]);
+        EXPECT_GT(row["frames_in_time"], 0.0);
+        EXPECT_GT(row["error"], 0.0);
+        EXPECT_LT(row["error"], 1.0);
+        EXPECT_LE(row["error_rms_mm"], row["error_largest_mm"]);
+    }
+    EXPECT_EQ(measured["motions"][0]["steps"], 72);
+    std::ifstream csv(path("steps.csv"));
+    int lines = 0;
+    for (std::string line; std::getline(csv, line);) ++lines;
+    EXPECT_EQ(lines, 1 + measured["motions"][0]["steps"].get<int>() +
+                         measured["motions"][1]["steps"].get<int>());
+    const Json whole = answer({"bench", "drag", path("p.hep"), "--motion", "jerk", "--whole",
+                               "--no-error", "--setting", R"({"substeps": 2})"});
+    EXPECT_EQ(whole["setting"]["substeps"], 2);
+    EXPECT_EQ(whole["motions"][0]["live_median"], 1.0);
+    EXPECT_TRUE(whole["motions"][0]["error"].is_null());
 }
 
 TEST_F(Tour, SceneListsTheParts) {

@@ -63,10 +63,31 @@ TEST(MeasuredDial, IsThePatientsOwnWhereTheCaseHoldsOne) {
     EXPECT_NE(dial_of(patient).front()[0].reference, "this body");
 }
 
+TEST(MeasuredDial, LeavesOneAsideThatWasMeasuredInAnotherWay) {
+    PatientCase patient = *small_patient();
+    patient.dial_json = R"({"format": "hepatica-dial", "version": 1})";
+    EXPECT_TRUE(measured_points(patient).empty());
+    EXPECT_NE(dial_of(patient).front()[0].reference.find("synthetic patient"), std::string::npos);
+}
+
+TEST(MeasuredDial, OffersNothingThatMissesMoreThanHalfTheMotion) {
+    PatientCase patient = *small_patient();
+    patient.dial_json = dial_json(
+        {{substeps(1), 3.0, 0.6, "this body"}, {substeps(2), 6.0, 0.4, "this body"}}, patient);
+    EXPECT_EQ(measured_points(patient).size(), 2u);
+    ASSERT_EQ(dial_of(patient).front().size(), 1u);
+    EXPECT_EQ(dial_of(patient).front()[0].options.substeps, 2);
+    // Where nothing is better, it is what there is.
+    patient.dial_json = dial_json({{substeps(1), 3.0, 0.6, "this body"}}, patient);
+    EXPECT_EQ(dial_of(patient).front().size(), 1u);
+}
+
 TEST(MeasuredDial, RefusesADamagedOneByName) {
     PatientCase patient = *small_patient();
-    for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 1}",
-                                "{\"format\": \"other\", \"version\": 1}"}) {
+    for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 2}",
+                                "{\"format\": \"hepatica-dial\", \"version\": 3}",
+                                "{\"format\": \"hepatica-dial\", \"version\": \"two\"}",
+                                "{\"format\": \"other\", \"version\": 2}"}) {
         patient.dial_json = damaged;
         EXPECT_THROW(static_cast<void>(dial_of(patient)), InputError) << damaged;
     }

@@ -14,7 +14,7 @@ namespace hepatica {
 // One setting and what it was measured to cost and to miss.
 struct QualityPoint {
     StepperOptions options;
-    double frame_ms = 0.0;        // wall time for 1/60 s of simulated time, > 0
+    double frame_ms = 0.0;        // what 95 of 100 frames of 1/60 s take at most, > 0
     double error_relative = 0.0;  // of the motion, >= 0
     std::string reference;        // what that error was measured against
 };

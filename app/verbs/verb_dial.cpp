@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/output_place.h"
+#include "app/verbs/verbs.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/measured_dial.h"
+#include "core/scene/setting_json.h"
+#include "core/study/dial_study.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Options {
+    std::filesystem::path patient;
+    double budget_s = 300.0;
+    bool anew = false;
+};
+
+Json json_of(const QualityPoint& point) {
+    return {{"setting", words_of(point.options)},
+            {"energy_tolerance", point.options.linear.energy_tolerance},
+            {"frame_ms", point.frame_ms},
+            {"error_relative", point.error_relative}};
+}
+
+// The dial that is left in the case is never without what was measured last.
+Json run(const Options& options, Job& job) {
+    const std::filesystem::path file = options.patient / "dial.json";
+    require_writable(file);
+    job.expect_stages(2);
+    job.begin_stage("Reading the case");
+    PatientCase read = read_case_without_voxels(options.patient);
+    if (options.anew) read.dial_json.clear();
+    const auto patient = std::make_shared<const PatientCase>(std::move(read));
+    job.begin_stage("Measuring the settings");
+    const FrameTimer timer;
+    const auto passed_s = [&] { return 1e-3 * timer.passed().wall_ms; };
+    DialStudy study(patient, measured_points(*patient));
+    Json measured = Json::array();
+    while (passed_s() < options.budget_s && study.measure_next(job)) {
+        write_dial(options.patient, dial_json(study.points(), *patient));
+        measured.push_back(json_of(study.points().back()));
+        measured.back()["after_s"] = passed_s();
+    }
+    const QualityDial dial = dial_of_points(study.points());
+    Json front = Json::array();
+    for (const QualityPoint& point : dial.front()) front.push_back(json_of(point));
+    return {{"tetrahedra", patient->mesh.tetrahedra.size()},
+            {"reference", dial.front().front().reference},
+            {"measured", measured},
+            {"front", front},
+            {"complete", !next_dial_setting(study.points()).has_value()},
+            {"dial", file.string()}};
+}
+
+}  // namespace
+
+void add_dial(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb(
+        "dial",
+        "Measure what the settings of the dial cost and miss on a patient's own body, and leave "
+        "them in the case",
+        [options](Job& job) { return run(*options, job); });
+    verb.add_option("CASE", options->patient, "Case to measure on")->required();
+    verb.add_option("--budget", options->budget_s,
+                    "Wall time in seconds, after which no further setting is begun")
+        ->check(CLI::Range(1.0, 1e6))
+        ->capture_default_str();
+    verb.add_flag("--anew", options->anew, "Forget what was measured before");
+}
+
+}  // namespace hepatica
