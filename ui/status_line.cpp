@@ -17,7 +17,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     step_->setToolTip("Wall time of one step of the simulation");
     real_time_->setToolTip("Simulated time over wall time: 1 is real time, less is slower");
     error_->setToolTip("Of the present setting of the dial, and what it was measured against");
-    picture_->setToolTip("Time of one picture, until it is on the screen");
+    picture_->setToolTip("Time of the last picture, until it was on the screen");
     renderer_->setToolTip("The OpenGL renderer");
     for (QLabel* label : {step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
@@ -44,8 +44,7 @@ void StatusLine::show_statistics(const FrameStatistics& statistics) {
 }
 
 void StatusLine::show_picture_time(double ms) {
-    smoothed_picture_ms_ = smoothed_picture_ms_ > 0.0 ? 0.9 * smoothed_picture_ms_ + 0.1 * ms : ms;
-    picture_->setText(QString("picture %1 ms").arg(smoothed_picture_ms_, 0, 'f', 0));
+    picture_->setText(QString("picture %1 ms").arg(ms, 0, 'f', 0));
 }
 
 void StatusLine::show_renderer(const std::string& name) {

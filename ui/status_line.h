@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures at the window's foot: step time, real-time factor, expected error, picture time and
-// renderer. They change four times a second, so that they can be read.
+// renderer. They change four times a second at most, so that they can be read.
 #pragma once
 
 #include <QStatusBar>
@@ -26,7 +26,6 @@ class StatusLine {
     QLabel* error_;
     QLabel* picture_;
     QLabel* renderer_;
-    double smoothed_picture_ms_ = 0.0;
 };
 
 }  // namespace hepatica
