@@ -42,7 +42,7 @@ template <std::size_t N>
 vtkNew<vtkCellArray> cells_of(const std::vector<std::array<int, N>>& cells) {
     vtkNew<vtkCellArray> array;
     array->AllocateExact(static_cast<vtkIdType>(cells.size()),
-                         static_cast<vtkIdType>(N * cells.size()));
+                         static_cast<vtkIdType>(N) * static_cast<vtkIdType>(cells.size()));
     for (const auto& cell : cells) {
         array->InsertNextCell(static_cast<int>(N));
         for (const int vertex : cell) array->InsertCellPoint(vertex);

@@ -95,8 +95,8 @@ TEST(LiverFrame, HoldsTheLiverAndClosesWhatWasCutOutOfIt) {
     }
 }
 
-// It is closed by more than the margin: a closing that grew towards the frame's border would add the
-// whole margin to the liver.
+// It is closed by more than the margin: a closing that grew towards the frame's border would add
+// the whole margin to the liver.
 TEST(LiverFrame, DoesNotGrowTheLiverTowardsItsBorder) {
     Job job;
     const LiverFrame frame = make_liver_frame(linear_ct(), box(low_mm, high_mm), 1.0, job);

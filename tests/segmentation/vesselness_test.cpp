@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/filters.h"
 
 namespace hepatica {
 namespace {
@@ -78,6 +79,25 @@ TEST(Vesselness, AnswersToATubeMoreThanToABallOrASheet) {
     EXPECT_NEAR(tilted, tube, 0.15f * tube);
     EXPECT_LT(ball, 0.4f * tube);
     EXPECT_LT(sheet, 0.1f * tube);
+}
+
+// A grid of three different sides, cut out of the cube: its values are those of the cube.
+TEST(Vesselness, DoesNotDependOnTheSidesOfTheGrid) {
+    const FloatVolume cube = soft_shape([](const Vec3& p) {
+        const Vec3 axis = Vec3(1, 2, 3).normalized();
+        return (p - p.dot(axis) * axis).norm() - 2.5;
+    });
+    const IndexBox box{{2, 3, 0}, {32, 29, 28}};
+    Job job;
+    const FloatVolume whole = vesselness(cube, {1.5}, job);
+    const FloatVolume part = vesselness(crop(cube, box), {1.5}, job);
+    for (int z = 12; z < 20; ++z)
+        for (int y = 12; y < 20; ++y)
+            for (int x = 12; x < 20; ++x)
+                EXPECT_NEAR(part.at(x - box.begin[0], y - box.begin[1], z - box.begin[2]),
+                            whole.at(x, y, z), 0.05)
+                    << x << " " << y << " " << z;
+    EXPECT_GT(whole.at(15, 15, 15), 10.0f);
 }
 
 TEST(Vesselness, IsTheSameForAnyNumberOfThreads) {

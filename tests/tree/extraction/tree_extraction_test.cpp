@@ -70,6 +70,23 @@ TEST(TreeExtraction, ForkHasOneBifurcationAndItsTrunkIsTheRoot) {
     EXPECT_LT(tree.segments[0].points_mm.front().y(), 8.0);
 }
 
+// Also from the fork, which is nearer to the last of these places than any end.
+TEST(TreeExtraction, BeginsAtTheEndNearestToTheWishedPlace) {
+    const Vec3 trunk(30, 4, 20), left(10, 58, 20), right(52, 56, 20);
+    for (const auto& [wish, end] : {std::pair{trunk, trunk},
+                                    {left, left},
+                                    {right, right},
+                                    {Vec3(12, 57, 21), left},
+                                    {Vec3(34, 33, 20), trunk}}) {
+        TreeOptions options;
+        options.roots_mm = {wish};
+        const VesselTree tree = tree_of(y_mask(), nullptr, options);
+        ASSERT_EQ(roots(tree).size(), 1U) << wish.transpose();
+        EXPECT_LT((tree.segments[roots(tree)[0]].points_mm.front() - end).norm(), 5.0)
+            << wish.transpose();
+    }
+}
+
 TEST(TreeExtraction, RadiiOfAForkAreThoseItWasDrawnWith) {
     const VesselTree tree = tree_of(y_mask());
     ASSERT_EQ(tree.segments.size(), 3u);
