@@ -13,8 +13,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -42,8 +45,9 @@ bool holds(const List& list, const char* text) {
 
 class Check {
   public:
-    explicit Check(const std::filesystem::path& file)
+    Check(const std::filesystem::path& file, vtkXMLDataParser* parser)
         : file_(file),
+          parser_(parser),
           most_items_(most_items_per_byte *
                       static_cast<long long>(std::filesystem::file_size(file))) {}
 
@@ -77,6 +81,43 @@ class Check {
         const bool texts = std::string_view(element->GetAttribute("type")) == "String";
         require_number(element, "NumberOfComponents", 1, texts ? 1 : most_components);
         require_number(element, "offset", 0, most_items_);
+        if (texts && format != nullptr && std::string_view(format) == "ascii") ascii_texts(element);
+    }
+
+    // Each text ends with a 0. VTK writes all of them into as many places as the array says it has.
+    void ascii_texts(vtkXMLDataElement* element) const {
+        std::vector<unsigned char> bytes(std::filesystem::file_size(file_));
+        const std::size_t read = parser_->ReadInlineData(
+            element, 1, reinterpret_cast<char*>(bytes.data()), 0, bytes.size(), VTK_UNSIGNED_CHAR);
+        bytes.resize(std::min(read, bytes.size()));
+        const long long places = number(element, "NumberOfTuples").value_or(places_beside(element));
+        if (std::ranges::count(bytes, 0) > places)
+            refuse(file_, "holds more texts than it has places for");
+    }
+
+    // Of an array of points or cells: as many as the piece has of them.
+    static long long places_beside(vtkXMLDataElement* element) {
+        vtkXMLDataElement* data = element->GetParent();
+        vtkXMLDataElement* piece = data != nullptr ? data->GetParent() : nullptr;
+        if (piece == nullptr) return 0;
+        if (std::string_view(data->GetName()) == "PointData")
+            return number(piece, "NumberOfPoints").value_or(0);
+        long long cells = 0;
+        for (const char* kind :
+             {"NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
+            cells += number(piece, kind).value_or(0);
+        return cells;
+    }
+
+    static std::optional<long long> number(vtkXMLDataElement* element, const char* attribute) {
+        const char* text = element->GetAttribute(attribute);
+        if (text == nullptr) return std::nullopt;
+        const std::string_view digits(text);
+        long long value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+        return value;
     }
 
     // Where the element has the attribute.
@@ -84,16 +125,13 @@ class Check {
                         long long most) const {
         const char* text = element->GetAttribute(attribute);
         if (text == nullptr) return;
-        const std::string_view digits(text);
-        long long value = 0;
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error != std::errc{} || end != digits.data() + digits.size() || value < least ||
-            value > most)
+        const std::optional<long long> value = number(element, attribute);
+        if (!value || *value < least || *value > most)
             refuse(file_, std::string("has a ") + attribute + " of \"" + text + "\"");
     }
 
     const std::filesystem::path& file_;
+    vtkXMLDataParser* parser_;
     long long most_items_;
 };
 
@@ -107,10 +145,11 @@ void check_vtk_xml(const std::filesystem::path& file) {
     on_error->SetCallback(
         [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
     parser->AddObserver(vtkCommand::ErrorEvent, on_error);
-    parser->SetFileName(file.c_str());
+    std::ifstream in(file, std::ios::binary);  // stays open: texts are read through it
+    parser->SetStream(&in);
     if (parser->Parse() == 0 || failed || parser->GetRootElement() == nullptr)
         refuse(file, "is damaged, or no XML file of VTK");
-    Check(file).whole(parser->GetRootElement());
+    Check(file, parser).whole(parser->GetRootElement());
 }
 
 void check_vtk_cells(vtkCellArray* cells, long long points, const std::filesystem::path& file) {

@@ -50,6 +50,7 @@ TEST(VtkFile, IsRefusedByWhatItSaysOfItself) {
              {R"(Array type="String")", R"(Array type="Strings")", "no known type"},
              {R"(NumberOfTuples="1" format)", R"(NumberOfTuples="1" NumberOfComponents="3" format)",
               "NumberOfComponents of \"3\""},
+             {">76 80 83 0<", ">76 0 83 0<", "more texts"},
              {R"(NumberOfComponents="3")", R"(NumberOfComponents="2")", "three coordinates"},
              {R"(NumberOfComponents="3")", "", "three coordinates"},
              {R"(NumberOfPoints="3")", R"(NumberOfPoints="99999999999")", "NumberOfPoints"},
