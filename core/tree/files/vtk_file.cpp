@@ -75,13 +75,12 @@ class Check {
         if (!holds(array_types, element->GetAttribute("type")))
             refuse(file_, "holds an array of no known type");
         const char* format = element->GetAttribute("format");
-        if (format != nullptr && !holds(formats, format))
-            refuse(file_, "holds an array in no known format");
+        if (!holds(formats, format)) refuse(file_, "holds an array in no known format");
         // VTK writes beyond texts of several components.
         const bool texts = std::string_view(element->GetAttribute("type")) == "String";
         require_number(element, "NumberOfComponents", 1, texts ? 1 : most_components);
         require_number(element, "offset", 0, most_items_);
-        if (texts && format != nullptr && std::string_view(format) == "ascii") ascii_texts(element);
+        if (texts && std::string_view(format) == "ascii") ascii_texts(element);
     }
 
     // Each text ends with a 0. VTK writes all of them into as many places as the array says it has.

@@ -57,6 +57,7 @@ TEST(VtkFile, IsRefusedByWhatItSaysOfItself) {
              {R"(NumberOfLines="1")", R"(NumberOfLines="-1")", "NumberOfLines"},
              {R"(NumberOfLines="1")", R"(NumberOfLines="1e0")", "NumberOfLines"},
              {R"(format="ascii">76)", R"(format="plain">76)", "no known format"},
+             {R"(format="ascii">76)", R"(>76)", "no known format"},
              {"</VTKFile>", "", "damaged"}}) {
         const auto file = file_with(from, to);
         try {
