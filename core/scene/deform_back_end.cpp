@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/deform_back_end.h"
 
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 
 namespace hepatica {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"

@@ -157,12 +157,10 @@ StudySystem study_system(const BodyDescription& description, double bend_rad, do
     }
     system.rhs[furthest] += Vec3(0.0, 0.0, dt_s * pull_un);
 
-    const FrameSkeleton skeleton =
-        description.skeleton.size() > 0 ? description.skeleton : skeleton_of_mesh(description.mesh);
-    CholeskySolver solver(skeleton, body.rest_positions_mm, {.exact = true});
+    CholeskySolver solver;
     solver.prepare(system.matrix, system.positions_mm);
     system.exact.assign(system.rhs.size(), Vec3::Zero());
-    solver.solve(system.rhs, system.exact, {});
+    solver.solve(system.rhs, system.exact, {.energy_tolerance = 1e-12});
     return system;
 }
 
@@ -177,9 +175,7 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
                                 LinearSolverKind kind) {
     const std::vector<Vec3>& rest = body.mesh.vertices_mm;
     std::unique_ptr<LinearSolver> solver;
-    if (kind == LinearSolverKind::cholesky)
-        solver = std::make_unique<CholeskySolver>(body.skeleton, rest, CholeskySettings{true});
-    else if (kind == LinearSolverKind::skeleton)
+    if (kind == LinearSolverKind::skeleton)
         solver = std::make_unique<SkeletonSolver>(body.skeleton, rest, SkeletonSettings{true});
     else
         solver = make_linear_solver(kind, body.skeleton, rest);

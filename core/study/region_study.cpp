@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"

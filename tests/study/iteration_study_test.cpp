@@ -24,7 +24,9 @@ TEST(IterationStudy, TheSkeletonNeedsFewIterationsWhereBlockJacobiNeedsMany) {
     EXPECT_LE(skeleton.iterations_1pct, skeleton.iterations_stopped);
     EXPECT_GT(jacobi.iterations_1pct, 20 * skeleton.iterations_1pct);
     EXPECT_EQ(direct.iterations_1pct, 0);
-    EXPECT_LT(direct.error, 1e-8);
+    // A factor in single precision, on a slender bar.
+    EXPECT_LT(direct.error, 1e-2);
+    EXPECT_NEAR(direct.error, direct.estimate, 0.1 * direct.estimate);
 }
 
 TEST(VesselBody, ATreeIsClampedAtItsRootAlone) {

@@ -128,11 +128,18 @@ struct NeoHookeanLaw {
     struct Point {
         Matrix3<T> f;
         Matrix3<T> cofactors;
-        T theta;  // J - 1
+        T theta;   // J - 1
+        T first;   // I - 3
+        T second;  // (I - 3) / 2 - (J - 1): of second order near rest
     };
 
+    // From the gradient of displacement g = f - 1, so that nothing cancels near rest.
     HEPATICA_HOST_DEVICE static Point at(const Matrix3<T>& f) {
-        return {f, cofactor(f), determinant(f) - T(1)};
+        Matrix3<T> g = f;
+        for (int i = 0; i < 3; ++i) g(i, i) -= T(1);
+        const T sum = trace(g), squares = inner(g, g);
+        const T higher = T(0.5) * (sum * sum - inner(g, transpose(g))) + determinant(g);
+        return {f, cofactor(f), sum + higher, T(2) * sum + squares, T(0.5) * squares - higher};
     }
     HEPATICA_HOST_DEVICE static Matrix3<T> theta_gradient(const Point& point) {
         return point.cofactors;
@@ -140,8 +147,8 @@ struct NeoHookeanLaw {
     // mu'/2 (I - 3) - mu'/2 log((I + 1)/4) - 3/4 mu' (J - 1) + 5/12 mu (J - 1)^2: together with
     // lambda/2 (J - 1)^2 the published energy, split so that either part is stable by itself.
     HEPATICA_HOST_DEVICE T isochoric_energy(const Point& point) const {
-        const T i = inner(point.f, point.f) - T(3), d = point.theta;
-        return mu * (T(2) / T(3) * (i - std::log1p(T(0.25) * i)) - d) +
+        const T quarter = T(0.25) * point.first, d = point.theta;
+        return mu * (point.second + T(2) / T(3) * (quarter - std::log1p(quarter))) +
                T(0.5) * local_bulk() * d * d;
     }
     HEPATICA_HOST_DEVICE Matrix3<T> stress(const Point& point, T p) const {

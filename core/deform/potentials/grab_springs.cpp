@@ -83,13 +83,13 @@ void GrabSprings::add_stiffness(std::span<const Vec3> positions_mm, double facto
         });
 }
 
-double GrabSprings::quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
-                                   const BlockMatrix& pattern) const {
-    double sum = 0.0;
+void GrabSprings::add_product(std::span<const Vec3> positions_mm, double factor,
+                              std::span<const Vec3> d, const BlockMatrix& pattern,
+                              std::span<Vec3> product) const {
     for (const Grab& grab : grabs_)
-        for_each_block(grab, positions_mm, pattern,
-                       [&](int i, int j, const Mat3& block) { sum += d[i].dot(block * d[j]); });
-    return sum;
+        for_each_block(grab, positions_mm, pattern, [&](int i, int j, const Mat3& block) {
+            product[i] += factor * (block * d[j]);
+        });
 }
 
 void GrabSprings::mark_held(std::span<char> held) const {

@@ -22,10 +22,8 @@ class Gravity final : public Potential {
                              std::span<double> energy_nj) const override;
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;
     void add_stiffness(std::span<const Vec3>, double, BlockMatrix&) const override {}
-    double quadratic_form(std::span<const Vec3>, std::span<const Vec3>,
-                          const BlockMatrix&) const override {
-        return 0.0;
-    }
+    void add_product(std::span<const Vec3>, double, std::span<const Vec3>, const BlockMatrix&,
+                     std::span<Vec3>) const override {}
     void book(double energy_nj, EnergyLedger& ledger) const override {
         ledger.gravity_work = -energy_nj;
     }

@@ -42,9 +42,10 @@ class Potential {
     virtual void add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                BlockMatrix& matrix) const = 0;
 
-    // d^T (stiffness at the positions) d, lumped as in a matrix of this pattern.
-    virtual double quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
-                                  const BlockMatrix& pattern) const = 0;
+    // Adds factor * (stiffness at the positions) d, lumped as in a matrix of this pattern.
+    virtual void add_product(std::span<const Vec3> positions_mm, double factor,
+                             std::span<const Vec3> d, const BlockMatrix& pattern,
+                             std::span<Vec3> product) const = 0;
 
     // Sets held[i] for the nodes that it ties to a place, so that the body's momentum is not its
     // own. Weight ties none.

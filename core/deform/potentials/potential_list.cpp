@@ -55,11 +55,11 @@ void PotentialList::add_stiffness(std::span<const Vec3> positions_mm, double fac
     for (const auto& potential : all_) potential->add_stiffness(positions_mm, factor, matrix);
 }
 
-double PotentialList::quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
-                                     const BlockMatrix& pattern) const {
-    double sum = 0.0;
-    for (const auto& potential : all_) sum += potential->quadratic_form(positions_mm, d, pattern);
-    return sum;
+void PotentialList::add_product(std::span<const Vec3> positions_mm, double factor,
+                                std::span<const Vec3> d, const BlockMatrix& pattern,
+                                std::span<Vec3> product) const {
+    for (const auto& potential : all_)
+        potential->add_product(positions_mm, factor, d, pattern, product);
 }
 
 double PotentialList::book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,

@@ -38,8 +38,8 @@ class PotentialList {
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const;
     void add_stiffness(std::span<const Vec3> positions_mm, double factor,
                        BlockMatrix& matrix) const;
-    double quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
-                          const BlockMatrix& pattern) const;
+    void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
+                     const BlockMatrix& pattern, std::span<Vec3> product) const;
     // Every term of the ledger that a potential has; returns the sum of their energies.
     double book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                 EnergyLedger& ledger) const;

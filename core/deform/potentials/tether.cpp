@@ -44,11 +44,12 @@ void Tether::add_stiffness(std::span<const Vec3> positions_mm, double factor,
     });
 }
 
-double Tether::quadratic_form(std::span<const Vec3>, std::span<const Vec3> d,
-                              const BlockMatrix&) const {
-    if (!any_) return 0.0;
-    return sum_over_nodes(
-        d.size(), [&](std::size_t i) { return body_.tether_un_per_mm[i] * d[i].squaredNorm(); });
+void Tether::add_product(std::span<const Vec3>, double factor, std::span<const Vec3> d,
+                         const BlockMatrix&, std::span<Vec3> product) const {
+    if (!any_) return;
+    for_each_node(d.size(), [&](std::size_t i) {
+        product[i] += (factor * body_.tether_un_per_mm[i]) * d[i];
+    });
 }
 
 void Tether::mark_held(std::span<char> held) const {

@@ -21,8 +21,8 @@ class Tether final : public Potential {
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;
     void add_stiffness(std::span<const Vec3> positions_mm, double factor,
                        BlockMatrix& matrix) const override;
-    double quadratic_form(std::span<const Vec3> positions_mm, std::span<const Vec3> d,
-                          const BlockMatrix& pattern) const override;
+    void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
+                     const BlockMatrix& pattern, std::span<Vec3> product) const override;
     void mark_held(std::span<char> held) const override;
     void book(double energy_nj, EnergyLedger& ledger) const override { ledger.tether = energy_nj; }
 

@@ -14,23 +14,22 @@ constexpr double most_multiplications_per_block = 3000.0;
 void AutomaticSolver::choose(const BlockMatrix& pattern) {
     if (chosen_ != nullptr && planned_rows_ == pattern.row_begin) return;
     planned_rows_ = pattern.row_begin;
-    if (!cholesky_) cholesky_.emplace(skeleton_, rest_positions_mm_);
-    EliminationTree analysis = cholesky_->analyse(pattern);
+    EliminationTree analysis = CholeskySolver::analyse(pattern);
     const double per_block = analysis.multiplications / static_cast<double>(pattern.column.size());
     if (per_block <= most_multiplications_per_block) {
         two_level_.reset();
+        chosen_ = &cholesky_.emplace();
         cholesky_->plan(pattern, std::move(analysis));
-        chosen_ = &*cholesky_;
         return;
     }
     cholesky_.reset();
-    two_level_.emplace(skeleton_, rest_positions_mm_);
-    chosen_ = &*two_level_;
+    chosen_ = &two_level_.emplace(skeleton_, rest_positions_mm_);
 }
 
-void AutomaticSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
+void AutomaticSolver::update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                             std::span<const int> changed_rows) {
     choose(matrix);
-    chosen_->prepare(matrix, positions_mm);
+    chosen_->update(matrix, positions_mm, changed_rows);
 }
 
 // The choice follows from the pattern; nothing is kept before there was one.
@@ -38,15 +37,15 @@ std::vector<double> AutomaticSolver::memory() const {
     return chosen_ == nullptr ? std::vector<double>{} : chosen_->memory();
 }
 
-void AutomaticSolver::restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
-                              std::span<const double> memory) {
-    require_memory((made_from == nullptr) == memory.empty());
-    if (made_from == nullptr) {
+void AutomaticSolver::restore(const BlockMatrix& matrix, bool made_from_it,
+                              std::span<const Vec3> positions_mm, std::span<const double> memory) {
+    if (memory.empty()) {
+        require_memory(!made_from_it);
         chosen_ = nullptr;
         return;
     }
-    choose(*made_from);
-    chosen_->restore(made_from, positions_mm, memory);
+    choose(matrix);
+    chosen_->restore(matrix, made_from_it, positions_mm, memory);
 }
 
 }  // namespace hepatica

@@ -19,10 +19,10 @@ class AutomaticSolver final : public LinearSolver {
   public:
     AutomaticSolver(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm)
         : skeleton_(skeleton),
-          rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()),
-          cholesky_(std::in_place, skeleton, rest_positions_mm) {}
+          rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()) {}
 
-    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override {
         return chosen_->solve(rhs, x, limits);  // its report names the method
@@ -30,12 +30,12 @@ class AutomaticSolver final : public LinearSolver {
     std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
     bool made_from_latest() const override { return chosen_->made_from_latest(); }
     std::vector<double> memory() const override;
-    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+    void restore(const BlockMatrix& matrix, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
     // Of the factor that is kept; 0 where the factorisation was rejected.
     std::size_t factor_bytes() const {
-        return chosen_ != nullptr && cholesky_ ? cholesky_->factor().bytes() : 0;
+        return chosen_ != nullptr && cholesky_ ? cholesky_->bytes() : 0;
     }
 
   private:

@@ -24,7 +24,8 @@ std::vector<Mat3> inverse_diagonal(const BlockMatrix& matrix) {
     return inverse;
 }
 
-void BlockJacobiSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3>) {
+void BlockJacobiSolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
+                               std::span<const int>) {
     matrix_ = &matrix;
     inverse_ = inverse_diagonal(matrix);
 }
@@ -46,9 +47,9 @@ std::vector<double> BlockJacobiSolver::memory() const {
     return {iteration_.smallest_ritz()};
 }
 
-void BlockJacobiSolver::restore(const BlockMatrix* made_from, std::span<const Vec3>,
+void BlockJacobiSolver::restore(const BlockMatrix&, bool made_from_it, std::span<const Vec3>,
                                 std::span<const double> memory) {
-    require_memory(made_from == nullptr && memory.size() == 1 && memory[0] >= 0.0);
+    require_memory(!made_from_it && memory.size() == 1 && memory[0] >= 0.0);
     iteration_.remember(memory[0]);
 }
 

@@ -15,13 +15,14 @@ std::vector<Mat3> inverse_diagonal(const BlockMatrix& matrix);
 
 class BlockJacobiSolver final : public LinearSolver {
   public:
-    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::block_jacobi); }
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override;
-    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+    void restore(const BlockMatrix& matrix, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
   private:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact end of the dial: a factorisation along the tree, kept from step to step. Only branches
-// whose blocks changed are factored again; while the factor is close enough, it serves as the
-// preconditioner of a few conjugate-gradient iterations instead.
+// The exact end of the dial: every matrix is factored, but only the branches of the elimination
+// tree whose rows have changed. The factor is kept in single precision, which halves what each
+// solve reads; residuals are taken in double, and conjugate gradients polish what rounding left.
+// A matrix too ill-conditioned for that is factored in double precision from then on.
 #pragma once
 
 #include <optional>
@@ -13,59 +14,49 @@
 
 namespace hepatica {
 
-struct CholeskySettings {
-    // Factor at once what has changed, so that every solve is direct. Otherwise a factor serves
-    // until its iterations have cost as much as factoring what has changed since.
-    bool exact = false;
-};
-
 class CholeskySolver final : public LinearSolver {
   public:
-    CholeskySolver(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm,
-                   const CholeskySettings& settings = {});
-
-    // Finds by comparison what has changed since the factorisation.
-    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
-    bool made_from_latest() const override { return exact_; }
+
+    // The factor is that of the latest matrix: nothing of an earlier one is carried on.
+    bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override;
-    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+    void restore(const BlockMatrix& pattern, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
     // The elimination of a pattern, before any number is allocated.
-    EliminationTree analyse(const BlockMatrix& pattern) const;
-    // Allocates the factor of a pattern by that analysis of it.
+    static EliminationTree analyse(const BlockMatrix& pattern);
+    // Takes that analysis of a pattern; the next update must name all rows.
     void plan(const BlockMatrix& pattern, EliminationTree analysis);
-    const TreeCholesky& factor() const { return *factor_; }
+
+    const EliminationTree& tree() const { return tree_; }
+    // Supernodes eliminated by the last update.
+    int eliminated() const;
+    // Of the factor that is kept.
+    std::size_t bytes() const;
+    bool in_single_precision() const { return !in_double_; }
 
   private:
-    struct Change {
-        std::vector<int> vertices;
-        double size = 0.0;  // largest, relative to the diagonal blocks
-    };
-    Change change() const;
-    bool planned_for(const BlockMatrix& pattern) const;
-    void factor_anew();
-    double iteration_cost() const;
-    SolveReport solve_directly(std::span<const Vec3> rhs, std::span<Vec3> x);
+    template <class T>
+    void factor(std::optional<TreeFactor<T>>& factor, std::span<const int> changed_rows);
+    template <class T>
+    SolveReport solve_by(TreeFactor<T>& factor, std::span<const Vec3> rhs, std::span<Vec3> x,
+                         const SolveLimits& limits);
+    SolveReport polish(SolveReport direct, const ConjugateGradient::Preconditioner& precondition,
+                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
-    FrameBinding binding_;
-    FrameSkeleton skeleton_;
-    CholeskySettings settings_;
     const BlockMatrix* matrix_ = nullptr;
-    std::optional<TreeCholesky> factor_;
-    BlockMatrix factored_;  // the matrix as the factor knows it
-    bool factored_once_ = false;
-    bool exact_ = false;   // factor_ is that of *matrix_
-    double spent_ = 0.0;   // on iterations that a fresh factor would have saved
-    double change_ = 0.0;  // since the factorisation, and what it would cost to catch up
-    double catch_up_ = 0.0;
-    // Least change under which iterating was found to cost more than catching up; 0: none yet.
-    double too_much_ = 0.0;
+    std::vector<int> planned_rows_, planned_columns_;  // of the pattern
+    EliminationTree tree_;
+    std::optional<TreePreconditioner> single_;
+    std::optional<TreeCholesky> double_;
+    bool in_double_ = false;
     ConjugateGradient iteration_;
-    std::vector<Vec3> residual_;
+    std::vector<Vec3> residual_, product_;
 };
 
 }  // namespace hepatica

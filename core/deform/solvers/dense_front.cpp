@@ -11,28 +11,45 @@ namespace hepatica {
 
 namespace {
 
-using Packet = double __attribute__((vector_size(32)));
-constexpr int lanes = front_alignment;
+template <class T>
+struct PacketOf {
+    typedef T Type __attribute__((vector_size(32)));  // NOLINT: a vector type has no using
+};
+template <class T>
+using Packet = typename PacketOf<T>::Type;
+template <class T>
+constexpr int lanes = front_alignment<T>;
 
-Packet load(const double* p) {
-    Packet value;
+template <class T>
+Packet<T> load(const T* p) {
+    Packet<T> value;
     std::memcpy(&value, p, sizeof value);
     return value;
 }
 
-void store(double* p, const Packet& value) {
+template <class T>
+void store(T* p, const Packet<T>& value) {
     std::memcpy(p, &value, sizeof value);
+}
+
+template <class T>
+T sum_of(const Packet<T>& packet) {
+    if constexpr (lanes<T> == 4)
+        return (packet[0] + packet[1]) + (packet[2] + packet[3]);
+    else
+        return ((packet[0] + packet[1]) + (packet[2] + packet[3])) +
+               ((packet[4] + packet[5]) + (packet[6] + packet[7]));
 }
 
 // target(0:4R, 0:C) -= a(0:4R, 0:depth) b(0:C, 0:depth)^T; all column-major, a and b with the same
 // leading dimension. Held in registers throughout.
-template <int R, int C>
-void subtract_tile(const double* a, const double* b, std::ptrdiff_t stride, int depth,
-                   double* target, std::ptrdiff_t target_stride) {
-    std::array<std::array<Packet, R>, C> sum{};
+template <int R, int C, class T>
+void subtract_tile(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
+                   std::ptrdiff_t target_stride) {
+    std::array<std::array<Packet<T>, R>, C> sum{};
     for (int p = 0; p < depth; ++p) {
-        std::array<Packet, R> left;
-        for (int r = 0; r < R; ++r) left[r] = load(a + r * lanes);
+        std::array<Packet<T>, R> left;
+        for (int r = 0; r < R; ++r) left[r] = load<T>(a + r * lanes<T>);
         for (int c = 0; c < C; ++c) {
             for (int r = 0; r < R; ++r) sum[c][r] += left[r] * b[c];
         }
@@ -41,27 +58,28 @@ void subtract_tile(const double* a, const double* b, std::ptrdiff_t stride, int 
     }
     for (int c = 0; c < C; ++c) {
         for (int r = 0; r < R; ++r) {
-            double* place = target + c * target_stride + r * lanes;
-            store(place, load(place) - sum[c][r]);
+            T* place = target + c * target_stride + r * lanes<T>;
+            store<T>(place, load<T>(place) - sum[c][r]);
         }
     }
 }
 
 // Rows [0, rows) of C columns, rows a multiple of the packet after padding.
-template <int C>
-void subtract_rows(const double* a, const double* b, std::ptrdiff_t stride, int depth,
-                   double* target, std::ptrdiff_t target_stride, int rows) {
+template <int C, class T>
+void subtract_rows(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
+                   std::ptrdiff_t target_stride, int rows) {
     int i = 0;
-    for (; i + 3 * lanes <= rows; i += 3 * lanes) {
+    for (; i + 3 * lanes<T> <= rows; i += 3 * lanes<T>) {
         subtract_tile<3, C>(a + i, b, stride, depth, target + i, target_stride);
     }
-    for (; i < rows; i += lanes) {
+    for (; i < rows; i += lanes<T>) {
         subtract_tile<1, C>(a + i, b, stride, depth, target + i, target_stride);
     }
 }
 
-void subtract_columns(int columns, const double* a, const double* b, std::ptrdiff_t stride,
-                      int depth, double* target, std::ptrdiff_t target_stride, int rows) {
+template <class T>
+void subtract_columns(int columns, const T* a, const T* b, std::ptrdiff_t stride, int depth,
+                      T* target, std::ptrdiff_t target_stride, int rows) {
     switch (columns) {
         case 1:
             return subtract_rows<1>(a, b, stride, depth, target, target_stride, rows);
@@ -77,76 +95,91 @@ void subtract_columns(int columns, const double* a, const double* b, std::ptrdif
 constexpr int strip = 4;  // columns that are eliminated together
 
 // Unblocked elimination of `columns` columns whose earlier updates are all in.
-int eliminate_strip(double* panel, std::ptrdiff_t stride, int first, int columns,
-                    const double* entry_diagonal, double smallest) {
-    int dropped = 0;
+template <class T>
+int eliminate_strip(T* panel, std::ptrdiff_t stride, int first, int columns,
+                    const T* entry_diagonal, const PivotRule& rule) {
+    int lost = 0;
     for (int j = first; j < first + columns; ++j) {
-        double* column = panel + j * stride;
+        T* column = panel + j * stride;
         for (int p = first; p < j; ++p) {
-            const double* earlier = panel + p * stride;
-            const double factor = earlier[j];
+            const T* earlier = panel + p * stride;
+            const T factor = earlier[j];
             for (int i = j; i < stride; ++i) column[i] -= factor * earlier[i];
         }
-        const double pivot = column[j];
-        if (!(pivot > smallest * entry_diagonal[j - first])) {
-            std::fill(column + j, column + stride, 0.0);
-            column[j] = std::numeric_limits<double>::infinity();
-            ++dropped;
-            continue;
+        T pivot = column[j];
+        if (!(pivot > static_cast<T>(rule.smallest) * entry_diagonal[j - first])) {
+            ++lost;
+            if (rule.drop || !(entry_diagonal[j - first] > T(0))) {
+                std::fill(column + j, column + stride, T(0));
+                column[j] = std::numeric_limits<T>::infinity();
+                continue;
+            }
+            pivot = entry_diagonal[j - first];
         }
-        const double root = std::sqrt(pivot);
-        const double inverse = 1.0 / root;
+        const T root = std::sqrt(pivot);
+        const T inverse = T(1) / root;
         for (int i = j + 1; i < stride; ++i) column[i] *= inverse;
         column[j] = root;
     }
-    return dropped;
+    return lost;
 }
 
 }  // namespace
 
-int factor_front(double* panel, double* remainder, int pivots, int rest, double smallest) {
-    const std::ptrdiff_t stride = padded(pivots + rest);
-    int dropped = 0;
+template <class T>
+int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule) {
+    const std::ptrdiff_t stride = padded<T>(pivots + rest);
+    int lost = 0;
     for (int j = 0; j < pivots; j += strip) {
         const int columns = std::min(strip, pivots - j);
-        std::array<double, strip> diagonal{};
+        std::array<T, strip> diagonal{};
         for (int c = 0; c < columns; ++c) diagonal[c] = panel[(j + c) * stride + j + c];
         subtract_columns(columns, panel + j, panel + j, stride, j, panel + j * stride + j, stride,
                          static_cast<int>(stride) - j);
-        dropped += eliminate_strip(panel, stride, j, columns, diagonal.data(), smallest);
+        lost += eliminate_strip(panel, stride, j, columns, diagonal.data(), rule);
     }
-    const std::ptrdiff_t rest_stride = padded(rest);
+    const std::ptrdiff_t rest_stride = padded<T>(rest);
     for (int j = 0; j < rest; j += strip) {
-        const double* rows = panel + pivots + j;
+        const T* rows = panel + pivots + j;
         subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
-                         remainder + j * rest_stride + j, rest_stride, padded(rest) - j);
+                         remainder + j * rest_stride + j, rest_stride, padded<T>(rest) - j);
     }
-    return dropped;
+    return lost;
 }
 
-void forward_front(const double* panel, int pivots, int rest, double* head, double* tail) {
-    const std::ptrdiff_t stride = padded(pivots + rest);
+template <class T>
+void forward_front(const T* panel, int pivots, int rest, T* head, T* tail) {
+    const std::ptrdiff_t stride = padded<T>(pivots + rest);
     for (int j = 0; j < pivots; ++j) {
-        const double* column = panel + j * stride;
-        const double value = head[j] / column[j];
+        const T* column = panel + j * stride;
+        const T value = head[j] / column[j];
         head[j] = value;
         for (int i = j + 1; i < pivots; ++i) head[i] -= column[i] * value;
         for (int i = 0; i < rest; ++i) tail[i] -= column[pivots + i] * value;
     }
 }
 
-void backward_front(const double* panel, int pivots, int rest, double* head, const double* tail) {
-    const std::ptrdiff_t stride = padded(pivots + rest);
+template <class T>
+void backward_front(const T* panel, int pivots, int rest, T* head, const T* tail) {
+    const std::ptrdiff_t stride = padded<T>(pivots + rest);
     for (int j = pivots - 1; j >= 0; --j) {
-        const double* column = panel + j * stride;
-        Packet sums{};
+        const T* column = panel + j * stride;
+        Packet<T> sums{};
         int i = 0;
-        for (; i + lanes <= rest; i += lanes) sums += load(column + pivots + i) * load(tail + i);
-        double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        for (; i + lanes<T> <= rest; i += lanes<T>)
+            sums += load<T>(column + pivots + i) * load<T>(tail + i);
+        T sum = sum_of<T>(sums);
         for (; i < rest; ++i) sum += column[pivots + i] * tail[i];
         for (i = j + 1; i < pivots; ++i) sum += column[i] * head[i];
         head[j] = (head[j] - sum) / column[j];
     }
 }
+
+template int factor_front(double*, double*, int, int, PivotRule);
+template int factor_front(float*, float*, int, int, PivotRule);
+template void forward_front(const double*, int, int, double*, double*);
+template void forward_front(const float*, int, int, float*, float*);
+template void backward_front(const double*, int, int, double*, const double*);
+template void backward_front(const float*, int, int, float*, const float*);
 
 }  // namespace hepatica

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/solvers/elimination_order.h"
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -54,6 +56,18 @@ std::vector<int> centres_of(const FrameSkeleton& skeleton, const FrameBinding& b
 }
 
 }  // namespace
+
+std::vector<int> fill_reducing_order(const BlockMatrix& pattern) {
+    using Graph = Eigen::SparseMatrix<double>;
+    const int rows = pattern.rows();
+    const std::vector<double> ones(pattern.column.size(), 1.0);
+    const Graph graph =
+        Eigen::Map<const Graph>(rows, rows, static_cast<int>(pattern.column.size()),
+                                pattern.row_begin.data(), pattern.column.data(), ones.data());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(graph.selfadjointView<Eigen::Lower>(), order);
+    return {order.indices().data(), order.indices().data() + rows};
+}
 
 std::vector<int> order_from_ends(const FrameSkeleton& skeleton, const FrameBinding& binding) {
     const SkeletonTree tree = neighbours_of(skeleton);

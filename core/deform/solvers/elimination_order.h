@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order in which a tree-shaped body is eliminated: from its ends inward, cross-section after
-// cross-section, towards the node that halves the body. A front then spans one cross-section, and
-// the branches on either side of that node depend on nothing in common until the last.
+// The order in which the vertices of a body are eliminated.
 #pragma once
 
 #include <vector>
 
+#include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/frame_skeleton.h"
 
 namespace hepatica {
 
-// A permutation of the vertices of `binding`, first eliminated first.
+// Vertices in an order of little fill for any pattern: approximate minimum degree (Amestoy, Davis
+// and Duff 1996). On vessel trees with loops a factorisation takes a third to a quarter of the
+// multiplications that it takes from the ends inwards.
+std::vector<int> fill_reducing_order(const BlockMatrix& pattern);
+
+// From the ends of a tree inward, cross-section after cross-section, towards the node that halves
+// the body: a permutation of the vertices of `binding`, first eliminated first. No fill at all on a
+// tree's own graph.
 std::vector<int> order_from_ends(const FrameSkeleton& skeleton, const FrameBinding& binding);
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "core/deform/solvers/linear_solver.h"
 
 #include <array>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/deform/solvers/automatic_solver.h"
@@ -37,6 +38,12 @@ std::string_view name_of(LinearSolverKind kind) {
     return entries[static_cast<std::size_t>(kind)].name;
 }
 
+void LinearSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
+    std::vector<int> all(static_cast<std::size_t>(matrix.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    update(matrix, positions_mm, all);
+}
+
 void require_memory(bool condition) {
     if (!condition)
         throw InputError("is of another linear solver", "the checkpoint of a body",
@@ -54,7 +61,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
         case LinearSolverKind::skeleton:
             return std::make_unique<SkeletonSolver>(skeleton, rest_positions_mm);
         case LinearSolverKind::cholesky:
-            return std::make_unique<CholeskySolver>(skeleton, rest_positions_mm);
+            return std::make_unique<CholeskySolver>();
         case LinearSolverKind::automatic:
             return std::make_unique<AutomaticSolver>(skeleton, rest_positions_mm);
         default:

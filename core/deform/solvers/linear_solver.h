@@ -41,9 +41,12 @@ class LinearSolver {
     virtual ~LinearSolver() = default;
 
     // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
-    // must stay unchanged and alive until the next prepare. Solvers that keep something from
-    // one matrix to the next find out by themselves which blocks have changed.
-    virtual void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) = 0;
+    // must stay unchanged and alive until the next one. `changed_rows`: every row with a block that
+    // differs from the matrix before; what is left out may be taken to be as it was.
+    virtual void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                        std::span<const int> changed_rows) = 0;
+    // The same for a matrix of which nothing is known.
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
 
     // Solves A x = rhs. On entry x is the warm start (zeros where there is none). A matrix or a
     // right-hand side that is not finite gives a finite x that is reported as not converged.
@@ -55,15 +58,16 @@ class LinearSolver {
     // What is carried from one matrix to the next: something made of an earlier matrix (a factor,
     // a preconditioner), and the few numbers that say when it is to be made anew.
 
-    // Whether that something was made of the matrix of the last prepare. False where a solver makes
-    // nothing that it keeps.
+    // Whether that something was made of the latest matrix. False where a solver makes nothing
+    // that it keeps.
     virtual bool made_from_latest() const = 0;
     virtual std::vector<double> memory() const = 0;
-    // Makes it anew of the matrix and positions that it was last made of (none: nothing was made
-    // yet) and takes the numbers: what follows has the bits of the solver that gave them. Throws
-    // InputError where the numbers cannot be those of such a solver, and then changes nothing.
-    virtual void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
-                         std::span<const double> memory) = 0;
+    // Takes the numbers, and makes it anew of the matrix and positions that it was last made of
+    // where `made_from_it`; otherwise the matrix is only a pattern. What follows has the bits of
+    // the solver that gave the numbers; the next update must name all rows. Throws InputError where
+    // the numbers cannot be those of such a solver, and then changes nothing.
+    virtual void restore(const BlockMatrix& matrix, bool made_from_it,
+                         std::span<const Vec3> positions_mm, std::span<const double> memory) = 0;
 };
 
 enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };

@@ -54,12 +54,16 @@ SkeletonPreconditioner::SkeletonPreconditioner(FrameSkeleton skeleton,
 }
 
 bool SkeletonPreconditioner::fits(const BlockMatrix& matrix) const {
+    return planned_for(matrix) && lone_ == lone_vertices(matrix);
+}
+
+bool SkeletonPreconditioner::planned_for(const BlockMatrix& matrix) const {
     return space_ && planned_columns_ == matrix.column && planned_rows_ == matrix.row_begin;
 }
 
 void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
                                      std::span<const Vec3> positions_mm) {
-    if (!fits(matrix)) {
+    if (!planned_for(matrix)) {
         planned_columns_ = matrix.column;
         planned_rows_ = matrix.row_begin;
         space_.emplace(skeleton_, binding_, matrix);
@@ -68,7 +72,8 @@ void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
         coarse_factor_.emplace(coarse_, coarse_order(skeleton_));
     }
     smoother_->prepare(matrix);
-    space_->set_shape(positions_mm, lone_vertices(matrix));
+    lone_ = lone_vertices(matrix);
+    space_->set_shape(positions_mm, lone_);
     space_->project(matrix, coarse_);
     coarse_factor_->factor(coarse_);
     remainder_.resize(positions_mm.size());
@@ -83,7 +88,8 @@ void SkeletonPreconditioner::apply(const std::vector<Vec3>& r, std::vector<Vec3>
     smoother_->backward(r, z);
 }
 
-void SkeletonSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) {
+void SkeletonSolver::update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                            std::span<const int>) {
     matrix_ = &matrix;
     positions_mm_.assign(positions_mm.begin(), positions_mm.end());
     fresh_ = false;
@@ -143,13 +149,13 @@ std::vector<double> SkeletonSolver::memory() const {
             iteration_.smallest_ritz()};
 }
 
-void SkeletonSolver::restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
-                             std::span<const double> memory) {
+void SkeletonSolver::restore(const BlockMatrix& matrix, bool made_from_it,
+                             std::span<const Vec3> positions_mm, std::span<const double> memory) {
     constexpr double most = std::numeric_limits<int>::max();
-    require_memory(memory.size() == 7 && (made_from != nullptr || memory[0] == 1.0));
+    require_memory(memory.size() == 7 && (made_from_it || memory[0] == 1.0));
     for (int k = 0; k < 4; ++k)
         require_memory(memory[k] >= 0.0 && memory[k] <= most && memory[k] == std::floor(memory[k]));
-    if (made_from != nullptr) preconditioner_.prepare(*made_from, positions_mm);
+    if (made_from_it) preconditioner_.prepare(matrix, positions_mm);
     fresh_ = false;
     worn_ = memory[0] != 0.0;
     spent_ = static_cast<int>(memory[1]);

@@ -26,7 +26,7 @@ class SkeletonPreconditioner {
     // As LinearSolver::prepare. The first call, and one with another pattern, plans anew.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
 
-    // Whether it was prepared for a matrix of this pattern.
+    // Whether it was prepared for a matrix of this pattern, in which the same vertices stand alone.
     bool fits(const BlockMatrix& matrix) const;
 
     // z = M^-1 r, M symmetric positive definite.
@@ -36,6 +36,9 @@ class SkeletonPreconditioner {
     const TreeCholesky& coarse_factor() const { return *coarse_factor_; }
 
   private:
+    bool planned_for(const BlockMatrix& matrix) const;
+
+    std::vector<char> lone_;
     FrameSkeleton skeleton_;
     FrameBinding binding_;
     std::vector<int> planned_columns_, planned_rows_;
@@ -58,13 +61,14 @@ class SkeletonSolver final : public LinearSolver {
                    const SkeletonSettings& settings = {})
         : settings_(settings), preconditioner_(std::move(skeleton), rest_positions_mm) {}
 
-    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm) override;
+    void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
     bool made_from_latest() const override { return fresh_; }
     std::vector<double> memory() const override;
-    void restore(const BlockMatrix* made_from, std::span<const Vec3> positions_mm,
+    void restore(const BlockMatrix& matrix, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
   private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -13,7 +14,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double smallest_pivot = 1e-14;
+template <class T>
+constexpr PivotRule pivot_rule =
+    std::is_same_v<T, double> ? PivotRule{1e-14, true} : PivotRule{1e-6, false};
 
 // Calls visit(s) for every supernode, children before parents, chains of a stage in parallel.
 template <class Visit>
@@ -42,7 +45,8 @@ void descend(const EliminationTree& tree, const Visit& visit) {
 
 }  // namespace
 
-TreeCholesky::TreeCholesky(const BlockMatrix& pattern, EliminationTree tree)
+template <class T>
+TreeFactor<T>::TreeFactor(const BlockMatrix& pattern, EliminationTree tree)
     : tree_(std::move(tree)) {
     std::size_t panel = 0, remainder = 0, head = 0, tail = 0;
     for (const Supernode& own : tree_.supernodes) {
@@ -52,17 +56,17 @@ TreeCholesky::TreeCholesky(const BlockMatrix& pattern, EliminationTree tree)
         tail_begin_.push_back(tail);
         const std::size_t columns = 3 * static_cast<std::size_t>(own.count);
         const std::size_t rows = 3 * static_cast<std::size_t>(own.rest());
-        panel += static_cast<std::size_t>(padded(static_cast<int>(columns + rows))) * columns +
-                 front_alignment;
+        panel += static_cast<std::size_t>(padded<T>(static_cast<int>(columns + rows))) * columns +
+                 front_alignment<T>;
         remainder +=
-            static_cast<std::size_t>(padded(static_cast<int>(rows))) * rows + front_alignment;
+            static_cast<std::size_t>(padded<T>(static_cast<int>(rows))) * rows + front_alignment<T>;
         head += columns;
         tail += rows;
     }
     panels_.resize(panel);
     remainders_.resize(remainder);
     heads_.resize(head);
-    tails_.resize(tail + front_alignment);
+    tails_.resize(tail + front_alignment<T>);
     dropped_.assign(tree_.supernodes.size(), 0);
     dirty_.assign(tree_.supernodes.size(), 0);
 
@@ -84,48 +88,49 @@ TreeCholesky::TreeCholesky(const BlockMatrix& pattern, EliminationTree tree)
     }
 }
 
-std::size_t TreeCholesky::bytes() const {
-    return sizeof(double) * (panels_.size() + remainders_.size() + heads_.size() + tails_.size()) +
+template <class T>
+std::size_t TreeFactor<T>::bytes() const {
+    return sizeof(T) * (panels_.size() + remainders_.size() + heads_.size() + tails_.size()) +
            sizeof(int) * (block_row_.size() + 2 * tree_.rows.size() + 3 * dropped_.size());
 }
 
-void TreeCholesky::factor_supernode(const BlockMatrix& matrix, int s) {
+template <class T>
+void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s) {
     const Supernode& own = tree_.supernodes[s];
     const int columns = 3 * own.count, rest = 3 * own.rest();
-    const std::ptrdiff_t stride = padded(columns + rest), rest_stride = padded(rest);
-    double* panel = panels_.data() + panel_begin_[s];
-    double* remainder = remainders_.data() + remainder_begin_[s];
-    std::fill(panel, panel + stride * columns, 0.0);
-    std::fill(remainder, remainder + rest_stride * rest, 0.0);
+    const std::ptrdiff_t stride = padded<T>(columns + rest), rest_stride = padded<T>(rest);
+    T* panel = panels_.data() + panel_begin_[s];
+    T* remainder = remainders_.data() + remainder_begin_[s];
+    std::fill(panel, panel + stride * columns, T(0));
+    std::fill(remainder, remainder + rest_stride * rest, T(0));
     for (int c = 0; c < own.count; ++c) {
         const int v = tree_.vertex_at[own.first + c];
         for (int k = matrix.row_begin[v]; k < matrix.row_begin[v + 1]; ++k) {
             if (block_row_[k] < 0) continue;
-            double* target = panel + 3 * c * stride + 3 * block_row_[k];
+            T* target = panel + 3 * c * stride + 3 * block_row_[k];
             const Mat3& block = matrix.block[k];
             for (int a = 0; a < 3; ++a) {
-                for (int b = 0; b < 3; ++b) target[a * stride + b] = block(a, b);
+                for (int b = 0; b < 3; ++b) target[a * stride + b] = static_cast<T>(block(a, b));
             }
         }
     }
     for (int k = own.children_begin; k < own.children_end; ++k) {
         const Supernode& child = tree_.supernodes[tree_.children[k]];
-        const double* passed = remainders_.data() + remainder_begin_[tree_.children[k]];
+        const T* passed = remainders_.data() + remainder_begin_[tree_.children[k]];
         const int count = child.rest();
-        const std::ptrdiff_t passed_stride = padded(3 * count);
+        const std::ptrdiff_t passed_stride = padded<T>(3 * count);
         const int* place = tree_.place_in_parent.data() + child.rows_begin;
         for (int c = 0; c < count; ++c) {
             const bool eliminated_here = place[c] < own.count;
-            double* base = eliminated_here
-                               ? panel + 3 * place[c] * stride
-                               : remainder + 3 * (place[c] - own.count) * (rest_stride + 0);
+            T* base = eliminated_here ? panel + 3 * place[c] * stride
+                                      : remainder + 3 * (place[c] - own.count) * (rest_stride + 0);
             const std::ptrdiff_t base_stride = eliminated_here ? stride : rest_stride;
             const int shift = eliminated_here ? 0 : own.count;
             for (int a = 0; a < 3; ++a) {
-                const double* source = passed + (3 * c + a) * passed_stride;
-                double* target = base + a * base_stride;
+                const T* source = passed + (3 * c + a) * passed_stride;
+                T* target = base + a * base_stride;
                 for (int r = c; r < count; ++r) {
-                    double* to = target + 3 * (place[r] - shift);
+                    T* to = target + 3 * (place[r] - shift);
                     to[0] += source[3 * r];
                     to[1] += source[3 * r + 1];
                     to[2] += source[3 * r + 2];
@@ -133,15 +138,17 @@ void TreeCholesky::factor_supernode(const BlockMatrix& matrix, int s) {
             }
         }
     }
-    dropped_[s] = factor_front(panel, remainder, columns, rest, smallest_pivot);
+    dropped_[s] = factor_front(panel, remainder, columns, rest, pivot_rule<T>);
 }
 
-void TreeCholesky::factor(const BlockMatrix& matrix) {
+template <class T>
+void TreeFactor<T>::factor(const BlockMatrix& matrix) {
     climb(tree_, [&](int s) { factor_supernode(matrix, s); });
     eliminated_ = static_cast<int>(tree_.supernodes.size());
 }
 
-void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices) {
+template <class T>
+void TreeFactor<T>::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices) {
     std::fill(dirty_.begin(), dirty_.end(), 0);
     for (const int v : changed_vertices) dirty_[tree_.supernode_of[tree_.position_of[v]]] = 1;
     climb(tree_, [&](int s) {
@@ -154,11 +161,13 @@ void TreeCholesky::refactor(const BlockMatrix& matrix, std::span<const int> chan
     eliminated_ = static_cast<int>(std::count(dirty_.begin(), dirty_.end(), 1));
 }
 
-int TreeCholesky::dropped_pivots() const {
+template <class T>
+int TreeFactor<T>::dropped_pivots() const {
     return std::accumulate(dropped_.begin(), dropped_.end(), 0);
 }
 
-double TreeCholesky::refactor_multiplications(std::span<const int> changed_vertices) const {
+template <class T>
+double TreeFactor<T>::refactor_multiplications(std::span<const int> changed_vertices) const {
     std::vector<char> dirty(tree_.supernodes.size(), 0);
     for (const int v : changed_vertices) dirty[tree_.supernode_of[tree_.position_of[v]]] = 1;
     double sum = 0.0;
@@ -171,21 +180,23 @@ double TreeCholesky::refactor_multiplications(std::span<const int> changed_verti
     return sum;
 }
 
-void TreeCholesky::forward(std::span<const Vec3> b) {
+template <class T>
+void TreeFactor<T>::forward(std::span<const Vec3> b) {
+    using Vector = Eigen::Matrix<T, 3, 1>;
     climb(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
-        double* head = heads_.data() + head_begin_[s];
-        double* tail = tails_.data() + tail_begin_[s];
+        T* head = heads_.data() + head_begin_[s];
+        T* tail = tails_.data() + tail_begin_[s];
         for (int c = 0; c < own.count; ++c) {
-            Eigen::Map<Vec3>(head + 3 * c) = b[tree_.vertex_at[own.first + c]];
+            Eigen::Map<Vector>(head + 3 * c) = b[tree_.vertex_at[own.first + c]].template cast<T>();
         }
-        std::fill(tail, tail + 3 * own.rest(), 0.0);
+        std::fill(tail, tail + 3 * own.rest(), T(0));
         for (int k = own.children_begin; k < own.children_end; ++k) {
             const Supernode& child = tree_.supernodes[tree_.children[k]];
-            const double* passed = tails_.data() + tail_begin_[tree_.children[k]];
+            const T* passed = tails_.data() + tail_begin_[tree_.children[k]];
             for (int r = 0; r < child.rest(); ++r) {
                 const int place = tree_.place_in_parent[child.rows_begin + r];
-                double* to = place < own.count ? head + 3 * place : tail + 3 * (place - own.count);
+                T* to = place < own.count ? head + 3 * place : tail + 3 * (place - own.count);
                 for (int a = 0; a < 3; ++a) to[a] += passed[3 * r + a];
             }
         }
@@ -193,38 +204,45 @@ void TreeCholesky::forward(std::span<const Vec3> b) {
     });
 }
 
-double TreeCholesky::inverse_form(std::span<const Vec3> b) {
+template <class T>
+double TreeFactor<T>::inverse_form(std::span<const Vec3> b) {
     forward(b);
     return parallel_sum(heads_.size(), 4096, [&](std::size_t begin, std::size_t end) {
         double sum = 0.0;
-        for (std::size_t i = begin; i < end; ++i) sum += heads_[i] * heads_[i];
+        for (std::size_t i = begin; i < end; ++i)
+            sum += static_cast<double>(heads_[i]) * static_cast<double>(heads_[i]);
         return sum;
     });
 }
 
-void TreeCholesky::solve(std::span<const Vec3> b, std::span<Vec3> x) {
+template <class T>
+void TreeFactor<T>::solve(std::span<const Vec3> b, std::span<Vec3> x) {
+    using Vector = Eigen::Matrix<T, 3, 1>;
     forward(b);
     descend(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
-        double* head = heads_.data() + head_begin_[s];
-        double* tail = tails_.data() + tail_begin_[s];
+        T* head = heads_.data() + head_begin_[s];
+        T* tail = tails_.data() + tail_begin_[s];
         if (own.parent >= 0) {
             const Supernode& parent = tree_.supernodes[own.parent];
-            const double* parent_head = heads_.data() + head_begin_[own.parent];
-            const double* parent_tail = tails_.data() + tail_begin_[own.parent];
+            const T* parent_head = heads_.data() + head_begin_[own.parent];
+            const T* parent_tail = tails_.data() + tail_begin_[own.parent];
             for (int r = 0; r < own.rest(); ++r) {
                 const int place = tree_.place_in_parent[own.rows_begin + r];
-                const double* from = place < parent.count
-                                         ? parent_head + 3 * place
-                                         : parent_tail + 3 * (place - parent.count);
+                const T* from = place < parent.count ? parent_head + 3 * place
+                                                     : parent_tail + 3 * (place - parent.count);
                 for (int a = 0; a < 3; ++a) tail[3 * r + a] = from[a];
             }
         }
         backward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
         for (int c = 0; c < own.count; ++c) {
-            x[tree_.vertex_at[own.first + c]] = Eigen::Map<const Vec3>(head + 3 * c);
+            x[tree_.vertex_at[own.first + c]] =
+                Eigen::Map<const Vector>(head + 3 * c).template cast<double>();
         }
     });
 }
+
+template class TreeFactor<double>;
+template class TreeFactor<float>;
 
 }  // namespace hepatica

@@ -12,24 +12,27 @@
 
 namespace hepatica {
 
-// The same bits for any number of threads. Not thread-safe.
-class TreeCholesky {
+// The same bits for any number of threads. Not thread-safe. With float it is a preconditioner: half
+// the memory to read, and positive definite whatever is rounded.
+template <class T>
+class TreeFactor {
   public:
     // Fixes pattern and order (a permutation of the vertices, see elimination_order.h).
-    TreeCholesky(const BlockMatrix& pattern, std::span<const int> order)
-        : TreeCholesky(pattern, analyse(pattern, order)) {}
+    TreeFactor(const BlockMatrix& pattern, std::span<const int> order)
+        : TreeFactor(pattern, analyse(pattern, order)) {}
     // The same with the analysis of that pattern and order at hand.
-    TreeCholesky(const BlockMatrix& pattern, EliminationTree tree);
+    TreeFactor(const BlockMatrix& pattern, EliminationTree tree);
 
     // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
-    // 1e-14 of its diagonal entry is dropped: solves give zero for it.
+    // 1e-14 of its diagonal entry is dropped: solves give zero for it. In float one that is not
+    // above 1e-6 of it is raised to that entry.
     void factor(const BlockMatrix& matrix);
 
     // The same for a matrix that differs from the last one only in blocks between two
     // `changed_vertices`: the factor is that of factor() to the last bit.
     void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices);
 
-    // Pivots that the factor at hand has dropped.
+    // Pivots that the factor at hand has dropped or raised.
     int dropped_pivots() const;
 
     // x = A^-1 b. b and x may be the same.
@@ -52,13 +55,16 @@ class TreeCholesky {
 
     EliminationTree tree_;
     std::vector<std::size_t> panel_begin_, remainder_begin_;
-    std::vector<double> panels_, remainders_;
+    std::vector<T> panels_, remainders_;
     std::vector<int> block_row_;  // of each block of A: its row in the front; -1 if above
     std::vector<int> dropped_;    // per supernode
     std::vector<std::size_t> head_begin_, tail_begin_;
-    std::vector<double> heads_, tails_;  // right-hand sides and contributions of each front
+    std::vector<T> heads_, tails_;  // right-hand sides and contributions of each front
     std::vector<char> dirty_;
     int eliminated_ = 0;
 };
+
+using TreeCholesky = TreeFactor<double>;
+using TreePreconditioner = TreeFactor<float>;
 
 }  // namespace hepatica

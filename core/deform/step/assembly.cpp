@@ -10,18 +10,26 @@ constexpr std::size_t row_block = 256;
 
 }  // namespace
 
-Assembly::Assembly(const Body& body, small::Tangent tangent)
+Assembly::Assembly(const Body& body, small::Tangent tangent, const LiveSet* live)
     : plan_(std::make_shared<const AssemblyPlan>(plan_assembly(body, tangent))),
-      slots_(body, tangent, plan_) {}
+      live_(live),
+      slots_(body, tangent, plan_, live) {}
+
+template <class Visit>
+void Assembly::for_each_row(const Visit& visit) const {
+    const std::size_t count = live_ != nullptr ? live_->rows().size() : plan_->diagonal.size();
+    parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r)
+            visit(live_ != nullptr ? static_cast<std::size_t>(live_->rows()[r]) : r);
+    });
+}
 
 void Assembly::gather_forces(std::span<Vec3> forces_un) const {
-    parallel_blocks(forces_un.size(), row_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Wide sum(0.0);
-            for (int k = plan_->forces.begin[i]; k < plan_->forces.begin[i + 1]; ++k)
-                sum += slots_.force()[plan_->forces.place[k]];
-            forces_un[i] = Vec3(sum[0], sum[1], sum[2]);
-        }
+    for_each_row([&](std::size_t i) {
+        Wide sum(0.0);
+        for (int k = plan_->forces.begin[i]; k < plan_->forces.begin[i + 1]; ++k)
+            sum += slots_.force()[plan_->forces.place[k]];
+        forces_un[i] = Vec3(sum[0], sum[1], sum[2]);
     });
 }
 
@@ -54,29 +62,25 @@ void Assembly::gather_stiffness(double factor, BlockMatrix& matrix) const {
         matrix.diagonal = plan_->diagonal;
         matrix.block.assign(matrix.column.size(), Mat3::Zero());
     }
-    const std::size_t rows = plan_->diagonal.size();
-    parallel_blocks(rows, row_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            for (int k = plan_->diagonal[i] + 1; k < plan_->row_begin[i + 1]; ++k) {
-                const small::Matrix3<double> sum = upper_block(k);
-                double* upper = matrix.block[k].data();  // column-major
-                double* lower = matrix.block[plan_->mirror[k]].data();
-                for (int r = 0; r < 3; ++r)
-                    for (int c = 0; c < 3; ++c) {
-                        const double entry = factor * sum(r, c);
-                        lower[3 * r + c] = entry;
-                        upper[3 * c + r] = entry;
-                    }
-            }
-    });
-    parallel_blocks(rows, row_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Mat3 sum = Mat3::Zero();
-            const int diagonal = plan_->diagonal[i];
-            for (int k = plan_->row_begin[i]; k < plan_->row_begin[i + 1]; ++k)
-                if (k != diagonal) sum += matrix.block[k];
-            matrix.block[diagonal] = -0.5 * (sum + sum.transpose());
+    for_each_row([&](std::size_t i) {
+        for (int k = plan_->diagonal[i] + 1; k < plan_->row_begin[i + 1]; ++k) {
+            const small::Matrix3<double> sum = upper_block(k);
+            double* upper = matrix.block[k].data();  // column-major
+            double* lower = matrix.block[plan_->mirror[k]].data();
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) {
+                    const double entry = factor * sum(r, c);
+                    lower[3 * r + c] = entry;
+                    upper[3 * c + r] = entry;
+                }
         }
+    });
+    for_each_row([&](std::size_t i) {
+        Mat3 sum = Mat3::Zero();
+        const int diagonal = plan_->diagonal[i];
+        for (int k = plan_->row_begin[i]; k < plan_->row_begin[i + 1]; ++k)
+            if (k != diagonal) sum += matrix.block[k];
+        matrix.block[diagonal] = -0.5 * (sum + sum.transpose());
     });
 }
 

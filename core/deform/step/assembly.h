@@ -19,10 +19,18 @@ namespace hepatica {
 // The slots of one body. Keeps a reference to the body. Not thread-safe.
 class Assembly {
   public:
-    explicit Assembly(const Body& body, small::Tangent tangent = small::Tangent::rotated);
+    // Keeps a reference to `live`, too; null: everything is.
+    explicit Assembly(const Body& body, small::Tangent tangent = small::Tangent::rotated,
+                      const LiveSet* live = nullptr);
 
     // As ElementSlots.
     double evaluate(std::span<const Vec3> positions_mm) { return slots_.evaluate(positions_mm); }
+    double evaluate_forces(std::span<const Vec3> positions_mm) {
+        return slots_.evaluate_forces(positions_mm);
+    }
+    double evaluate_all_forces(std::span<const Vec3> positions_mm) {
+        return slots_.evaluate_all_forces(positions_mm);
+    }
     double energy(std::span<const Vec3> positions_mm) const { return slots_.energy(positions_mm); }
     double quadratic_form(std::span<const Vec3> d) const { return slots_.quadratic_form(d); }
     void add_energy_by_piece(std::span<const int> piece_of_node,
@@ -30,11 +38,13 @@ class Assembly {
         slots_.add_energy_by_piece(piece_of_node, energy_nj);
     }
 
-    // Elastic force on each node, from the last evaluate [uN].
+    // Elastic force on each live node, from the last evaluation [uN]; the others keep what they
+    // have.
     void gather_forces(std::span<Vec3> forces_un) const;
 
-    // Off-diagonal blocks of factor * K, diagonal blocks that make every row sum to zero.
-    // `matrix` gets the plan's pattern if it does not have it.
+    // Off-diagonal blocks of factor * K, diagonal blocks that make every row sum to zero, in the
+    // rows of live elements; those of held nodes lack what is frozen. `matrix` gets the plan's
+    // pattern if it does not have it, and zeros.
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
     const AssemblyPlan& plan() const { return *plan_; }
@@ -47,7 +57,12 @@ class Assembly {
 
     small::Matrix3<double> upper_block(int k) const;
 
+    // visit(row) for every row of a live element.
+    template <class Visit>
+    void for_each_row(const Visit& visit) const;
+
     std::shared_ptr<const AssemblyPlan> plan_;
+    const LiveSet* live_;
     ElementSlots slots_;
 };
 

@@ -27,6 +27,11 @@ void BackwardEuler::set_settings(const NewtonSettings& settings) {
     forget();
 }
 
+void BackwardEuler::freeze(std::span<const std::uint8_t> frozen) {
+    potential_.freeze(frozen);
+    forces_known_ = false;
+}
+
 double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
                                        const PotentialList& potentials) const {
     return potential_.assembly().energy(positions_mm) +
@@ -40,7 +45,8 @@ StepReport BackwardEuler::advance(BodyState& state, double dt_s, const Potential
 
 void BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
                                  StepReport& report) {
-    const auto outcome = limiter_.limit(step, report.energy, potential_.assembly(), velocities);
+    const auto outcome = limiter_.limit(step, report.energy, potential_.assembly(),
+                                        potential_.live().held(), velocities);
     if (!outcome.limited) return;
     const double moving = report.energy.kinetic;
     report.energy.kinetic = kinetic_energy(body_, velocities);
@@ -54,8 +60,11 @@ void BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& ve
 StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
                                            const PotentialList& potentials, int halvings_left,
                                            int most_solves) {
-    if (!current_) potential_.evaluate(state.positions_mm);
-    current_ = true;
+    if (!energies_known_)
+        potential_.evaluate_all_forces(state.positions_mm);
+    else if (!forces_known_)
+        potential_.evaluate_forces(state.positions_mm);
+    energies_known_ = forces_known_ = true;
     StepReport report;
     report.dt_s = dt_s;
     StepUnderway step{.potentials = potentials,

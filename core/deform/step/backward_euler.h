@@ -46,7 +46,11 @@ class BackwardEuler {
     }
 
     // To be called after the state was changed from outside.
-    void forget() { current_ = false; }
+    void forget() { energies_known_ = forces_known_ = false; }
+
+    // Freezes these nodes and no others, from the next step on; their velocities must be 0.
+    void freeze(std::span<const std::uint8_t> frozen);
+    const LiveSet& live() const { return potential_.live(); }
 
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit;
     // it throws InputError where the checkpoint does not fit the body or the solver, and then
@@ -68,7 +72,9 @@ class BackwardEuler {
     NewtonStep newton_;
     StepBooks books_;
     EnergyLimiter limiter_;
-    bool current_ = false;  // the potential was evaluated at the state
+    // The potential was evaluated at the state: the energies of all elements, and the forces on
+    // live nodes.
+    bool energies_known_ = false, forces_known_ = false;
 };
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "core/deform/step/element_slots.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -11,6 +12,7 @@ namespace hepatica {
 namespace {
 
 constexpr int lanes = ElementSlots::Wide::count;
+static_assert(lanes == LiveSet::elements_per_pack);
 constexpr std::size_t packs_per_block = 32;
 
 using Kind = ElementGroup::Kind;
@@ -45,8 +47,8 @@ double sum_of(const Wide& values, int count) {
 }  // namespace
 
 ElementSlots::ElementSlots(const Body& body, Tangent tangent,
-                           std::shared_ptr<const AssemblyPlan> plan)
-    : body_(body), tangent_(tangent), plan_(std::move(plan)) {
+                           std::shared_ptr<const AssemblyPlan> plan, const LiveSet* live)
+    : body_(body), tangent_(tangent), plan_(std::move(plan)), live_(live) {
     bool factors = false;
     for (std::size_t g = 0; g < body.groups.size(); ++g) {
         const ElementGroup& group = body.groups[g];
@@ -71,20 +73,32 @@ int ElementSlots::block_slot(std::size_t group, int element) const {
 }
 
 template <class Visit>
-double ElementSlots::sum_over_packs(const Visit& visit) const {
+double ElementSlots::sum_over_packs(const LiveSet* live, const Visit& visit) const {
     double total = 0.0;
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const int size = body_.groups[g].size();
-        total += parallel_sum(packs_of(body_.groups[g]), packs_per_block,
-                              [&](std::size_t begin, std::size_t end) {
-                                  double sum = 0.0;
-                                  for (std::size_t p = begin; p < end; ++p) {
-                                      const int first = static_cast<int>(p) * lanes;
-                                      sum += visit(Pack{g, first, std::min(lanes, size - first)});
-                                  }
-                                  return sum;
-                              });
+        const std::size_t count =
+            live != nullptr ? live->packs(g).size() : packs_of(body_.groups[g]);
+        total += parallel_sum(count, packs_per_block, [&](std::size_t begin, std::size_t end) {
+            double sum = 0.0;
+            for (std::size_t p = begin; p < end; ++p) {
+                const int pack = live != nullptr ? live->packs(g)[p] : static_cast<int>(p);
+                const int first = pack * lanes;
+                sum += visit(Pack{g, first, std::min(lanes, size - first)});
+            }
+            return sum;
+        });
     }
+    return total;
+}
+
+double ElementSlots::kept_energy() const {
+    double total = 0.0;
+    for (const std::vector<double>& energy : energy_)
+        total += parallel_sum(
+            energy.size(), lanes * packs_per_block, [&](std::size_t begin, std::size_t end) {
+                return std::accumulate(energy.begin() + begin, energy.begin() + end, 0.0);
+            });
     return total;
 }
 
@@ -120,24 +134,22 @@ void ElementSlots::store(const Pack& pack, const small::Vector3<Wide>* values,
                 Wide::Vector{values[a][0][lane], values[a][1][lane], values[a][2][lane], 0.0};
 }
 
-// Keeps the energy of each element; returns their sum, in order.
-double ElementSlots::keep(const Pack& pack, const Wide& energy) {
+void ElementSlots::keep(const Pack& pack, const Wide& energy) {
     for (int lane = 0; lane < pack.count; ++lane)
         energy_[pack.group][pack.first + lane] = energy[lane];
-    return sum_of(energy, pack.count);
 }
 
-double ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm) {
+void ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm) {
     small::Vector3<Wide> x[4], force[4], turned[4];
     load(pack, positions_mm, x);
     const auto& rest = rest_of_four_[pack.group][static_cast<std::size_t>(pack.first / lanes)];
     const Wide energy = small::evaluate_turned_gradients(rest, x, force, turned);
     store(pack, force, force_);
     store(pack, turned, turned_gradient_);
-    return keep(pack, energy);
+    keep(pack, energy);
 }
 
-double ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm) {
+void ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm) {
     small::Vector3<Wide> x[10], force[10];
     small::Matrix3<Wide> blocks[45];
     load(pack, positions_mm, x);
@@ -155,39 +167,80 @@ double ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> posi
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) target[k](i, j) = blocks[k](i, j)[lane];
     }
-    return keep(pack, energy);
+    keep(pack, energy);
 }
 
 template <Tangent tangent>
-double ElementSlots::evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm) {
-    double sum = 0.0;
+void ElementSlots::evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm) {
     for (int e = pack.first; e < pack.first + pack.count; ++e) {
         small::Vector3<double> force[10];
-        const double energy =
-            evaluate_element<tangent>(body_.groups[pack.group], body_.model, e, positions_mm, force,
-                                      block_.data() + block_slot(pack.group, e));
-        energy_[pack.group][e] = energy;
-        sum += energy;
+        energy_[pack.group][e] = evaluate_element<tangent>(
+            body_.groups[pack.group], body_.model, e, positions_mm, force,
+            tangent == Tangent::none ? nullptr : block_.data() + block_slot(pack.group, e));
         const int n = body_.groups[pack.group].nodes_per_element;
         Wide* target = force_.data() + force_slot(pack) + (e - pack.first) * n;
         for (int a = 0; a < n; ++a)
             target[a] = Wide::Vector{force[a][0], force[a][1], force[a][2], 0.0};
     }
-    return sum;
 }
 
 double ElementSlots::evaluate(std::span<const Vec3> positions_mm) {
-    return sum_over_packs([&](const Pack& pack) {
-        if (plan_->groups[pack.group].in_factors) return evaluate_factors(pack, positions_mm);
-        if (plan_->groups[pack.group].four_at_a_time) return evaluate_lanes(pack, positions_mm);
-        if (tangent_ == Tangent::rotated)
-            return evaluate_singly<Tangent::rotated>(pack, positions_mm);
-        return evaluate_singly<Tangent::projected>(pack, positions_mm);
+    sum_over_packs(live_, [&](const Pack& pack) {
+        if (plan_->groups[pack.group].in_factors)
+            evaluate_factors(pack, positions_mm);
+        else if (four_at_a_time(pack))
+            evaluate_lanes(pack, positions_mm);
+        else if (tangent_ == Tangent::rotated)
+            evaluate_singly<Tangent::rotated>(pack, positions_mm);
+        else
+            evaluate_singly<Tangent::projected>(pack, positions_mm);
+        return 0.0;
+    });
+    return kept_energy();
+}
+
+// Energies of four elements, and their forces where `force` is not null.
+Wide ElementSlots::forces_of_four(const Pack& pack, std::span<const Vec3> positions_mm,
+                                  small::Vector3<Wide>* force) const {
+    small::Vector3<Wide> x[10];
+    load(pack, positions_mm, x);
+    const auto& rest = rest_of_four_[pack.group][static_cast<std::size_t>(pack.first / lanes)];
+    small::Matrix3<Wide>* no_blocks = nullptr;
+    if (body_.groups[pack.group].kind == Kind::linear_tetrahedron)
+        return small::evaluate_tetrahedron<4, Tangent::none, small::CorotatedLaw>(rest, x, force,
+                                                                                  no_blocks);
+    return small::evaluate_tetrahedron<10, Tangent::none, small::CorotatedLaw>(rest, x, force,
+                                                                               no_blocks);
+}
+
+void ElementSlots::find_forces(const LiveSet* live, std::span<const Vec3> positions_mm) {
+    sum_over_packs(live, [&](const Pack& pack) {
+        if (!four_at_a_time(pack)) {
+            evaluate_singly<Tangent::none>(pack, positions_mm);
+            return 0.0;
+        }
+        small::Vector3<Wide> force[10];
+        const Wide energy = forces_of_four(pack, positions_mm, force);
+        store(pack, force, force_);
+        keep(pack, energy);
+        return 0.0;
     });
 }
 
+double ElementSlots::evaluate_forces(std::span<const Vec3> positions_mm) {
+    find_forces(live_, positions_mm);
+    return kept_energy();
+}
+
+double ElementSlots::evaluate_all_forces(std::span<const Vec3> positions_mm) {
+    find_forces(nullptr, positions_mm);
+    return kept_energy();
+}
+
 double ElementSlots::energy(std::span<const Vec3> positions_mm) const {
-    return sum_over_packs([&](const Pack& pack) {
+    return sum_over_packs(nullptr, [&](const Pack& pack) {
+        if (four_at_a_time(pack))
+            return sum_of(forces_of_four(pack, positions_mm, nullptr), pack.count);
         double sum = 0.0;
         for (int e = pack.first; e < pack.first + pack.count; ++e)
             sum += evaluate_element<Tangent::none>(
@@ -234,7 +287,7 @@ double ElementSlots::block_form(const ElementGroup& group, int slot, int e,
 }
 
 double ElementSlots::quadratic_form(std::span<const Vec3> d) const {
-    return sum_over_packs([&](const Pack& pack) {
+    return sum_over_packs(live_, [&](const Pack& pack) {
         if (plan_->groups[pack.group].in_factors) return factored_form(pack, d);
         double sum = 0.0;
         for (int e = pack.first; e < pack.first + pack.count; ++e)

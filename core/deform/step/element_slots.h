@@ -14,6 +14,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/elements/lanes.h"
 #include "core/deform/step/assembly_plan.h"
+#include "core/deform/step/live_set.h"
 
 namespace hepatica {
 
@@ -21,17 +22,24 @@ namespace hepatica {
 // bits for any number of threads.
 class ElementSlots {
   public:
-    // `tangent` is the stiffness that is written, that of the plan.
-    ElementSlots(const Body& body, small::Tangent tangent,
-                 std::shared_ptr<const AssemblyPlan> plan);
+    // `tangent` is the stiffness that is written, that of the plan. Keeps a reference to `live`;
+    // null: everything is.
+    ElementSlots(const Body& body, small::Tangent tangent, std::shared_ptr<const AssemblyPlan> plan,
+                 const LiveSet* live);
 
-    // Evaluates all elements at the positions; returns the elastic energy [nJ].
+    // Evaluates the live elements at the positions; the others keep their energy. Returns the
+    // elastic energy of all [nJ].
     double evaluate(std::span<const Vec3> positions_mm);
+    // The same for energies and forces alone; the stiffness in the slots stays what it was.
+    double evaluate_forces(std::span<const Vec3> positions_mm);
+    // That of every element, live or not: after the state was changed from outside.
+    double evaluate_all_forces(std::span<const Vec3> positions_mm);
     // The elastic energy alone; leaves the slots as they are.
     double energy(std::span<const Vec3> positions_mm) const;
     // Adds the energy of every element at the last evaluate to the piece of its first node.
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
-    // d^T K d over the slots and differences of d, independent of any matrix.
+    // d^T K d over the slots and differences of d, independent of any matrix; d is 0 where nothing
+    // is live.
     double quadratic_form(std::span<const Vec3> d) const;
 
     // Three entries, the fourth 0.
@@ -56,19 +64,26 @@ class ElementSlots {
     const int* nodes(const Pack& pack, int lane) const;
     void load(const Pack& pack, std::span<const Vec3> values, small::Vector3<Wide>* x) const;
     void store(const Pack& pack, const small::Vector3<Wide>* values, std::vector<Wide>& slots);
+    // visit(pack) for every pack, or for the live ones; the sum of what it returns.
     template <class Visit>
-    double sum_over_packs(const Visit& visit) const;
-    double keep(const Pack& pack, const Wide& energy);
-    double evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm);
-    double evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm);
+    double sum_over_packs(const LiveSet* live, const Visit& visit) const;
+    double kept_energy() const;
+    void find_forces(const LiveSet* live, std::span<const Vec3> positions_mm);
+    void keep(const Pack& pack, const Wide& energy);
+    void evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm);
+    void evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm);
+    Wide forces_of_four(const Pack& pack, std::span<const Vec3> positions_mm,
+                        small::Vector3<Wide>* force) const;
     template <small::Tangent tangent>
-    double evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm);
+    void evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm);
+    bool four_at_a_time(const Pack& pack) const { return plan_->groups[pack.group].four_at_a_time; }
     double factored_form(const Pack& pack, std::span<const Vec3> d) const;
     double block_form(const ElementGroup& group, int slot, int e, std::span<const Vec3> d) const;
 
     const Body& body_;
     small::Tangent tangent_;
     std::shared_ptr<const AssemblyPlan> plan_;
+    const LiveSet* live_;
     // Rest shapes of four elements each, of every group that is evaluated so.
     std::vector<std::vector<small::TetrahedronRest<Wide>>> rest_of_four_;
     std::vector<std::vector<double>> energy_;  // of every element of every group

@@ -124,6 +124,7 @@ void EnergyLimiter::begin(const StepUnderway& step, const Assembly& assembly) {
 
 EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const EnergyLedger& after,
                                             const Assembly& assembly,
+                                            std::span<const std::uint8_t> held_nodes,
                                             std::vector<Vec3>& velocities_mm_per_s) const {
     const std::vector<Balance> now =
         pieces() == 1
@@ -144,7 +145,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
         }
         // At rest the energies are rounding errors, of either sign.
         if (!(kinetic > 0.0) || !(excess > rounding * size)) continue;
-        std::vector<char> marked(body_.fixed.begin(), body_.fixed.end());
+        std::vector<char> marked(held_nodes.begin(), held_nodes.end());
         for (const auto& potential : step.potentials.all()) potential->mark_held(marked);
         std::vector<int> nodes;
         for (int p = first; p < pieces(); ++p)

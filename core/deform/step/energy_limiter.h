@@ -42,9 +42,9 @@ class EnergyLimiter {
     };
     // Limits `velocities`, those at the end of the step, so that no piece has more energy than it
     // began with and weight gave it. `after` are the body's energies at the end; the assembly's
-    // slots are of that state.
+    // slots are of that state. held[i] != 0: the node is fixed or frozen.
     Outcome limit(const StepUnderway& step, const EnergyLedger& after, const Assembly& assembly,
-                  std::vector<Vec3>& velocities_mm_per_s) const;
+                  std::span<const std::uint8_t> held, std::vector<Vec3>& velocities_mm_per_s) const;
 
     int pieces() const { return static_cast<int>(nodes_.size()); }
 

@@ -7,21 +7,57 @@ namespace hepatica {
 
 IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tangent)
     : body_(body),
-      assembly_(body, tangent),
-      elastic_force_(body.node_count()),
-      force_(body.node_count()),
-      product_(body.node_count()) {
+      live_(body),
+      assembly_(body, tangent, &live_),
+      elastic_force_(body.node_count(), Vec3::Zero()),
+      force_(body.node_count(), Vec3::Zero()) {
     const AssemblyPlan& plan = assembly_.plan();
-    for (int i = 0; i < body.node_count(); ++i)
-        for (int k = plan.row_begin[i]; k < plan.row_begin[i + 1]; ++k) {
-            const int j = plan.column[k];
-            if (i != j && (body.fixed[i] || body.fixed[j])) cut_blocks_.push_back(k);
+    matrix_ = {plan.row_begin, plan.column, std::vector<Mat3>(plan.column.size(), Mat3::Zero()),
+               plan.diagonal};
+    find_cut_blocks();
+}
+
+void IncrementalPotential::freeze(std::span<const std::uint8_t> frozen) {
+    live_.freeze(frozen);
+    stiffness_known_ = false;
+    find_cut_blocks();
+}
+
+void IncrementalPotential::forget_matrix() {
+    live_.forget_written();
+    stiffness_known_ = false;
+    find_cut_blocks();
+}
+
+// Also of rows that were live until now.
+void IncrementalPotential::find_cut_blocks() {
+    cut_blocks_.clear();
+    for (const int i : live_.changed_rows())
+        for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k) {
+            const int j = matrix_.column[k];
+            if (i == j || (!held(i) && !held(j))) continue;
+            cut_blocks_.push_back(k);
+            // A row writes its neighbours' blocks, too, be they among these rows or not.
+            cut_blocks_.push_back(assembly_.plan().mirror[k]);
         }
 }
 
 void IncrementalPotential::evaluate(std::span<const Vec3> positions_mm) {
     elastic_ = assembly_.evaluate(positions_mm);
     assembly_.gather_forces(elastic_force_);
+    stiffness_known_ = true;
+}
+
+void IncrementalPotential::evaluate_forces(std::span<const Vec3> positions_mm) {
+    elastic_ = assembly_.evaluate_forces(positions_mm);
+    assembly_.gather_forces(elastic_force_);
+    stiffness_known_ = false;
+}
+
+void IncrementalPotential::evaluate_all_forces(std::span<const Vec3> positions_mm) {
+    elastic_ = assembly_.evaluate_all_forces(positions_mm);
+    assembly_.gather_forces(elastic_force_);
+    stiffness_known_ = false;
 }
 
 double IncrementalPotential::value(const StepUnderway& step) const {
@@ -39,24 +75,25 @@ void IncrementalPotential::descent(const StepUnderway& step, std::vector<Vec3>& 
     const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
     force_ = elastic_force_;
     step.potentials.add_forces(step.positions, force_);
-    const bool damped = step.iterate > 0 && body_.damping.beta_s > 0.0;
-    if (damped) multiply(damping_, step.velocity, product_);
+    const bool damped = !step.damping_force.empty();
     residual.resize(force_.size());
     for_each_node(residual.size(), [&](std::size_t i) {
         residual[i] = body_.mass_g[i] * (step.start.velocities_mm_per_s[i] -
                                          (1.0 + dt * alpha) * step.velocity[i]) +
                       dt * force_[i];
-        if (damped) residual[i] -= dt * product_[i];
-        if (body_.fixed[i]) residual[i].setZero();
+        if (damped) residual[i] -= dt * step.damping_force[i];
+        if (held(i)) residual[i].setZero();
     });
 }
 
-void IncrementalPotential::cut_fixed(BlockMatrix& matrix) const {
+void IncrementalPotential::cut_held(BlockMatrix& matrix) const {
     for (const int k : cut_blocks_) matrix.block[k].setZero();
 }
 
 void IncrementalPotential::assemble(const StepUnderway& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
+    if (!stiffness_known_) assembly_.evaluate(step.positions);
+    stiffness_known_ = true;
     assembly_.gather_stiffness(step.iterate == 0 ? dt * dt + dt * beta : dt * dt, matrix_);
     if (step.iterate > 0 && beta > 0.0)
         for_each_node(matrix_.block.size(),
@@ -66,16 +103,32 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
         matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
     });
     step.potentials.add_stiffness(step.positions, dt * dt, matrix_);
-    cut_fixed(matrix_);
+    cut_held(matrix_);
     for (int i = 0; i < matrix_.rows(); ++i)
-        if (body_.fixed[i]) {
-            Mat3& block = matrix_.block[matrix_.diagonal[i]];
-            block = (block.trace() / 3.0) * Mat3::Identity();
-        }
+        if (held(i)) matrix_.block[matrix_.diagonal[i]] = Mat3::Identity();
+    assembled_rows_.assign(live_.changed_rows().begin(), live_.changed_rows().end());
+    live_.written();
 }
 
-// Fixed vertices do not move, so that it does not matter that they were cut out of the matrix.
-void IncrementalPotential::keep_damping(const StepUnderway& step, const BlockMatrix* beside) {
+void IncrementalPotential::damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
+                                        const std::vector<Vec3>& product,
+                                        std::vector<Vec3>& damping) const {
+    const double dt = step.dt_s, beta = body_.damping.beta_s;
+    const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
+    damping.resize(d.size());
+    for_each_node(d.size(), [&](std::size_t i) {
+        damping[i] = product[i] - inertia * body_.mass_g[i] * d[i];
+    });
+    step.potentials.add_product(step.positions, -dt * dt, d, matrix_, damping);
+    const double scale = beta / (dt * dt + dt * beta);
+    for_each_node(d.size(), [&](std::size_t i) {
+        damping[i] = held(i) ? Vec3(Vec3::Zero()) : Vec3(scale * damping[i]);
+    });
+}
+
+// Held nodes do not move, so that it does not matter that they were cut out of the matrix.
+void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
+                                        const BlockMatrix* beside) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     damping_ = matrix_;
     for (std::size_t k = 0; beside && k < damping_.block.size(); ++k)
@@ -84,14 +137,9 @@ void IncrementalPotential::keep_damping(const StepUnderway& step, const BlockMat
     for_each_node(body_.mass_g.size(), [&](std::size_t i) {
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
     });
-    step.potentials.add_stiffness(step.start.positions_mm, -dt * dt, damping_);
+    step.potentials.add_stiffness(first_mm, -dt * dt, damping_);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_node(damping_.block.size(), [&](std::size_t k) { damping_.block[k] *= scale; });
-}
-
-double IncrementalPotential::damping_form(const std::vector<Vec3>& velocity) {
-    multiply(damping_, velocity, product_);
-    return dot(velocity, product_);
 }
 
 }  // namespace hepatica

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The function that a step of backward Euler minimises, over the velocity w with x = x_n + dt w:
-//   |w - v_n|_M^2 / 2 + U(x) + potentials(x) + dt |w|_B^2 / 2,   B = alpha M + beta K_n,
-// with K_n held at the start of the step; its gradient, and the matrix of eq. (12),
-//   A = (1 + dt alpha) M + dt beta K_n + dt^2 K + dt^2 K_potentials.
+//   |w - v_n|_M^2 / 2 + U(x) + potentials(x) + dt |w|_B^2 / 2,   B = alpha M + beta K_0,
+// with K_0 that of the first iterate throughout the step; its gradient, and the matrix of eq. (12),
+//   A = (1 + dt alpha) M + dt beta K_0 + dt^2 K + dt^2 K_potentials.
 #pragma once
 
 #include <span>
@@ -15,21 +15,30 @@
 
 namespace hepatica {
 
-// Keeps a reference to the body. Not thread-safe. Fixed vertices are cut out of gradient and
-// matrix: their change is 0 and nobody feels it.
+// Keeps a reference to the body. Not thread-safe. Held nodes are cut out of gradient and matrix:
+// their change is 0 and nobody feels it.
 class IncrementalPotential {
   public:
     IncrementalPotential(const Body& body, small::Tangent tangent);
 
-    // Elements at the positions: elastic energy, forces, stiffness. What follows is at these.
+    // What is computed. Rows that are not keep a unit matrix on the diagonal.
+    const LiveSet& live() const { return live_; }
+    bool held(std::size_t node) const { return live_.held()[node] != 0; }
+    // Freezes these nodes and no others; the rest goes on from where it is.
+    void freeze(std::span<const std::uint8_t> frozen);
+
+    // Elements at the positions: elastic energy and forces, by evaluate() the stiffness, too. What
+    // follows is at these; assemble() finds the stiffness where it is missing.
     void evaluate(std::span<const Vec3> positions_mm);
+    void evaluate_forces(std::span<const Vec3> positions_mm);
+    // Also of what is not live: after the state was changed from outside.
+    void evaluate_all_forces(std::span<const Vec3> positions_mm);
     double elastic_energy() const { return elastic_; }
     const std::vector<Vec3>& elastic_force() const { return elastic_force_; }
     const Assembly& assembly() const { return assembly_; }
 
     double value(const StepUnderway& step) const;
-    // -dt times the gradient: M (v_n - w) + dt f(x) - dt B w. Without beta K_n w in the first
-    // iterate, where the matrix holds beta K and w is 0.
+    // -dt times the gradient: M (v_n - w) + dt f(x) - dt B w, with the step's damping_force.
     void descent(const StepUnderway& step, std::vector<Vec3>& residual);
     // Elastic and of the potentials, at the last descent [uN].
     const std::vector<Vec3>& force() const { return force_; }
@@ -37,23 +46,39 @@ class IncrementalPotential {
     // A at the present iterate.
     void assemble(const StepUnderway& step);
     BlockMatrix& matrix() { return matrix_; }
-    // Sets the blocks beside the diagonal in rows and columns of fixed vertices to zero.
-    void cut_fixed(BlockMatrix& matrix) const;
+    // The rows that the last assemble() may have changed.
+    std::span<const int> assembled_rows() const { return assembled_rows_; }
+    // To be called where the matrix was used for something else than the step at hand.
+    void forget_matrix();
+    // Sets the blocks beside the diagonal in rows and columns of held nodes to zero.
+    void cut_held(BlockMatrix& matrix) const;
 
-    // Keeps beta K_n, which the first iterate's matrix holds together with `beside` (may be null),
-    // before that is overwritten.
-    void keep_damping(const StepUnderway& step, const BlockMatrix* beside);
-    // w^T beta K_n w, from what was kept.
-    double damping_form(const std::vector<Vec3>& velocity);
+    // beta K_0 d from `product` = A d, with the matrix of the first iterate, while the step is
+    // there.
+    void damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
+                      const std::vector<Vec3>& product, std::vector<Vec3>& damping) const;
+    // Keeps beta K_0, which the first iterate's matrix holds together with `beside` (may be null),
+    // before that is overwritten. `first_mm` is where that iterate was.
+    void keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
+                      const BlockMatrix* beside);
+    // beta K_0 w, from what was kept.
+    void damping_of(const std::vector<Vec3>& velocity, std::vector<Vec3>& damping) const {
+        multiply(damping_, velocity, damping);
+    }
 
   private:
+    void find_cut_blocks();
+
     const Body& body_;
+    LiveSet live_;
     Assembly assembly_;
-    std::vector<int> cut_blocks_;  // beside the diagonal, with a fixed vertex
+    std::vector<int> cut_blocks_;  // beside the diagonal, with a held node
+    std::vector<int> assembled_rows_;
     BlockMatrix matrix_;
-    BlockMatrix damping_;  // beta K_n
+    BlockMatrix damping_;           // beta K_0
+    bool stiffness_known_ = false;  // the slots hold that of the present positions
     double elastic_ = 0.0;
-    std::vector<Vec3> elastic_force_, force_, product_;
+    std::vector<Vec3> elastic_force_, force_;
 };
 
 }  // namespace hepatica

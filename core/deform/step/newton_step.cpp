@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/error.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/stepper/stepper_input.h"
 
@@ -15,8 +16,10 @@ constexpr double armijo = 1e-4;  // of the predicted decrease must come true
 constexpr double shortest_step_length = 1e-3;
 constexpr double at_rest = 1e-9;    // a move in mean edges that is rounding errors alone
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
-// Iterates added to a linearly implicit step that had to be shortened, until one is taken whole.
-constexpr int rescue_iterates = 8;
+
+// Iterates added to a linearly implicit step from rest that had to be shortened, until one is taken
+// whole: a share of the way from rest would brake the whole body.
+constexpr int rescue_iterates = 2;
 
 bool all_finite(const std::vector<Vec3>& a) {
     return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
@@ -44,19 +47,43 @@ void NewtonStep::set_settings(const NewtonSettings& settings) {
 }
 
 void NewtonStep::keep_damping(const StepUnderway& step) {
-    if (body_.damping.beta_s > 0.0)
-        potential_.keep_damping(step, velocity_error_.any() ? &velocity_error_.matrix() : nullptr);
+    potential_.keep_damping(step, first_mm_,
+                            velocity_error_.any() ? &velocity_error_.matrix() : nullptr);
+}
+
+void NewtonStep::find_damping(StepUnderway& step) {
+    if (body_.damping.beta_s == 0.0 || !step.damping_force.empty()) return;
+    keep_damping(step);
+    potential_.damping_of(step.velocity, step.damping_force);
+}
+
+// Of a first iterate that begins on the way: beta K_0 w and its share of the residual.
+void NewtonStep::begin_damping(StepUnderway& step) {
+    if (body_.damping.beta_s == 0.0) return;
+    multiply(potential_.matrix(), step.velocity, product_);
+    potential_.damping_from(step, step.velocity, product_, step.damping_force);
+    for_each_node(residual_.size(),
+                  [&](std::size_t i) { residual_[i] -= step.dt_s * step.damping_force[i]; });
+    step.damping_form = dot(step.velocity, step.damping_force);
+    step.value += 0.5 * step.dt_s * step.damping_form;
+}
+
+// Adds factor * matrix * x to the residual of the nodes that are not held.
+void NewtonStep::add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x) {
+    multiply(matrix, x, product_);
+    for_each_node(residual_.size(), [&](std::size_t i) {
+        if (!potential_.held(i)) residual_[i] += factor * product_[i];
+    });
 }
 
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
-    solver_->prepare(potential_.matrix(), step.positions);
+    solver_->update(potential_.matrix(), step.positions, potential_.assembled_rows());
     // The first system is solved for the change of velocity, whose relative error means something
     // for a body in flight, too.
-    if (step.iterate == 0) {
-        multiply(potential_.matrix(), step.start.velocities_mm_per_s, product_);
-        for_each_node(residual_.size(), [&](std::size_t i) {
-            if (!body_.fixed[i]) residual_[i] -= product_[i];
-        });
+    if (step.iterate == 0 && !step.predicted) {
+        add_to_free(-1.0, potential_.matrix(), step.start.velocities_mm_per_s);
+        if (velocity_error_.any())
+            add_to_free(1.0, velocity_error_.matrix(), step.start.velocities_mm_per_s);
     }
     std::ranges::fill(change_, Vec3::Zero());
     const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
@@ -79,8 +106,9 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
 
 MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
     return {.dt_s = step.dt_s,
-            .start_mm = step.start.positions_mm,
+            .first_mm = first_mm_,
             .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
+            .held = potential_.live().held(),
             .grabs = step.potentials.grabs(),
             .velocity_error = settings_.velocity_error};
 }
@@ -89,27 +117,33 @@ MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
 void NewtonStep::assemble_again(const MatrixOrigin& origin) {
     validate_time_step(origin.dt_s);
     const std::size_t nodes = body_.rest_positions_mm.size();
-    validate_state(origin.start_mm, origin.start_mm, nodes);
+    validate_state(origin.first_mm, origin.first_mm, nodes);
     const bool first = origin.iterate_mm.empty();
     if (!first) validate_state(origin.iterate_mm, origin.iterate_mm, nodes);
+    if (origin.held.size() != nodes)
+        throw InputError("holds " + std::to_string(origin.held.size()) + " nodes instead of " +
+                             std::to_string(nodes),
+                         "the checkpoint of a body",
+                         "Make the stepper of the body that it was taken of");
     PotentialList potentials(body_);
     potentials.set_grabs(origin.grabs);
     VelocityError error;
     error.set(origin.velocity_error);
-    const BodyState start{origin.start_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
+    const BodyState start{origin.first_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
     StepUnderway step{.potentials = potentials,
                       .start = start,
                       .dt_s = origin.dt_s,
                       .before = {},
                       .velocity = {},
-                      .positions = origin.start_mm};
+                      .positions = origin.first_mm};
+    potential_.freeze(origin.held);
+    potential_.forget_matrix();
     potential_.evaluate(step.positions);
     potential_.assemble(step);
-    residual_.assign(nodes, Vec3::Zero());
-    if (error.any()) error.add_to(potential_, body_, step, residual_);
+    if (error.any()) error.add_to(potential_, body_, step.dt_s);
     if (first) return;
     if (body_.damping.beta_s > 0.0)
-        potential_.keep_damping(step, error.any() ? &error.matrix() : nullptr);
+        potential_.keep_damping(step, origin.first_mm, error.any() ? &error.matrix() : nullptr);
     step.iterate = 1;
     step.positions = origin.iterate_mm;
     potential_.evaluate(step.positions);
@@ -118,12 +152,23 @@ void NewtonStep::assemble_again(const MatrixOrigin& origin) {
 
 void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
     const std::optional<MatrixOrigin>& origin = checkpoint.made_from;
+    const std::vector<std::uint8_t> held = potential_.live().held();
+    const auto back_to_present = [&] {
+        if (origin) potential_.freeze(held);
+        potential_.forget_matrix();
+    };
     if (origin) assemble_again(*origin);
     const std::vector<Vec3> none;
     const bool first = !origin || origin->iterate_mm.empty();
-    solver_->restore(origin ? &potential_.matrix() : nullptr,
-                     !origin ? none : (first ? origin->start_mm : origin->iterate_mm),
-                     checkpoint.memory);
+    try {
+        solver_->restore(potential_.matrix(), origin.has_value(),
+                         !origin ? none : (first ? origin->first_mm : origin->iterate_mm),
+                         checkpoint.memory);
+    } catch (...) {
+        back_to_present();
+        throw;
+    }
+    back_to_present();
     made_from_ = origin;
 }
 
@@ -131,16 +176,32 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
 void NewtonStep::keep_linearised_work(StepUnderway& step) {
     const std::vector<Vec3> dx = times(step.dt_s, direction_);
     const double elastic_form = potential_.assembly().quadratic_form(dx);
-    const double external_form =
-        step.potentials.quadratic_form(step.positions, dx, potential_.matrix());
+    product_.assign(dx.size(), Vec3::Zero());
+    step.potentials.add_product(step.positions, 1.0, dx, potential_.matrix(), product_);
     step.linearised.start_force = dot(dx, step.start_force);
-    step.linearised.curvature = elastic_form + external_form;
+    step.linearised.curvature = elastic_form + dot(dx, product_);
     direction_form_ = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
     multiply(potential_.matrix(), change_, product_);
     step.linearised.residual = dot(direction_, product_) - dot(direction_, residual_);
     if (!velocity_error_.any()) return;
     multiply(velocity_error_.matrix(), change_, product_);
     step.linearised.residual -= dot(direction_, product_);
+}
+
+// The damping of the velocity to which the direction was added.
+void NewtonStep::damp(StepUnderway& step, double step_length) {
+    if (body_.damping.beta_s == 0.0) return;
+    if (step.iterate == 0 && !step.predicted) {
+        step.damping_form = step_length * step_length * direction_form_;
+        return;
+    }
+    if (step.iterate == 0)
+        for_each_node(step.velocity.size(), [&](std::size_t i) {
+            step.damping_force[i] = damping_before_[i] + step_length * damping_along_[i];
+        });
+    else
+        potential_.damping_of(step.velocity, step.damping_force);
+    step.damping_form = dot(step.velocity, step.damping_force);
 }
 
 bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double slope) {
@@ -151,10 +212,8 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * step.velocity[i];
     });
     if (all_finite(step.positions)) {
-        if (body_.damping.beta_s > 0.0)
-            step.damping_form = step.iterate == 0 ? step_length * step_length * direction_form_
-                                                  : potential_.damping_form(step.velocity);
-        potential_.evaluate(step.positions);
+        damp(step, step_length);
+        potential_.evaluate_forces(step.positions);
         const double value = potential_.value(step);
         const double noise = rounding * (std::abs(value) + std::abs(step.value));
         if (std::isfinite(value) && value <= step.value + armijo * step_length * slope + noise) {
@@ -164,6 +223,7 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
         if (!settings_.line_search && std::isfinite(value)) return true;
     }
     step.velocity = before;
+    step.damping_force = damping_before_;
     step.damping_form = form_before;
     return false;
 }
@@ -172,35 +232,59 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
 // before.
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
+    damping_before_ = step.damping_force;
     for (double length = 1.0; length > shortest_step_length; length *= 0.5)
         if (try_step_length(step, length, slope)) {
             step.step_length = length;
-            step.whole = step.iterate == 0 && length == 1.0;
+            step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
             return true;
         }
     for (std::size_t i = 0; i < step.positions.size(); ++i)
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * step.velocity[i];
-    potential_.evaluate(step.positions);
+    potential_.evaluate_forces(step.positions);
     return false;
 }
 
 bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
-    if (step.iterate == 1) keep_damping(step);
+    if (step.iterate == 0) first_mm_ = step.positions;
+    if (step.iterate == 1 && body_.damping.beta_s > 0.0) {
+        keep_damping(step);
+        potential_.damping_of(step.velocity, step.damping_force);
+    }
     potential_.descent(step, residual_);
-    if (step.iterate == 0) step.start_force = potential_.force();
     potential_.assemble(step);
+    if (step.iterate == 0 && step.predicted) {
+        begin_damping(step);
+        // With it the way there may cost more than standing still, after all.
+        if (step.value > step.standing) {
+            stay_at_start(step);
+            return iterate(step, report);
+        }
+    }
     steepest_ = residual_;
     if (step.iterate == 0 && velocity_error_.any())
-        velocity_error_.add_to(potential_, body_, step, residual_);
+        velocity_error_.add_to(potential_, body_, step.dt_s);
     solve(step, report);
     ++report.newton_iterations;
     direction_ = change_;
-    if (step.iterate == 0) {
+    if (step.iterate == 0 && step.predicted) {
+        find_damping_along(step);
+    } else if (step.iterate == 0) {
         for_each_node(change_.size(),
                       [&](std::size_t i) { direction_[i] += step.start.velocities_mm_per_s[i]; });
         keep_linearised_work(step);
     }
     return search_line(step);
+}
+
+void NewtonStep::find_damping_along(const StepUnderway& step) {
+    if (body_.damping.beta_s == 0.0) return;
+    multiply(potential_.matrix(), direction_, product_);
+    if (velocity_error_.any()) {
+        multiply(velocity_error_.matrix(), direction_, damping_along_);
+        for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping_along_[i]; });
+    }
+    potential_.damping_from(step, direction_, product_, damping_along_);
 }
 
 double NewtonStep::longest_move_mm(const StepUnderway& step) const {
@@ -212,7 +296,48 @@ double NewtonStep::longest_move_mm(const StepUnderway& step) const {
     return step.dt_s * std::sqrt(squared);
 }
 
+// Goes to where the body would be without a change of its velocity, unless that is no better a
+// place to begin: the body is at rest, or the way there costs more than standing still.
+void NewtonStep::predict(StepUnderway& step) {
+    const std::vector<Vec3>& velocity = step.start.velocities_mm_per_s;
+    if (std::ranges::all_of(velocity, [](const Vec3& v) { return v.isZero(0.0); })) return;
+    step.velocity = velocity;
+    for_each_node(velocity.size(), [&](std::size_t i) {
+        step.positions[i] = step.start.positions_mm[i] + step.dt_s * velocity[i];
+    });
+    step.predicted = true;
+    if (all_finite(step.positions)) {
+        potential_.evaluate(step.positions);
+        step.value = potential_.value(step);
+        if (step.value <= step.standing) return;
+    }
+    stay_at_start(step);
+}
+
+void NewtonStep::stay_at_start(StepUnderway& step) {
+    step.predicted = false;
+    step.value = step.standing;
+    step.iterate = 0;
+    step.step_length = 1.0;
+    std::ranges::fill(step.velocity, Vec3::Zero());
+    step.positions = step.start.positions_mm;
+    step.damping_force.clear();
+    step.damping_form = 0.0;
+    potential_.evaluate(step.positions);
+}
+
 bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& report) {
+    step.start_force = potential_.elastic_force();
+    step.potentials.add_forces(step.positions, step.start_force);
+    step.standing = step.value;
+    if (settings_.line_search) predict(step);
+    if (iterate_from_here(step, most_solves, report)) return true;
+    if (step.predicted) stay_at_start(step);
+    return false;
+}
+
+// False where the first direction lowers the potential at no step length.
+bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepReport& report) {
     int most = std::min(settings_.iterations, most_solves);
     for (;; ++step.iterate) {
         const bool lower = iterate(step, report);
@@ -225,12 +350,13 @@ bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& 
             break;
         }
         if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
-        if (settings_.iterations == 1)
+        if (settings_.iterations == 1 && !step.predicted)
             most = step.step_length < 1.0 ? std::min(1 + rescue_iterates, most_solves) : 1;
         if (step.iterate + 1 >= most) break;
     }
+    report.predicted = step.predicted;
     if (step.step_length < 1.0) {
-        report.degraded = true;
+        report.degraded = report.shortened = true;
         report.message = "the step was shortened: it would have made energy";
     }
     return true;

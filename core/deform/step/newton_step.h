@@ -24,8 +24,8 @@ struct NewtonSettings {
     double tolerance = 1e-6;
     // Without it a single iterate is taken whole, as published, whatever it does to the energy.
     bool line_search = true;
-    // Linear solves of one step beside `iterations`, for iterates of a step that had to be
-    // shortened and for its halves: its budget is the sum of both.
+    // Linear solves of one step beside `iterations`, for iterates of a step from rest that had to
+    // be shortened and for the halves of one that had to be cut: its budget is the sum of both.
     int extra_solves = 24;
     RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
     SolveLimits linear{};
@@ -40,13 +40,13 @@ class NewtonStep {
 
     void set_settings(const NewtonSettings& settings);
 
-    // Iterates as the settings say, and further where a single iterate had to be shortened, with
-    // `most_solves` >= 1 linear solves at most; the report counts them. False where not even the
-    // first direction lowers the potential at any step length: the velocity is then 0.
+    // Iterates as the settings say, with `most_solves` >= 1 linear solves at most; the report
+    // counts them. False where not even the first direction lowers the potential at any step
+    // length: the velocity is then 0.
     bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
 
-    // Keeps beta K_n where the step has made one iterate only.
-    void keep_damping(const StepUnderway& step);
+    // Fills the step's damping_force, which a first iterate from rest leaves out.
+    void find_damping(StepUnderway& step);
 
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit
     // and leaves the potential at other positions; it throws InputError where the checkpoint does
@@ -57,7 +57,15 @@ class NewtonStep {
   private:
     MatrixOrigin origin_of(const StepUnderway& step) const;
     void assemble_again(const MatrixOrigin& origin);
+    void predict(StepUnderway& step);
+    void stay_at_start(StepUnderway& step);
+    bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
     bool iterate(StepUnderway& step, StepReport& report);
+    void begin_damping(StepUnderway& step);
+    void find_damping_along(const StepUnderway& step);
+    void keep_damping(const StepUnderway& step);
+    void damp(StepUnderway& step, double step_length);
+    void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
     void solve(const StepUnderway& step, StepReport& report);
     void keep_linearised_work(StepUnderway& step);
     bool search_line(StepUnderway& step);
@@ -70,8 +78,12 @@ class NewtonStep {
     NewtonSettings settings_;
     VelocityError velocity_error_;
     std::optional<MatrixOrigin> made_from_;  // see LinearSolver::made_from_latest
-    double direction_form_ = 0.0;  // of the first direction: direction^T beta K_n direction
+    std::vector<Vec3> first_mm_;             // where the first iterate's matrix was made
+    double direction_form_ =
+        0.0;  // of the first direction from rest: direction^T beta K_0 direction
     std::vector<Vec3> direction_;  // of the velocity
+    // Of the velocity before the direction is taken, and of the first direction: beta K_0 times it.
+    std::vector<Vec3> damping_before_, damping_along_;
     std::vector<Vec3> residual_, steepest_, change_, product_;
 };
 

@@ -25,7 +25,7 @@ EnergyLedger StepBooks::energies(const BodyState& state, const PotentialList& po
     return ledger;
 }
 
-void StepBooks::book(const StepUnderway& step, NewtonStep& newton, bool audit, StepReport& report) {
+void StepBooks::book(StepUnderway& step, NewtonStep& newton, bool audit, StepReport& report) {
     const double dt = step.dt_s;
     EnergyLedger& ledger = report.energy;
     ledger.kinetic = kinetic_energy(body_, step.velocity);
@@ -41,10 +41,8 @@ void StepBooks::book(const StepUnderway& step, NewtonStep& newton, bool audit, S
     double end_work = start_work - step.linearised.curvature;
     ledger.solver_work = step.linearised.residual;
     if (!step.whole) {
-        if (step.iterate == 0) newton.keep_damping(step);
-        StepUnderway end = step;
-        end.iterate = 1;
-        potential_.descent(end, residual_);
+        newton.find_damping(step);
+        potential_.descent(step, residual_);
         ledger.solver_work = -dot(step.velocity, residual_);
         start_work = along_motion(step.start_force);
         end_work = along_motion(potential_.force());

@@ -28,7 +28,7 @@ class StepBooks {
     EnergyLedger energies(const BodyState& state, const PotentialList& potentials) const;
 
     // Fills the report's ledger, before any limit of the velocities; `audit` as in StepperOptions.
-    void book(const StepUnderway& step, NewtonStep& newton, bool audit, StepReport& report);
+    void book(StepUnderway& step, NewtonStep& newton, bool audit, StepReport& report);
 
   private:
     const Body& body_;

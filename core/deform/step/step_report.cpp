@@ -15,6 +15,7 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     both.linear_energy_error = std::max(first.linear_energy_error, second.linear_energy_error);
     both.dropped_pivots = std::max(first.dropped_pivots, second.dropped_pivots);
     both.degraded = first.degraded || second.degraded;
+    both.shortened = first.shortened || second.shortened;
     if (both.message.empty()) both.message = first.message;
     both.energy = in_sequence(first.energy, second.energy);
     both.audit_gap_nj += first.audit_gap_nj;

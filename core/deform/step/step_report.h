@@ -17,9 +17,11 @@ struct StepReport {
     double linear_residual = 0.0;      // relative, achieved
     double linear_energy_error = 0.0;  // relative estimate in the energy norm, achieved
     int dropped_pivots = 0;            // the most of a solve, see SolveReport
-    bool degraded = false;  // a line search failed, a solve broke down or the budget ran out
-    bool asleep = false;    // nothing moved: the step was skipped
-    std::string message;    // why degraded, in words
+    bool degraded = false;   // a line search failed, a solve broke down or the budget ran out
+    bool predicted = false;  // the first iterate began where no change of velocity would have led
+    bool shortened = false;  // less than the whole of the last direction was taken
+    bool asleep = false;     // nothing moved: the step was skipped
+    std::string message;     // why degraded, in words
     EnergyLedger energy;
     // Of an audited step: what its energies have lost more than its forces have worked on the way,
     // which is part of the ledger's imbalance; and how exactly that work is known.

@@ -15,19 +15,15 @@ RayleighDamping bounded_below(const RayleighDamping& error, const RayleighDampin
 
 }  // namespace
 
-void VelocityError::add_to(IncrementalPotential& potential, const Body& body,
-                           const StepUnderway& step, std::vector<Vec3>& residual) {
-    const RayleighDamping error = bounded_below(error_, body.damping, step.dt_s);
-    potential.assembly().gather_stiffness(step.dt_s * error.beta_s, matrix_);
+void VelocityError::add_to(IncrementalPotential& potential, const Body& body, double dt_s) {
+    const RayleighDamping error = bounded_below(error_, body.damping, dt_s);
+    potential.assembly().gather_stiffness(dt_s * error.beta_s, matrix_);
     for (int i = 0; i < matrix_.rows(); ++i)
         matrix_.block[matrix_.diagonal[i]].diagonal().array() +=
-            step.dt_s * error.alpha_per_s * body.mass_g[i];
-    potential.cut_fixed(matrix_);
+            dt_s * error.alpha_per_s * body.mass_g[i];
+    potential.cut_held(matrix_);
     for (std::size_t k = 0; k < matrix_.block.size(); ++k)
         potential.matrix().block[k] += matrix_.block[k];
-    multiply(matrix_, step.start.velocities_mm_per_s, product_);
-    for (std::size_t i = 0; i < residual.size(); ++i)
-        if (!body.fixed[i]) residual[i] += product_[i];
 }
 
 }  // namespace hepatica

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stepper that computes only what the scene requires: the stretches of the tree near a tool and
-// those that move (see live_region.h), as one system with the frozen rest as its support. Frozen
-// vertices stay exactly where they are and live ones go on from where they were, so nothing jumps
-// when the region changes.
+// those that move (see live_region.h), with the frozen rest as their support.
 #pragma once
 
 #include <memory>
 
+#include "core/deform/body/body.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_region.h"
+#include "core/deform/stepper/stepper.h"
 
 namespace hepatica {
 
@@ -25,10 +25,8 @@ class LiveStepper : public Stepper {
 };
 
 // As make_cpu_stepper. A body without skeleton gets one from its mesh. Energies in the report are
-// those of the whole body: what is frozen keeps the energy it froze with (also after a change of
-// the element model), and the little motion that freezing ends is booked as integrator_loss. With
-// quadratic elements everything is live: their middles are not part of the state that is handed
-// over. Throws InputError as make_cpu_stepper does.
+// those of the whole body; the little motion that freezing ends is booked as integrator_loss.
+// Throws InputError as make_cpu_stepper does.
 std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,
                                                const StepperOptions& options,
                                                const LiveRegionOptions& region = {});

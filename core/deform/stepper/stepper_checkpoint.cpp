@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
-constexpr std::string_view heading = "hepatica checkpoint 1\n";
+constexpr std::string_view heading = "hepatica checkpoint 2\n";
 
 // The one list of all fields, for writing, reading and hashing alike.
 template <class Visit>
@@ -34,8 +34,9 @@ void fields(Visit& visit, auto& value) requires requires {
 }
 {
     visit(value.dt_s);
-    visit(value.start_mm);
+    visit(value.first_mm);
     visit(value.iterate_mm);
+    visit(value.held);
     visit(value.grabs);
     visit(value.velocity_error.alpha_per_s);
     visit(value.velocity_error.beta_s);
@@ -43,17 +44,13 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
-    value.held;
+    value.reference_mm;
 }
 {
     visit(value.live);
     visit(value.still_s);
     visit(value.held);
     visit(value.reference_mm);
-    visit(value.frozen_elastic);
-    visit(value.frozen_tether);
-    visit(value.unreported_tool_work);
-    visit(value.unreported_loss);
 }
 
 template <class Visit>
@@ -66,6 +63,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.grabs);
     visit(value.gravity_mm_per_s2);
     visit(value.unreported_tool_work);
+    visit(value.unreported_loss);
     visit(value.still_s);
     visit(value.settled_s);
     visit(value.last_kinetic);
@@ -75,7 +73,6 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);
-    visit(value.part);
 }
 
 // Gives the bytes of every field to a sink.
@@ -164,12 +161,6 @@ class Reader {
     void operator()(std::optional<Record>& value) {
         if (take_flag()) take_record(value.emplace());
     }
-    // A part is computed by a stepper that has no part of its own.
-    void operator()(std::vector<StepperCheckpoint>& part) {
-        if (!take_flag()) return;
-        if (depth_++ > 0) refuse("holds the part of a part");
-        take_record(part.emplace_back());
-    }
 
     void expect_end() const {
         if (!rest_.empty())
@@ -209,7 +200,6 @@ class Reader {
     }
 
     std::string_view rest_;
-    int depth_ = 0;
 };
 
 }  // namespace

@@ -20,12 +20,13 @@
 
 namespace hepatica {
 
-// The inputs of one system matrix of eq. (12). The matrix of the first Newton iterate is that of
-// the positions at the step's start; those of later iterates hold the damping of that start.
+// The inputs of one system matrix of eq. (12). The matrices of later Newton iterates hold the
+// damping of the first.
 struct MatrixOrigin {
-    double dt_s = 0.0;  // > 0
-    std::vector<Vec3> start_mm;
-    std::vector<Vec3> iterate_mm;  // empty at the first iterate
+    double dt_s = 0.0;               // > 0
+    std::vector<Vec3> first_mm;      // where the first iterate was
+    std::vector<Vec3> iterate_mm;    // empty at the first iterate
+    std::vector<std::uint8_t> held;  // per node: fixed or frozen then
     std::vector<Grab> grabs;
     RayleighDamping velocity_error;  // E of eq. (11)
 };
@@ -36,24 +37,20 @@ struct SolverCheckpoint {
     std::vector<double> memory;             // see LinearSolver::memory
 };
 
-// The stretches that a stepper of a part computes, one entry per skeleton node, and what it knows
-// of the rest. Energies in nJ.
+// The stretches that are computed, one entry per skeleton node.
 struct RegionCheckpoint {
     std::vector<std::uint8_t> live;  // 0 or 1
     std::vector<double> still_s;
     std::vector<int> held;  // skeleton nodes
     std::vector<Vec3> reference_mm;
-    double frozen_elastic = 0.0;
-    double frozen_tether = 0.0;
-    double unreported_tool_work = 0.0;
-    double unreported_loss = 0.0;
 };
 
 struct StepperCheckpoint {
-    BodyState nodes;  // middles of edges too; vertices only where a part is computed
+    BodyState nodes;  // middles of edges too
     std::vector<Grab> grabs;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     double unreported_tool_work = 0.0;  // nJ, since the last step
+    double unreported_loss = 0.0;       // nJ, of motion that freezing ended since
     double still_s = 0.0;               // for how long nothing has moved
     double settled_s = 0.0;             // for how long nothing has moved much
     double last_kinetic = 0.0;          // of the last step [nJ]: what a sleeping body reports
@@ -61,16 +58,15 @@ struct StepperCheckpoint {
     double last_grab = 0.0;
     double last_tether = 0.0;
     SolverCheckpoint solver;
-    std::optional<RegionCheckpoint> region;  // where a part is computed
-    std::vector<StepperCheckpoint> part;     // of the part that is computed: none or one
+    std::optional<RegionCheckpoint> region;  // where stretches may freeze
 };
 
 // Of every field.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
-// "hepatica checkpoint 1\n", then the fields in the order above, little-endian: numbers as 8 bytes
-// (doubles as IEEE 754, integers signed), bytes of `live` as one each; arrays after their length;
-// an optional field after a length of 0 or 1.
+// "hepatica checkpoint 2\n", then the fields in the order above, little-endian: numbers as 8 bytes
+// (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
+// their length; an optional field after a length of 0 or 1.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number

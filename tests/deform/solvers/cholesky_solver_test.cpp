@@ -36,53 +36,78 @@ TEST(CholeskySolver, SolvesDirectlyAndReportsItsError) {
     const Motion motion;
     const auto positions = motion.positions(1.0, 0.0);
     const BlockMatrix matrix = test::assemble(motion.body, positions, {});
-    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    CholeskySolver solver;
     solver.prepare(matrix, positions);
     const std::vector<Vec3> load = test::make_load(motion.body, {});
     std::vector<Vec3> x(load.size(), Vec3::Zero());
     const SolveReport report = solver.solve(load, x, {});
     EXPECT_EQ(report.iterations, 0);
     EXPECT_TRUE(report.converged);
-    EXPECT_LT(report.relative_residual, 1e-8);
-    EXPECT_LT(report.energy_error, 1e-7);
+    EXPECT_TRUE(solver.in_single_precision());
     EXPECT_EQ(report.method, "cholesky");
-    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
+    const double error = test::energy_error(matrix, x, test::solve_exactly(matrix, load));
+    EXPECT_LT(error, 1e-2);
+    EXPECT_NEAR(report.energy_error, error, 0.1 * error);
 }
 
-TEST(CholeskySolver, KeepsTheErrorWhileTheBodyTurnsUnderAnOldFactor) {
+// Residuals are taken in double: iterations with the factor reach what its precision does not.
+TEST(CholeskySolver, PolishesToAnyTolerance) {
     const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    CholeskySolver solver;
+    solver.prepare(matrix, positions);
     const std::vector<Vec3> load = test::make_load(motion.body, {});
-    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
-    int most = 0;
-    for (int frame = 0; frame < 20; ++frame) {
-        const auto positions = motion.positions(0.02 * frame + 1e-3, 80.0);
-        const BlockMatrix matrix = test::assemble(motion.body, positions, {});
-        solver.prepare(matrix, positions);
-        std::vector<Vec3> x(load.size(), Vec3::Zero());
-        const SolveReport report = solver.solve(load, x, {.energy_tolerance = 1e-2});
-        EXPECT_TRUE(report.converged);
-        EXPECT_LE(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
-        most = std::max(most, report.iterations);
-    }
-    EXPECT_LE(most, 30);
+    std::vector<Vec3> x(load.size(), Vec3::Zero());
+    const SolveReport report = solver.solve(load, x, {.energy_tolerance = 1e-10});
+    EXPECT_TRUE(report.converged);
+    EXPECT_GT(report.iterations, 0);
+    EXPECT_LE(report.iterations, 6);
+    EXPECT_TRUE(solver.in_single_precision());
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-8);
 }
 
-TEST(CholeskySolver, ExactSettingRefactorsOnlyTheBranchThatTurned) {
+// One end is a million million times as stiff as the other: single precision loses the soft one.
+TEST(CholeskySolver, GoesOverToDoublePrecisionWhereSingleDoesNotDo) {
+    const Motion motion;
+    const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
+    BlockMatrix matrix = test::assemble(motion.body, rest, {});
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k)
+            matrix.block[k] *= std::exp(0.115 * (rest[i].x() + rest[matrix.column[k]].x()));
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    std::vector<Vec3> x(load.size(), Vec3::Zero());
+    CholeskySolver solver;
+    solver.prepare(matrix, rest);
+    const SolveReport report = solver.solve(load, x, {.energy_tolerance = 1e-6});
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.dropped_pivots, 0);
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-5);
+}
+
+// The rows that are named and those between them and the root, to the bits of a new factor.
+TEST(CholeskySolver, FactorsOnlyTheBranchThatTurned) {
     const Motion motion;
     const std::vector<Vec3> load = test::make_load(motion.body, {});
-    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm, {.exact = true});
-    const BlockMatrix rest = test::assemble(motion.body, motion.body.mesh.vertices_mm, {});
-    solver.prepare(rest, motion.body.mesh.vertices_mm);
-    const int all = solver.factor().eliminated();
-    std::vector<Vec3> x(load.size());
+    const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
+    CholeskySolver solver;
+    BlockMatrix matrix = test::assemble(motion.body, rest, {});
+    solver.prepare(matrix, rest);
+    const int all = solver.eliminated();
     for (int frame = 1; frame < 4; ++frame) {
         const auto positions = motion.positions(0.1 * frame, 100.0);
-        const BlockMatrix matrix = test::assemble(motion.body, positions, {});
-        solver.prepare(matrix, positions);
-        EXPECT_LT(solver.factor().eliminated(), 0.6 * all);
-        const SolveReport report = solver.solve(load, x, {});
-        EXPECT_EQ(report.iterations, 0);
-        EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
+        matrix = test::assemble(motion.body, positions, {});
+        std::vector<int> turned;
+        for (int v = 0; v < matrix.rows(); ++v)
+            if (rest[v].x() > 97.0) turned.push_back(v);
+        solver.update(matrix, positions, turned);
+        EXPECT_LT(solver.eliminated(), 0.6 * all);
+        std::vector<Vec3> x(load.size()), y(load.size());
+        solver.solve(load, x, {});
+        CholeskySolver fresh;
+        fresh.prepare(matrix, positions);
+        fresh.solve(load, y, {});
+        EXPECT_EQ(x, y);
     }
 }
 
@@ -93,7 +118,7 @@ TEST(CholeskySolver, RecoversFromAMatrixThatIsNotFinite) {
     const BlockMatrix good = test::assemble(motion.body, positions, {});
     BlockMatrix bad = good;
     for (Mat3& block : bad.block) block *= std::numeric_limits<double>::quiet_NaN();
-    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    CholeskySolver solver;
     std::vector<Vec3> x(load.size(), Vec3::Zero());
     for (const bool broken : {true, false, false}) {
         solver.prepare(broken ? bad : good, positions);
@@ -146,7 +171,7 @@ TEST(CholeskySolver, ReportsDroppedPivots) {
     const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
     BlockMatrix matrix = test::assemble(motion.body, rest, {});
     std::vector<Vec3> load = test::make_load(motion.body, {}), x(load.size(), Vec3::Zero());
-    CholeskySolver solver(motion.body.skeleton, rest);
+    CholeskySolver solver;
     solver.prepare(matrix, rest);
     EXPECT_EQ(solver.solve(load, x, {}).dropped_pivots, 0);
     const int lost = matrix.rows() / 2;
@@ -155,14 +180,14 @@ TEST(CholeskySolver, ReportsDroppedPivots) {
         matrix.block[k].setZero();
     }
     load[lost].setZero();
-    CholeskySolver other(motion.body.skeleton, rest);
+    CholeskySolver other;
     other.prepare(matrix, rest);
     EXPECT_EQ(other.solve(load, x, {}).dropped_pivots, 3);
 }
 
 TEST(CholeskySolver, FollowsAChangeOfPattern) {
     const Motion motion;
-    CholeskySolver solver(motion.body.skeleton, motion.body.mesh.vertices_mm);
+    CholeskySolver solver;
     const std::vector<Vec3> load = test::make_load(motion.body, {});
     std::vector<Vec3> x(load.size());
     BlockMatrix matrix = test::assemble(motion.body, motion.body.mesh.vertices_mm, {});
@@ -175,7 +200,7 @@ TEST(CholeskySolver, FollowsAChangeOfPattern) {
     });
     matrix = test::assemble(torn, torn.mesh.vertices_mm, {});
     solver.prepare(matrix, torn.mesh.vertices_mm);
-    EXPECT_TRUE(solver.solve(load, x, {}).converged);
+    EXPECT_TRUE(solver.solve(load, x, {.energy_tolerance = 1e-8}).converged);
     EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-7);
 }
 
@@ -208,7 +233,7 @@ TEST(AutomaticSolver, KeepsNoFactorThatItRejected) {
         if (bulky) {
             EXPECT_EQ(solver.factor_bytes(), 0U);
         } else {
-            EXPECT_GT(solver.factor_bytes(), 8 * 9 * matrix.column.size());
+            EXPECT_GT(solver.factor_bytes(), 4 * 9 * matrix.column.size() / 2);
         }
     }
 }

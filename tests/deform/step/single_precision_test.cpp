@@ -173,8 +173,8 @@ TEST(SinglePrecision, TheLedgerClosesAndTheBodyIsThatOfDoublePrecision) {
     description.material.damping_ratio = 0.0;
     const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
     SingleBody single(body);
-    const auto reference =
-        make_cpu_stepper(description, {.linear = {.energy_tolerance = 1e-8}, .sleeping = false});
+    const auto reference = make_cpu_stepper(
+        description, {.linear = {.energy_tolerance = 1e-8}, .published = true, .sleeping = false});
     reference->set_gravity(Vec3(0, 0, gravity_mm_s2));
     double furthest = 0.0, largest = 0.0;
     for (int k = 0; k < 60; ++k) {

@@ -270,7 +270,7 @@ TEST(CpuStepper, ASnapshotOfAQuadraticBodyGoesOnToTheLastBit) {
 class BrokenSolver final : public LinearSolver {
   public:
     explicit BrokenSolver(int dropped_pivots) : dropped_pivots_(dropped_pivots) {}
-    void prepare(const BlockMatrix&, std::span<const Vec3>) override {}
+    void update(const BlockMatrix&, std::span<const Vec3>, std::span<const int>) override {}
     SolveReport solve(std::span<const Vec3>, std::span<Vec3> x, const SolveLimits&) override {
         std::ranges::fill(x, Vec3::Zero());
         SolveReport report;
@@ -281,7 +281,8 @@ class BrokenSolver final : public LinearSolver {
     std::string_view name() const override { return "broken"; }
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override { return {}; }
-    void restore(const BlockMatrix*, std::span<const Vec3>, std::span<const double>) override {}
+    void restore(const BlockMatrix&, bool, std::span<const Vec3>,
+                 std::span<const double>) override {}
 
   private:
     int dropped_pivots_;

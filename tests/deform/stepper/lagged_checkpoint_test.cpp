@@ -101,11 +101,10 @@ TEST_P(LaggedCheckpoint, GoesOnWithTheFactorOfAnEarlierVelocityError) {
 
 std::vector<LaggedCase> lagged_cases() {
     std::vector<LaggedCase> cases;
-    for (const auto solver :
-         {LinearSolverKind::skeleton, LinearSolverKind::cholesky, LinearSolverKind::automatic})
-        for (const int newton_iterations : {1, 3})
-            for (const RayleighDamping later : {RayleighDamping{}, RayleighDamping{3.0, 5e-4}})
-                cases.push_back({solver, newton_iterations, later});
+    // Of the others none keeps anything of an earlier matrix.
+    for (const int newton_iterations : {1, 3})
+        for (const RayleighDamping later : {RayleighDamping{}, RayleighDamping{3.0, 5e-4}})
+            cases.push_back({LinearSolverKind::skeleton, newton_iterations, later});
     return cases;
 }
 

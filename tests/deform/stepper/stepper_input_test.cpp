@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "tests/deform/support/test_bodies.h"
 

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/stepper/cpu_back_end.h"
+
+#include <algorithm>
+
+#include "core/deform/potentials/potential_list.h"
+#include "core/deform/step/backward_euler.h"
+#include "core/deform/step/inversion_recovery.h"
+#include "core/deform/step/step_books.h"
+#include "core/mesh/hex_mesh.h"
+
+namespace hepatica {
+namespace {
+
+// Made only where the solver may use it: it costs a search through the mesh.
+FrameSkeleton skeleton_for(const BodyDescription& description) {
+    if (description.skeleton.size() > 0) return description.skeleton;
+    TetMesh mesh = description.mesh;
+    const auto cut = cut_into_tetrahedra(description.hexahedra);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), cut.begin(), cut.end());
+    return skeleton_of_mesh(mesh);
+}
+
+std::unique_ptr<LinearSolver> solver_for(const Body& body, const BodyDescription& description,
+                                         const StepperOptions& options) {
+    if (options.solver == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
+    return make_linear_solver(options.solver, skeleton_for(description), body.rest_positions_mm);
+}
+
+NewtonSettings newton_of(const StepperOptions& options) {
+    return {.iterations = options.newton_iterations,
+            .tolerance = options.newton_tolerance,
+            .line_search = !options.published,
+            .velocity_error = options.velocity_error,
+            .linear = options.linear,
+            .audit = options.audit};
+}
+
+class CpuBackEnd final : public StepBackEnd {
+  public:
+    CpuBackEnd(const BodyDescription& description, const StepperOptions& options)
+        : options_(options),
+          body_(build_body(description, options.model, options.order)),
+          potentials_(body_),
+          recovery_(body_),
+          integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
+        state_.positions_mm = body_.rest_positions_mm;
+        state_.velocities_mm_per_s.assign(body_.node_count(), Vec3::Zero());
+    }
+
+    const Body& body() const override { return body_; }
+    void set_grabs(std::span<const Grab> grabs) override { potentials_.set_grabs(grabs); }
+    void set_gravity(const Vec3& gravity_mm_per_s2) override {
+        potentials_.set_gravity(gravity_mm_per_s2);
+    }
+
+    bool set_options(const StepperOptions& options) override {
+        if (options.model != options_.model || options.order != options_.order ||
+            options.solver != options_.solver ||
+            (options.newton_iterations > 1) != (options_.newton_iterations > 1))
+            return false;
+        options_ = options;
+        integrator_.set_settings(newton_of(options));
+        return true;
+    }
+
+    void freeze(std::span<const std::uint8_t> frozen) override { integrator_.freeze(frozen); }
+    int live_elements() const override { return integrator_.live().live_elements(); }
+
+    StepReport advance(double dt_s) override {
+        return integrator_.advance(state_, dt_s, potentials_);
+    }
+
+    bool recover_from_inversion(StepReport& report) override;
+
+    const BodyState& state() const override { return state_; }
+    void set_state(const BodyState& state) override {
+        state_ = state;
+        integrator_.forget();
+    }
+    void set_velocities(const std::vector<Vec3>& velocities_mm_per_s) override {
+        state_.velocities_mm_per_s = velocities_mm_per_s;
+    }
+
+    EnergyLedger energies() const override {
+        EnergyLedger now;
+        now.kinetic = kinetic_energy();
+        now.elastic = integrator_.elastic_energy(state_.positions_mm);
+        potentials_.book(state_.positions_mm, state_.positions_mm, now);
+        return now;
+    }
+    double grab_energy() const override {
+        EnergyLedger now;
+        potentials_.book(state_.positions_mm, state_.positions_mm, now);
+        return now.grab;
+    }
+    double kinetic_energy() const override {
+        return hepatica::kinetic_energy(body_, state_.velocities_mm_per_s);
+    }
+
+    SolverCheckpoint checkpoint() const override { return integrator_.checkpoint(); }
+    void restore(const SolverCheckpoint& checkpoint) override { integrator_.restore(checkpoint); }
+
+  private:
+    StepperOptions options_;
+    Body body_;
+    PotentialList potentials_;
+    InversionRecovery recovery_;
+    BackwardEuler integrator_;
+    BodyState state_;
+};
+
+bool CpuBackEnd::recover_from_inversion(StepReport& report) {
+    const auto energy = [&](std::span<const Vec3> x) {
+        return integrator_.potential_energy(x, potentials_);
+    };
+    const auto recovered = recovery_.recover(state_.positions_mm, energy);
+    if (!recovered) return false;
+    EnergyLedger& ledger = report.energy;
+    ledger.inversion_recovery_loss =
+        ledger.kinetic + energy(state_.positions_mm) - energy(*recovered);
+    EnergyLedger after;
+    potentials_.book(*recovered, state_.positions_mm, after);
+    ledger.gravity_work += after.gravity_work;
+    ledger.grab = after.grab;
+    ledger.tether = after.tether;
+    state_.positions_mm = *recovered;
+    std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
+    ledger.kinetic = 0.0;
+    ledger.elastic = integrator_.elastic_energy(state_.positions_mm);
+    integrator_.forget();
+    report.degraded = true;
+    report.message = "elements that had turned inside out were put right";
+    return true;
+}
+
+}  // namespace
+
+std::unique_ptr<StepBackEnd> make_cpu_back_end(const BodyDescription& body,
+                                               const StepperOptions& options) {
+    return std::make_unique<CpuBackEnd>(body, options);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/stepper/governed_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/deform/stepper/cpu_back_end.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/stepper/stepper_input.h"
+#include "core/mesh/hex_mesh.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double sleep_speed_edges_per_s = 1e-5;
+constexpr double sleep_after_s = 0.5;
+// A body slower than this for as long has settled, and is searched for inverted elements.
+constexpr double settled_speed_edges_per_s = 2e-2;
+constexpr double settled_after_s = 0.25;
+
+// The region is counted in nodes of the skeleton.
+BodyDescription with_skeleton(BodyDescription body) {
+    if (body.skeleton.size() > 0) return body;
+    TetMesh mesh = body.mesh;
+    for (const auto& tetrahedron : cut_into_tetrahedra(body.hexahedra))
+        mesh.tetrahedra.push_back(tetrahedron);
+    body.skeleton = skeleton_of_mesh(mesh);
+    return body;
+}
+
+const BodyDescription& validated(const BodyDescription& body, const StepperOptions& options) {
+    validate(options);
+    validate(body, options.model, options.order);
+    return body;
+}
+
+LiveRegion region_of(const BodyDescription& body, const LiveRegionOptions& options) {
+    LiveRegion region(body.skeleton, body.mesh.vertices_mm, options);
+    for (const auto& nodes : body.mesh.tetrahedra) region.connect(nodes);
+    for (const auto& nodes : body.hexahedra) region.connect(nodes);
+    return region;
+}
+
+// Speed of the fastest node, mm/s.
+double fastest(const BodyState& state) {
+    double squared = 0.0;
+    for (const Vec3& v : state.velocities_mm_per_s) squared = std::max(squared, v.squaredNorm());
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+GovernedStepper::GovernedStepper(const BodyDescription& body, const StepperOptions& options,
+                                 const std::optional<LiveRegionOptions>& region, MakeBackEnd make)
+    : description_(region ? with_skeleton(validated(body, options)) : validated(body, options)),
+      options_(options),
+      make_(std::move(make)),
+      back_end_(make_(description_, options)) {
+    if (region) region_ = region_of(description_, *region);
+}
+
+void GovernedStepper::wake() {
+    still_s_ = 0.0;
+    settled_s_ = 0.0;
+}
+
+bool GovernedStepper::asleep() const {
+    if (region_) return region_->live_count() == 0;
+    return options_.sleeping && still_s_ >= sleep_after_s;
+}
+
+// Vertices as the region has them; the middle of an edge is live where one of its ends is.
+std::vector<std::uint8_t> GovernedStepper::frozen_nodes() const {
+    const Body& body = back_end_->body();
+    std::vector<std::uint8_t> frozen(nodes(), 0);
+    for (int v = 0; v < body.vertex_count; ++v) frozen[v] = region_->live(v) ? 0 : 1;
+    for (std::size_t m = 0; m < body.edge_of_middle_node.size(); ++m) {
+        const auto& [a, b] = body.edge_of_middle_node[m];
+        frozen[body.vertex_count + m] = frozen[a] & frozen[b];
+    }
+    return frozen;
+}
+
+// What froze has stopped.
+void GovernedStepper::change_region() {
+    const std::vector<std::uint8_t> frozen = frozen_nodes();
+    const BodyState& now = back_end_->state();
+    const auto moves = [&](std::size_t i) {
+        return frozen[i] != 0 && !now.velocities_mm_per_s[i].isZero(0.0);
+    };
+    bool stops = false;
+    for (std::size_t i = 0; i < frozen.size() && !stops; ++i) stops = moves(i);
+    if (stops) {
+        BodyState stopped = now;
+        for (std::size_t i = 0; i < frozen.size(); ++i)
+            if (frozen[i] != 0) stopped.velocities_mm_per_s[i].setZero();
+        const double before = back_end_->kinetic_energy();
+        back_end_->set_velocities(stopped.velocities_mm_per_s);
+        const double loss = before - back_end_->kinetic_energy();
+        lost_ += loss;
+        resting_.kinetic -= loss;
+    }
+    back_end_->freeze(frozen);
+}
+
+void GovernedStepper::set_grabs(std::span<const Grab> grabs) {
+    validate_grabs(grabs, nodes());
+    const double before = back_end_->grab_energy();
+    back_end_->set_grabs(grabs);
+    const double after = back_end_->grab_energy();
+    tool_work_ += after - before;
+    resting_.grab = after;
+    grabs_.assign(grabs.begin(), grabs.end());
+    wake();
+    if (!region_) return;
+    std::vector<int> held;
+    const int vertices = back_end_->body().vertex_count;
+    for (const Grab& grab : grabs)
+        for (const int v : grab.vertices)
+            if (v >= 0 && v < vertices) held.push_back(v);
+    if (region_->hold(held)) change_region();
+}
+
+void GovernedStepper::set_gravity(const Vec3& gravity_mm_per_s2) {
+    validate_gravity(gravity_mm_per_s2);
+    if (gravity_mm_per_s2 == gravity_mm_per_s2_) return;
+    gravity_mm_per_s2_ = gravity_mm_per_s2;
+    back_end_->set_gravity(gravity_mm_per_s2);
+    wake();
+    if (!region_) return;
+    region_->wake_all();
+    change_region();
+}
+
+bool GovernedStepper::set_options(const StepperOptions& options) {
+    validated(description_, options);
+    if (options.order != options_.order) return false;
+    if (!back_end_->set_options(options)) {
+        std::unique_ptr<StepBackEnd> other = make_(description_, options);
+        other->set_gravity(gravity_mm_per_s2_);
+        other->set_grabs(grabs_);
+        other->set_state(back_end_->state());
+        if (region_) other->freeze(frozen_nodes());
+        back_end_ = std::move(other);
+    }
+    options_ = options;
+    return true;
+}
+
+std::span<const Vec3> GovernedStepper::positions_mm() const {
+    return std::span(back_end_->state().positions_mm).first(back_end_->body().vertex_count);
+}
+
+std::span<const Vec3> GovernedStepper::velocities_mm_per_s() const {
+    return std::span(back_end_->state().velocities_mm_per_s).first(back_end_->body().vertex_count);
+}
+
+EnergyLedger GovernedStepper::energies() const {
+    EnergyLedger now = back_end_->energies();
+    now.tool_work = tool_work_;
+    return now;
+}
+
+StepReport GovernedStepper::step(double dt_s) {
+    validate_time_step(dt_s);
+    StepReport report;
+    if (asleep()) {
+        report.dt_s = dt_s;
+        report.asleep = true;
+        report.energy.kinetic = resting_.kinetic;
+        report.energy.elastic = resting_.elastic;
+        report.energy.grab = resting_.grab;
+        report.energy.tether = resting_.tether;
+    } else {
+        for (int s = 0; s < options_.substeps; ++s) {
+            const StepReport part = back_end_->advance(dt_s / options_.substeps);
+            report = s == 0 ? part : in_sequence(report, part);
+        }
+    }
+    report.energy.tool_work += std::exchange(tool_work_, 0.0);
+    const double lost_before = std::exchange(lost_, 0.0);
+    if (!report.asleep) {
+        look_for_inversion(dt_s, report);
+        resting_ = report.energy;
+        watch(dt_s, report);
+    }
+    report.energy.integrator_loss += lost_before;
+    return report;
+}
+
+// What froze in this step is in its report: its motion is gone by the end of it.
+void GovernedStepper::watch(double dt_s, StepReport& report) {
+    if (!region_) {
+        const double slow = sleep_speed_edges_per_s * back_end_->body().mean_edge_mm;
+        still_s_ = fastest(back_end_->state()) < slow ? still_s_ + dt_s : 0.0;
+        return;
+    }
+    if (!region_->watch(positions_mm(), velocities_mm_per_s(), dt_s)) return;
+    change_region();
+    const double loss = std::exchange(lost_, 0.0);
+    report.energy.kinetic -= loss;
+    report.energy.integrator_loss += loss;
+}
+
+// Once each time the body has settled.
+void GovernedStepper::look_for_inversion(double dt_s, StepReport& report) {
+    if (options_.published) return;
+    const double slow = settled_speed_edges_per_s * back_end_->body().mean_edge_mm;
+    const double before = settled_s_;
+    settled_s_ = fastest(back_end_->state()) < slow ? settled_s_ + dt_s : 0.0;
+    if (before >= settled_after_s || settled_s_ < settled_after_s) return;
+    if (!back_end_->recover_from_inversion(report)) return;
+    wake();
+    if (!region_) return;
+    region_->wake_all();
+    change_region();
+}
+
+void GovernedStepper::set_state(std::span<const Vec3> positions_mm,
+                                std::span<const Vec3> velocities_mm_per_s) {
+    const Body& body = back_end_->body();
+    const bool every_node = positions_mm.size() == nodes();
+    validate_state(positions_mm, velocities_mm_per_s, every_node ? nodes() : body.vertex_count);
+    BodyState state = back_end_->state();
+    std::ranges::copy(positions_mm, state.positions_mm.begin());
+    std::ranges::copy(velocities_mm_per_s, state.velocities_mm_per_s.begin());
+    for (std::size_t m = 0; !every_node && m < body.edge_of_middle_node.size(); ++m) {
+        const auto& [a, b] = body.edge_of_middle_node[m];
+        const std::size_t i = body.vertex_count + m;
+        state.positions_mm[i] = 0.5 * (positions_mm[a] + positions_mm[b]);
+        state.velocities_mm_per_s[i] = 0.5 * (velocities_mm_per_s[a] + velocities_mm_per_s[b]);
+    }
+    for (std::size_t i = 0; i < nodes(); ++i)
+        if (body.fixed[i]) state.velocities_mm_per_s[i].setZero();
+    back_end_->set_state(state);
+    tool_work_ = 0.0;
+    lost_ = 0.0;
+    wake();
+    if (!region_) return;
+    region_->wake_all();
+    change_region();
+}
+
+StepperCheckpoint GovernedStepper::checkpoint() const {
+    StepperCheckpoint kept{.nodes = back_end_->state(),
+                           .grabs = grabs_,
+                           .gravity_mm_per_s2 = gravity_mm_per_s2_,
+                           .unreported_tool_work = tool_work_,
+                           .unreported_loss = lost_,
+                           .still_s = still_s_,
+                           .settled_s = settled_s_,
+                           .last_kinetic = resting_.kinetic,
+                           .last_elastic = resting_.elastic,
+                           .last_grab = resting_.grab,
+                           .last_tether = resting_.tether,
+                           .solver = back_end_->checkpoint(),
+                           .region = {}};
+    if (region_) kept.region = region_->checkpoint();
+    return kept;
+}
+
+void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
+    validate_checkpoint(checkpoint, nodes());
+    if (checkpoint.region.has_value() != region_.has_value())
+        throw InputError(checkpoint.region ? "is of a stepper that computes a part"
+                                           : "is of a stepper that computes the whole body",
+                         "the checkpoint of a body", "Make a stepper of that kind");
+    std::optional<LiveRegion> region = region_;
+    if (region) region->restore(*checkpoint.region);
+    back_end_->restore(checkpoint.solver);
+    // Nothing throws from here on.
+    region_ = std::move(region);
+    back_end_->set_state(checkpoint.nodes);
+    back_end_->set_grabs(checkpoint.grabs);
+    back_end_->set_gravity(checkpoint.gravity_mm_per_s2);
+    if (region_) back_end_->freeze(frozen_nodes());
+    grabs_ = checkpoint.grabs;
+    gravity_mm_per_s2_ = checkpoint.gravity_mm_per_s2;
+    tool_work_ = checkpoint.unreported_tool_work;
+    lost_ = checkpoint.unreported_loss;
+    still_s_ = checkpoint.still_s;
+    settled_s_ = checkpoint.settled_s;
+    resting_ = {};
+    resting_.kinetic = checkpoint.last_kinetic;
+    resting_.elastic = checkpoint.last_elastic;
+    resting_.grab = checkpoint.last_grab;
+    resting_.tether = checkpoint.last_tether;
+}
+
+LiveStepper::Extent GovernedStepper::extent() const {
+    Extent extent;
+    for (const ElementGroup& group : back_end_->body().groups) extent.elements += group.size();
+    extent.vertices = back_end_->body().vertex_count;
+    extent.live_elements = back_end_->live_elements();
+    for (int v = 0; v < extent.vertices; ++v)
+        extent.live_vertices += !region_ || region_->live(v) ? 1 : 0;
+    return extent;
+}
+
+std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,
+                                               const StepperOptions& options,
+                                               const LiveRegionOptions& region) {
+    return std::make_unique<GovernedStepper>(body, options, region, make_cpu_back_end);
+}
+
+std::unique_ptr<Stepper> make_cpu_stepper(const BodyDescription& body,
+                                          const StepperOptions& options) {
+    return std::make_unique<GovernedStepper>(body, options, std::nullopt, make_cpu_back_end);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A linear solver that counts what it is asked for, and whose first answers can be made to point
+// uphill, so that no step length along them lowers the potential of a step.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/deform/solvers/linear_solver.h"
+
+namespace hepatica::test {
+
+class OddSolver final : public LinearSolver {
+  public:
+    // Counts its solves in `count`; the first `uphill` of them give the answer with its sign
+    // turned.
+    explicit OddSolver(int& count, int uphill = 0) : count_(count), uphill_(uphill) {}
+
+    void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                std::span<const int> changed_rows) override {
+        solver_->update(matrix, positions_mm, changed_rows);
+    }
+    SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
+                      const SolveLimits& limits) override {
+        ++count_;
+        const SolveReport report = solver_->solve(rhs, x, limits);
+        if (uphill_ > 0) {
+            --uphill_;
+            for (Vec3& value : x) value *= -1.0;
+        }
+        return report;
+    }
+    std::string_view name() const override { return "odd"; }
+    bool made_from_latest() const override { return false; }
+    std::vector<double> memory() const override { return {}; }
+    void restore(const BlockMatrix&, bool, std::span<const Vec3>,
+                 std::span<const double>) override {}
+
+  private:
+    int& count_;
+    int uphill_;
+    std::unique_ptr<LinearSolver> solver_ = make_block_jacobi_solver();
+};
+
+}  // namespace hepatica::test
