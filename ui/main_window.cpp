@@ -18,6 +18,7 @@
 
 #include "ui/case_editing.h"
 #include "ui/curves_dock.h"
+#include "ui/dial_keeper.h"
 #include "ui/edit_panel.h"
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
@@ -75,6 +76,9 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     build_tool_bar();
     make_keeper(std::move(patients),
                 questions ? std::move(*questions) : questions_in_dialogs(*this, settings_));
+    dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
+        if (patient_) patient_->simulation->use_dial(dial);
+    });
     connect_files();
     connect_play();
     connect_views();

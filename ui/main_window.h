@@ -21,6 +21,7 @@ namespace hepatica {
 
 class CaseEditing;
 class CurvesDock;
+class DialKeeper;
 class EditPanel;
 class InjectPanel;
 class MessageBar;
@@ -98,6 +99,8 @@ class MainWindow : public QMainWindow {
     // Frames come when the simulation has one to show: nothing asks for them.
     void follow_simulation();
     void show_newest_frame();
+    // The dial is measured while nobody plays and no job runs.
+    void tell_dial_keeper();
     void follow(const Frame& frame);  // by the controls of the play
     // Within a quarter of a second, and then not again until something has changed.
     void show_figures_soon();
@@ -132,6 +135,7 @@ class MainWindow : public QMainWindow {
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<CaseEditing> editing_;
+    std::unique_ptr<DialKeeper> dial_;
 };
 
 }  // namespace hepatica

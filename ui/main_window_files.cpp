@@ -45,6 +45,7 @@ void MainWindow::cancel_job() {
 }
 
 void MainWindow::show_jobs() {
+    tell_dial_keeper();
     if (busy()) {
         progress_->show_waiting(keeper_->jobs().waiting());
     } else {

@@ -7,6 +7,7 @@
 
 #include "ui/case_editing.h"
 #include "ui/curves_dock.h"
+#include "ui/dial_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -23,6 +24,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
     patient_ = std::move(patient);
+    dial_->show(patient_->patient);
     hovered_vertex_ = -1;
     welcome_->hide();
     scene.set_highlight({});
@@ -52,6 +54,8 @@ void MainWindow::show_workspace() {
     setWindowModified(workspace.dirty());
     view_->scene().set_caption(workspace.title());
     editing_->update_panel();
+    dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
+                   workspace.patient().get());
 }
 
 void MainWindow::follow_simulation() {
@@ -75,7 +79,12 @@ void MainWindow::show_newest_frame() {
     show_figures_soon();
 }
 
+void MainWindow::tell_dial_keeper() {
+    dial_->set_busy(busy() || !patient_ || !frame().statistics.resting);
+}
+
 void MainWindow::follow(const Frame& frame) {
+    tell_dial_keeper();
     (*actions_)[ActionId::pause_simulation].setChecked(frame.statistics.paused);
     (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
     inject_->show_drug(frame.drug);

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "core/deform/stepper/quality_dial.h"
 #include "core/scene/frame.h"
 #include "core/session/command.h"
 
@@ -18,6 +19,8 @@ class Simulation {
     virtual void post(Command command) = 0;
     // What drawing a picture takes: the simulation leaves it that much of the frame.
     virtual void set_drawing_ms(double) {}
+    // Another dial of the same body, see Session::use_dial(). Any thread.
+    virtual void use_dial(const QualityDial&) {}
     // UI thread: `tell` is called on any thread whenever a newer frame is there, and must not wait.
     // Frames that came before are not told of. A simulation at rest makes no frames.
     virtual void on_frame(std::function<void()> tell) = 0;

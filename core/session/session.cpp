@@ -82,10 +82,13 @@ void Session::on_frame(std::function<void()> tell) {
 
 void Session::apply_waiting_commands() {
     std::vector<Command> commands;
+    std::optional<QualityDial> dial;
     {
         const std::scoped_lock lock(queue_mutex_);
         commands.swap(queue_);
+        dial.swap(waiting_dial_);
     }
+    if (dial) take_dial(*std::move(dial));
     if (!commands.empty() && !diverged_) message_.clear();
     if (std::exchange(setting_changed_, false))
         recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
@@ -117,12 +120,34 @@ void Session::use_point(std::size_t index) {
     point_ = index;
 }
 
+void Session::use_dial(QualityDial dial) {
+    {
+        const std::scoped_lock lock(queue_mutex_);
+        waiting_dial_ = std::move(dial);
+    }
+    command_waits_.notify_one();
+}
+
+void Session::take_dial(QualityDial dial) {
+    const bool was_on_dial = point_.has_value();
+    const double turn = was_on_dial ? dial_.quality_of(*point_) : 0.0;
+    dial_ = std::move(dial);
+    governor_ = QualityGovernor(costs_of(dial_));
+    if (world_->deform() == nullptr) return;
+    point_ = point_of(world_->deform()->setting());
+    if (point_ || !was_on_dial) return;
+    use_point(automatic_ ? governor_.start(budget_ms()) : dial_.index_at(turn));
+    setting_changed_ = true;
+}
+
+double Session::budget_ms() const {
+    const double period_ms = 1e3 * world_->spec().dt_s;
+    return period_ms - std::clamp(drawing_ms_.load(), 0.0, most_for_drawing * period_ms);
+}
+
 void Session::govern(const SessionStep& done) {
     if (!automatic_ || done.paused || done.deform.asleep || !point_) return;
-    const double period_ms = 1e3 * world_->spec().dt_s;
-    const double budget_ms =
-        period_ms - std::clamp(drawing_ms_.load(), 0.0, most_for_drawing * period_ms);
-    const std::size_t next = governor_.next(*point_, done.step_ms, budget_ms);
+    const std::size_t next = governor_.next(*point_, done.step_ms, budget_ms());
     if (next == *point_) return;
     use_point(next);
     setting_changed_ = true;
@@ -253,7 +278,8 @@ bool Session::rests_after(const SessionStep& done) const {
 
 void Session::wait_for_command(const std::stop_token& stop) {
     std::unique_lock lock(queue_mutex_);
-    command_waits_.wait(lock, stop, [this] { return !queue_.empty(); });
+    command_waits_.wait(lock, stop,
+                        [this] { return !queue_.empty() || waiting_dial_.has_value(); });
 }
 
 void Session::finish_ready_injection() {

@@ -73,6 +73,11 @@ class Session {
     // time, from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
 
+    // Another dial of the same body, from the next step on. A setting in use that is not on it, but
+    // was on the one before, is replaced: by what automatic quality picks, or by the one at the
+    // same turn of the dial. Any time, from any thread.
+    void use_dial(QualityDial dial);
+
     // --- the reader's thread (UI) ---------------------------------------------------------------
     // True where a newer frame is there; frame() stays valid and unchanged until the next call.
     bool update_frame() { return frames_.update(); }
@@ -126,6 +131,9 @@ class Session {
     // Of the dial's front, where the setting is one of its points.
     std::optional<std::size_t> point_of(const StepperOptions& setting) const;
     void use_point(std::size_t index);
+    void take_dial(QualityDial dial);
+    // What a frame may take beside the picture.
+    double budget_ms() const;
     // Picks the setting of the next step by what this one cost.
     void govern(const SessionStep& done);
     void guard_state();
@@ -159,6 +167,7 @@ class Session {
     std::vector<Command> queue_;
     std::mutex listener_mutex_;
     std::function<void()> tell_of_frame_;
+    std::optional<QualityDial> waiting_dial_;
 
     TripleBuffer<Frame> frames_;
     std::function<void(RecordedStep)> keep_;  // none: nothing is recorded

@@ -171,7 +171,8 @@ std::string words_of_reference(const BodyDescription& body, const StepperOptions
     const bool linear = options.order == ElementOrder::linear;
     return "the same body, " + element_name(options.model, options.order) + " on " +
            std::to_string(body.mesh.tetrahedra.size()) + " tetrahedra, " +
-           std::to_string(options.substeps) + " substeps a frame, pulled by 30 mm in half a second and back" +
+           std::to_string(options.substeps) +
+           " substeps a frame, pulled by 30 mm in half a second and back" +
            (linear ? " (the mesh's own error is not in it)" : "");
 }
 

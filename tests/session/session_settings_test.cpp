@@ -136,5 +136,57 @@ TEST(Session, StepsDownWhenTheMachineFallsBehind) {
     EXPECT_FALSE(replay(*recording, small_patient(), job).diverged_at.has_value());
 }
 
+QualityDial dial_with(int cheap, int dear) {
+    StepperOptions one, other;
+    one.substeps = cheap;
+    other.substeps = dear;
+    return QualityDial({{one, 1.0, 0.2, "another dial"}, {other, 9.0, 0.1, "another dial"}});
+}
+
+// A dial that was measured during the play: the frames tell its errors, and what was chosen stays
+// chosen where the dial has it.
+TEST(Session, TakesAnotherDialInMidPlayAndRecordsWhatItUsesFromThere) {
+    const auto session = new_session();
+    const auto kept = keep_recording(*session);
+    const auto substeps = [&] { return session->world().deform()->setting().substeps; };
+    const auto reference = [&] {
+        session->update_frame();
+        return session->frame().statistics.error_reference;
+    };
+    session->post(SetQuality{0.0});
+    session->post(GrabPoint{middle_of(small_patient()->tree, 1)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 1) + Vec3(4, 0, 0)});
+    session->step();
+    ASSERT_EQ(substeps(), 1);
+    session->use_dial(dial_with(1, 4));  // the setting in use is on it
+    session->step();
+    EXPECT_EQ(substeps(), 1);
+    EXPECT_EQ(reference(), "another dial");
+    session->use_dial(dial_with(3, 5));  // and is not on this one: the same turn of the dial
+    session->step();
+    EXPECT_EQ(substeps(), 3);
+    session->post(SetQuality{1.0});
+    session->step();
+    EXPECT_EQ(substeps(), 5);
+    StepperOptions chosen;
+    chosen.substeps = 7;
+    session->post(UseSetting{chosen});  // one setting exactly stays what it is
+    session->step();
+    session->use_dial(dial_with(1, 4));
+    session->step();
+    EXPECT_EQ(substeps(), 7);
+    session->post(SetQuality{1.0});
+    session->post(SetAutomaticQuality{true});
+    session->step();
+    session->use_dial(dial_with(2, 6));
+    session->step();
+    EXPECT_TRUE(substeps() == 2 || substeps() == 6) << substeps();
+    const SessionStep last = play(*session, 3);
+    Job job;
+    const ReplayResult same = replay(*kept, small_patient(), job);
+    EXPECT_FALSE(same.diverged_at.has_value());
+    EXPECT_EQ(same.state_hash, last.state_hash);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -48,7 +48,7 @@ TEST(DialSettings, FillTheGapsOfACostThatLeaps) {
     }
 }
 
-TEST(DialStudy, MissesLessWithShorterStepsAndGoesOnWhereItWasStopped) {
+TEST(DialStudy, MissesLeastInTheStepsOfItsReferenceAndGoesOnWhereItWasStopped) {
     Job job;
     DialStudy study(small_patient());
     ASSERT_TRUE(study.measure_next(job));
@@ -56,7 +56,8 @@ TEST(DialStudy, MissesLessWithShorterStepsAndGoesOnWhereItWasStopped) {
     ASSERT_EQ(study.points().size(), 2u);
     const QualityPoint &one = study.points()[0], &two = study.points()[1];
     EXPECT_GT(one.frame_ms, 0.0);
-    EXPECT_GT(one.error_relative, 1.2 * two.error_relative);
+    EXPECT_GT(one.error_relative, 0.0);
+    EXPECT_LT(one.error_relative, 0.1);
     EXPECT_NE(one.reference.find("8 substeps"), std::string::npos) << one.reference;
 
     Job stopped;

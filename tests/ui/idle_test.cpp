@@ -4,11 +4,26 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
+#include "core/scene/measured_dial.h"
+#include "core/study/dial_study.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/fake_window_test.h"
 
 namespace hepatica {
 namespace {
+
+// One whose dial is known: nothing is left to be measured while nobody plays.
+std::shared_ptr<const PatientCase> patient_with_a_dial() {
+    auto patient = std::make_shared<PatientCase>(*test::small_patient());
+    std::vector<QualityPoint> points;
+    double ms = 1.0;
+    while (const auto next = next_dial_setting(points)) {
+        points.push_back({*next, ms, 0.1 / ms, "made up"});
+        ms *= 1.5;
+    }
+    patient->dial_json = dial_json(points, *patient);
+    return patient;
+}
 
 // Counts the paintings of a widget.
 class Paintings : public QObject {
@@ -40,7 +55,7 @@ bool comes_to_rest(const Paintings& paintings) {
 class Idle : public testing::WindowTest {
   protected:
     Idle()
-        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+        : WindowTest({[](const OpenRequest&, Job& job) { return play(patient_with_a_dial(), job); },
                       write_case}) {
         open_built_in();
     }

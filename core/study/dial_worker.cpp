@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/dial_worker.h"
+
+#include <exception>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+
+DialWorker::DialWorker(std::shared_ptr<const PatientCase> patient,
+                       std::vector<QualityPoint> measured, Tell tell)
+    : tell_(std::move(tell)) {
+    // The study looks at its job between two steps: that is where it waits.
+    job_.observe([this](JobEvent) { wait_until_allowed(); });
+    thread_ =
+        std::jthread([this, body = std::move(patient), known = std::move(measured)]() mutable {
+            measure(std::move(body), std::move(known));
+        });
+}
+
+DialWorker::~DialWorker() {
+    job_.cancel();
+    const std::scoped_lock lock(mutex_);
+    changed_.notify_all();
+}
+
+void DialWorker::allow(bool allowed) {
+    const std::scoped_lock lock(mutex_);
+    allowed_ = allowed;
+    changed_.notify_all();
+}
+
+void DialWorker::wait_until_allowed() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return allowed_ || job_.cancelled(); });
+}
+
+void DialWorker::measure(std::shared_ptr<const PatientCase> patient,
+                         std::vector<QualityPoint> measured) {
+    try {
+        job_.throw_if_cancelled();
+        DialStudy study(std::move(patient), std::move(measured));
+        while (study.measure_next(job_)) {
+            job_.throw_if_cancelled();
+            tell_(study.points());
+        }
+    } catch (const Cancelled&) {
+        return;
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dial that the window measures while nobody plays, and where it stays.
+#include "ui/dial_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/scene/measured_dial.h"
+#include "core/study/dial_study.h"
+#include "tests/session/small_patient.h"
+#include "tests/ui/patients/fake_ward.h"
+
+namespace hepatica {
+namespace {
+
+using test::small_patient;
+constexpr int patience_ms = 120000;
+
+class Dial : public ::testing::Test {
+  protected:
+    Dial() { testing::need_event_loop(); }
+
+    bool wait_for_dials(int count) {
+        return QTest::qWaitFor([&] { return dials_ >= count; }, patience_ms);
+    }
+    std::shared_ptr<const PatientCase> saved_patient() {
+        auto patient = std::make_shared<PatientCase>(*small_patient());
+        write_case(folder_, *patient);
+        return patient;
+    }
+
+    QTemporaryDir temporary_;
+    std::filesystem::path folder_ =
+        std::filesystem::path(temporary_.path().toStdString()) / "a.hep";
+    int dials_ = 0;
+    DialKeeper keeper_{[this](const QualityDial&) { ++dials_; }};
+};
+
+TEST_F(Dial, IsMeasuredWhileNobodyPlaysAndKeptWithTheCase) {
+    const auto patient = saved_patient();
+    keeper_.show(patient);
+    keeper_.keep_in(folder_, patient.get());
+    QTest::qWait(300);
+    EXPECT_EQ(dials_, 0);  // somebody may play
+    keeper_.set_busy(false);
+    ASSERT_TRUE(wait_for_dials(1));
+    PatientCase read = read_case_without_voxels(folder_);
+    EXPECT_GE(measured_points(read).size(), 1u);
+    ASSERT_TRUE(wait_for_dials(6));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            read = read_case_without_voxels(folder_);
+            return !next_dial_setting(measured_points(read)).has_value();
+        },
+        patience_ms));
+    // Opened again, nothing is left to do.
+    DialKeeper later([](const QualityDial&) { FAIL() << "measured twice"; });
+    later.show(std::make_shared<const PatientCase>(read));
+    later.set_busy(false);
+    QTest::qWait(2000);
+}
+
+TEST_F(Dial, OfAPatientWhoIsNotSavedComesIntoTheCaseLater) {
+    keeper_.show(small_patient());
+    keeper_.set_busy(false);
+    ASSERT_TRUE(wait_for_dials(1));
+    saved_patient();
+    EXPECT_TRUE(measured_points(read_case_without_voxels(folder_)).empty());
+    keeper_.keep_in(folder_, nullptr);  // of another patient
+    EXPECT_TRUE(measured_points(read_case_without_voxels(folder_)).empty());
+    keeper_.keep_in(folder_, small_patient().get());
+    EXPECT_GE(measured_points(read_case_without_voxels(folder_)).size(), 1u);
+}
+
+TEST_F(Dial, OfAPatientWhoLeftIsNoLongerMeasured) {
+    keeper_.show(small_patient());
+    keeper_.set_busy(false);
+    ASSERT_TRUE(wait_for_dials(1));
+    auto other = std::make_shared<PatientCase>(*small_patient());
+    other->mesh.tetrahedra.clear();  // nothing of him moves
+    keeper_.show(other);
+    const int before = dials_;
+    QTest::qWait(1500);
+    EXPECT_EQ(dials_, before);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dial_keeper.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/scene/measured_dial.h"
+#include "core/study/dial_worker.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int quiet_ms = 1000;
+
+}  // namespace
+
+DialKeeper::DialKeeper(Found found) : found_(std::move(found)) {
+    quiet_.setSingleShot(true);
+    quiet_.setInterval(quiet_ms);
+    QObject::connect(&quiet_, &QTimer::timeout, &quiet_, [this] {
+        if (worker_) worker_->allow(!busy_);
+    });
+}
+
+DialKeeper::~DialKeeper() = default;
+
+void DialKeeper::show(std::shared_ptr<const PatientCase> patient) {
+    worker_.reset();
+    patient_ = std::move(patient);
+    folder_.clear();
+    points_.clear();
+    busy_ = true;
+    if (patient_->mesh.tetrahedra.empty()) return;
+    try {
+        points_ = measured_points(*patient_);
+    } catch (const InputError&) {
+        return;  // whoever opened the case has been told
+    }
+    if (!next_dial_setting(points_)) return;
+    worker_ = std::make_unique<DialWorker>(
+        patient_, points_, [this, body = patient_](const std::vector<QualityPoint>& points) {
+            // On the worker's thread. Of a patient who is gone by then nothing is taken.
+            QMetaObject::invokeMethod(
+                &quiet_,
+                [this, body, points] {
+                    if (body == patient_) take(points);
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void DialKeeper::take(std::vector<QualityPoint> points) {
+    points_ = std::move(points);
+    write();
+    found_(dial_of_points(points_));
+    if (!next_dial_setting(points_)) worker_.reset();
+}
+
+void DialKeeper::keep_in(const std::filesystem::path& folder, const PatientCase* body) {
+    if (body != patient_.get() || folder == folder_) return;
+    folder_ = folder;
+    write();
+}
+
+// A case that cannot be written to (on a medium that is read only, say) has no dial of its own; it
+// is measured again the next time.
+void DialKeeper::write() const {
+    if (folder_.empty() || points_.empty()) return;
+    try {
+        write_dial(folder_, dial_json(points_, *patient_));
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+void DialKeeper::set_busy(bool busy) {
+    if (busy == busy_) return;
+    busy_ = busy;
+    if (busy) {
+        quiet_.stop();
+        if (worker_) worker_->allow(false);
+    } else if (worker_) {
+        quiet_.start();
+    }
+}
+
+}  // namespace hepatica
