@@ -53,10 +53,10 @@ QualityDial built_in_dial(std::size_t tetrahedra) {
         "a small synthetic patient, corotated in 8 substeps a frame, solved exactly, pulled by 30 "
         "mm in half a second and back (the mesh's own error is not in it)";
     const double size = static_cast<double>(tetrahedra) / measured_tetrahedra;
-    return QualityDial({{in_substeps(1), 6.91 * size, 0.0247, reference},
-                        {in_substeps(2), 9.50 * size, 0.0164, reference},
-                        {in_substeps(3), 10.8 * size, 0.0142, reference},
-                        {in_substeps(4), 14.4 * size, 0.0134, reference}});
+    return QualityDial({{in_substeps(1), 1.44 * size, 0.0196, reference},
+                        {in_substeps(2), 5.10 * size, 0.0168, reference},
+                        {in_substeps(3), 6.53 * size, 0.0143, reference},
+                        {in_substeps(4), 7.90 * size, 0.0135, reference}});
 }
 
 std::vector<QualityPoint> measured_points(const PatientCase& patient) {
