@@ -9,12 +9,12 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/atomic_write.h"
@@ -82,46 +82,24 @@ void write(const fs::path& file, Data* data) {
     throw InputError(problem, file.string(), "Reconstruct the patient again");
 }
 
-template <class Reader>
-vtkSmartPointer<Reader> read(const fs::path& file) {
+VtkFile opened(const fs::path& file, std::string_view type) {
     if (!fs::is_regular_file(file)) reject(file, "is missing");
-    check_vtk_xml(file);
-    auto reader = vtkSmartPointer<Reader>::New();
-    bool failed = false;
-    const auto listener = error_listener(failed);
-    const unsigned long tag = reader->AddObserver(vtkCommand::ErrorEvent, listener);
-    if (reader->CanReadFile(file.c_str()) == 0) reject(file, "is not a file of this kind");
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    reader->RemoveObserver(tag);
-    if (failed || reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
-        reject(file, "is damaged");
-    return reader;
+    return VtkFile(file, type);
 }
 
-std::vector<Vec3> positions_of(vtkPoints* points, const fs::path& file) {
-    std::vector<Vec3> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        points->GetPoint(static_cast<vtkIdType>(v), positions[v].data());
-        require_in_patient_space(positions[v], "a vertex", file.string());
-    }
+std::vector<Vec3> positions_of(const VtkFile& data, const fs::path& file) {
+    std::vector<Vec3> positions = data.points();
+    for (const Vec3& position : positions)
+        require_in_patient_space(position, "a vertex", file.string());
     return positions;
 }
 
 template <std::size_t N>
-std::vector<std::array<int, N>> corners_of(vtkCellArray* array, vtkIdType points,
-                                           const fs::path& file) {
-    check_vtk_cells(array, points, file);
-    std::vector<std::array<int, N>> cells;
-    cells.reserve(static_cast<std::size_t>(array->GetNumberOfCells()));
-    vtkIdType count = 0;
-    const vtkIdType* vertices = nullptr;
-    for (vtkIdType i = 0; i < array->GetNumberOfCells(); ++i) {
-        array->GetCellAtId(i, count, vertices);
-        if (count != static_cast<vtkIdType>(N)) reject(file, "holds cells of another kind");
-        std::array<int, N> cell{};
-        for (std::size_t k = 0; k < N; ++k) cell[k] = static_cast<int>(vertices[k]);
-        cells.push_back(cell);
+std::vector<std::array<int, N>> corners_of(const VtkCells& from, const fs::path& file) {
+    std::vector<std::array<int, N>> cells(from.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (from[c].size() != N) reject(file, "holds cells of another kind");
+        std::ranges::copy(from[c], cells[c].begin());
     }
     return cells;
 }
@@ -143,21 +121,22 @@ void write_vtp(const fs::path& file, const TriangleMesh& surface) {
 }
 
 TetMesh read_vtu(const fs::path& file) {
-    const auto reader = read<vtkXMLUnstructuredGridReader>(file);
+    const VtkFile data = opened(file, "UnstructuredGrid");
     TetMesh mesh;
-    mesh.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
-    mesh.tetrahedra = corners_of<4>(reader->GetOutput()->GetCells(),
-                                    reader->GetOutput()->GetNumberOfPoints(), file);
+    mesh.vertices_mm = positions_of(data, file);
+    mesh.tetrahedra = corners_of<4>(data.cells("Cells"), file);
+    if (std::ranges::any_of(data.cell_types(),
+                            [](double type) { return type != double{VTK_TETRA}; }))
+        reject(file, "holds cells of another kind");
     validate(mesh);
     return mesh;
 }
 
 TriangleMesh read_vtp(const fs::path& file) {
-    const auto reader = read<vtkXMLPolyDataReader>(file);
+    const VtkFile data = opened(file, "PolyData");
     TriangleMesh surface;
-    surface.vertices_mm = positions_of(reader->GetOutput()->GetPoints(), file);
-    surface.triangles = corners_of<3>(reader->GetOutput()->GetPolys(),
-                                      reader->GetOutput()->GetNumberOfPoints(), file);
+    surface.vertices_mm = positions_of(data, file);
+    surface.triangles = corners_of<3>(data.cells("Polys"), file);
     validate_closed(surface);
     return surface;
 }

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tree/files/tree_io.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numbers>
+#include <span>
+#include <string_view>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -158,43 +159,34 @@ void add_field_data(const VesselTree& tree, vtkPolyData* lines) {
                      "Give a VTP file with the centrelines of vessels as lines");
 }
 
-vtkSmartPointer<vtkPolyData> read_lines(const std::filesystem::path& file) {
-    if (!std::filesystem::is_regular_file(file)) refuse(file, "there is no such file");
-    vtkNew<vtkXMLPolyDataReader> reader;
-    // With an observer VTK reports here instead of writing to the terminal.
-    bool failed = false;
-    vtkNew<vtkCallbackCommand> on_error;
-    on_error->SetClientData(&failed);
-    on_error->SetCallback(
-        [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
-    reader->AddObserver(vtkCommand::ErrorEvent, on_error);
-    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, on_error);
-    reader->SetParserErrorObserver(on_error);
-    reader->SetReaderErrorObserver(on_error);
-    reader->SetFileName(file.c_str());
-    check_vtk_xml(file);
-    if (reader->CanReadFile(file.c_str()) == 0) refuse(file, "is not a VTK polygon file (VTP)");
-    reader->Update();
-    vtkSmartPointer<vtkPolyData> lines = reader->GetOutput();
-    if (failed || lines == nullptr || reader->GetErrorCode() != 0) refuse(file, "is damaged");
-    if (lines->GetNumberOfLines() == 0) refuse(file, "holds no lines");
-    check_vtk_cells(lines->GetLines(), lines->GetNumberOfPoints(), file);
-    return lines;
-}
+// Lines and the values at their points; each array is as long as there are points or cells.
+struct Lines {
+    VtkFile file;
+    std::size_t first_cell;  // cell data number vertices before lines
+    VtkCells cells;
+    std::vector<Vec3> points_mm;  // LPS
+
+    explicit Lines(const std::filesystem::path& path)
+        : file(path, "PolyData"),
+          first_cell(file.cell_count("Verts")),
+          cells(file.cells("Lines")),
+          points_mm(file.points()) {
+        if (cells.size() == 0) refuse(path, "holds no lines");
+    }
+};
 
 // What the field data SPACE say: "LPS", "RAS", or 3D Slicer's "SPACE=RAS"; "" where they are
 // missing.
-std::string stated_space(vtkPolyData* lines) {
-    const auto* space =
-        vtkStringArray::SafeDownCast(lines->GetFieldData()->GetAbstractArray("SPACE"));
-    if (space == nullptr || space->GetNumberOfValues() == 0) return "";
-    const std::string text = space->GetValue(0);
+std::string stated_space(const VtkFile& file) {
+    const auto space = file.texts("FieldData", "SPACE");
+    if (!space || space->empty()) return "";
+    const std::string& text = space->front();
     return text.starts_with("SPACE=") ? text.substr(6) : text;
 }
 
-PatientSpace space_of(vtkPolyData* lines, const TreeFileFacts& facts,
+PatientSpace space_of(const Lines& lines, const TreeFileFacts& facts,
                       const std::filesystem::path& file) {
-    const std::string stated = stated_space(lines);
+    const std::string stated = stated_space(lines.file);
     if (stated.empty()) {
         if (facts.space) return *facts.space;
         throw InputError(
@@ -212,76 +204,64 @@ PatientSpace space_of(vtkPolyData* lines, const TreeFileFacts& facts,
     return space;
 }
 
-Vec3 point_at(vtkPolyData* lines, vtkIdType id, const Vec3& signs) {
-    Vec3 p;
-    lines->GetPoint(id, p.data());
-    return signs.cwiseProduct(p);
+constexpr std::array own_arrays{"SegmentId",  "ParentId",     "System",    "StrahlerOrder",
+                                "ClosesLoop", "ProximalNode", "DistalNode"};
+
+bool is_own(const VtkFile& file) {
+    const std::vector<std::string> names = file.names_of_numbers("CellData");
+    return std::ranges::all_of(
+               own_arrays,
+               [&](const char* name) { return std::ranges::find(names, name) != names.end(); }) &&
+           file.has("FieldData", "NodeRadius") && file.has("PointData", "Radius");
 }
 
-template <class Visit>
-void for_each_line(vtkPolyData* lines, const Visit& visit) {
-    auto cells = vtk::TakeSmartPointer(lines->GetLines()->NewIterator());
-    // Cell data numbers vertices before lines.
-    vtkIdType cell = lines->GetNumberOfVerts();
-    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell) {
-        vtkIdType count = 0;
-        const vtkIdType* ids = nullptr;
-        cells->GetCurrentCell(count, ids);
-        visit(cell, std::vector<vtkIdType>(ids, ids + count));
-    }
+// A number of a file as int, whatever it is; what no int can be is none that a tree knows.
+int whole(double value) {
+    constexpr int none = std::numeric_limits<int>::min();
+    return std::abs(value) < 2e9 ? static_cast<int>(value) : none;
 }
 
-bool is_own(vtkPolyData* lines) {
-    for (const char* name : {"SegmentId", "ParentId", "System", "StrahlerOrder", "ClosesLoop",
-                             "ProximalNode", "DistalNode"})
-        if (vtkDataArray* array = lines->GetCellData()->GetArray(name);
-            array == nullptr || array->GetNumberOfComponents() != 1)
-            return false;
-    return lines->GetFieldData()->GetArray("NodeRadius") != nullptr &&
-           lines->GetPointData()->GetArray("Radius") != nullptr;
-}
-
-void require_known_systems(vtkPolyData* lines, const std::filesystem::path& file) {
-    if (lines->GetCellData()->GetAbstractArray("SystemName") != nullptr) return;
-    vtkDataArray* system = lines->GetCellData()->GetArray("System");
+void require_known_systems(const VtkFile& file, const std::filesystem::path& path) {
+    if (file.has("CellData", "SystemName")) return;
+    const auto systems = file.numbers("CellData", "System");
     std::vector<int> numbers;
-    for (vtkIdType cell = 0; cell < system->GetNumberOfTuples(); ++cell)
-        numbers.push_back(static_cast<int>(system->GetComponent(cell, 0)));
-    require_unambiguous_systems(numbers, file);
+    std::ranges::transform(*systems, std::back_inserter(numbers), whole);
+    require_unambiguous_systems(numbers, path);
 }
 
-VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem::path& file) {
+VesselTree own_tree(const Lines& lines, const std::filesystem::path& path) {
+    const auto node_radii = lines.file.numbers("FieldData", "NodeRadius");
+    const auto radii = lines.file.numbers("PointData", "Radius");
+    const auto bridged = lines.file.numbers("PointData", "Bridged");       // may be missing
+    const auto confidence = lines.file.numbers("CellData", "Confidence");  // may be missing
+    if (!node_radii || !radii) refuse(path, "holds radii that are not one number each");
+    std::map<std::string_view, std::vector<double>> values;
+    for (const char* name : own_arrays) values[name] = *lines.file.numbers("CellData", name);
     VesselTree tree;
-    vtkDataArray* node_radii = lines->GetFieldData()->GetArray("NodeRadius");
-    vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
-    vtkDataArray* bridged = lines->GetPointData()->GetArray("Bridged");       // may be missing
-    vtkDataArray* confidence = lines->GetCellData()->GetArray("Confidence");  // may be missing
-    tree.nodes.resize(node_radii->GetNumberOfTuples());
-    for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-        tree.nodes[n].radius_mm = node_radii->GetComponent(static_cast<vtkIdType>(n), 0);
-    for_each_line(lines, [&](vtkIdType cell, const std::vector<vtkIdType>& ids) {
-        const auto value = [&](const char* name) {
-            return static_cast<int>(lines->GetCellData()->GetArray(name)->GetComponent(cell, 0));
-        };
+    tree.nodes.resize(node_radii->size());
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) tree.nodes[n].radius_mm = (*node_radii)[n];
+    for (std::size_t line = 0; line < lines.cells.size(); ++line) {
+        const std::size_t cell = lines.first_cell + line;
+        const auto value = [&](const char* name) { return whole(values.at(name)[cell]); };
         if (value("SegmentId") != static_cast<int>(tree.segments.size()))
-            refuse(file, "its segments are not in the order of SegmentId");
+            refuse(path, "its segments are not in the order of SegmentId");
         VesselSegment segment;
         segment.parent = value("ParentId");
         segment.system = system_numbered(value("System")).value_or(VascularSystem::unknown);
-        if (confidence != nullptr) segment.system_confidence = confidence->GetComponent(cell, 0);
+        if (confidence) segment.system_confidence = (*confidence)[cell];
         segment.strahler_order = value("StrahlerOrder");
         segment.closes_loop = value("ClosesLoop") != 0;
         segment.proximal_node = value("ProximalNode");
         segment.distal_node = value("DistalNode");
-        for (const vtkIdType id : ids) {
-            segment.points_mm.push_back(point_at(lines, id, signs));
-            segment.radii_mm.push_back(radii->GetComponent(id, 0));
-            segment.bridged.push_back(bridged && bridged->GetComponent(id, 0) != 0.0 ? 1 : 0);
+        for (const int id : lines.cells[line]) {
+            segment.points_mm.push_back(lines.points_mm[id]);
+            segment.radii_mm.push_back((*radii)[id]);
+            segment.bridged.push_back(bridged && (*bridged)[id] != 0.0 ? 1 : 0);
         }
         if (std::ranges::count(segment.bridged, 1) == 0) segment.bridged.clear();
         tree.segments.push_back(std::move(segment));
-    });
-    validate_from_file(tree, file);  // the node numbers are used below
+    }
+    validate_from_file(tree, path);  // the node numbers are used below
     for (const VesselSegment& segment : tree.segments) {
         tree.nodes[segment.proximal_node].position_mm = segment.points_mm.front();
         tree.nodes[segment.distal_node].position_mm = segment.points_mm.back();
@@ -289,60 +269,57 @@ VesselTree own_tree(vtkPolyData* lines, const Vec3& signs, const std::filesystem
     return tree;
 }
 
-vtkDataArray* radius_array(vtkFieldData* data) {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
-        vtkDataArray* array = data->GetArray(i);
-        if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfComponents() != 1)
-            continue;
-        std::string name = array->GetName();
-        std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-        if (name.find("radius") != std::string::npos) return array;
+// The first array whose name speaks of a radius.
+std::optional<std::vector<double>> radii_in(const VtkFile& file, const char* data) {
+    for (const std::string& name : file.names_of_numbers(data)) {
+        std::string small = name;
+        std::ranges::transform(small, small.begin(),
+                               [](unsigned char c) { return std::tolower(c); });
+        if (small.find("radius") != std::string::npos) return file.numbers(data, name);
     }
-    return nullptr;
+    return std::nullopt;
 }
 
-// The radius at a point of a line: from the first array that speaks of one, or as stated.
+// The radius at a point of a line: from an array, or as stated.
 class Radii {
   public:
-    Radii(vtkPolyData* lines, const TreeFileFacts& facts, const std::filesystem::path& file)
-        : at_points_(radius_array(lines->GetPointData())),
-          at_cells_(radius_array(lines->GetCellData())),
-          stated_mm_(facts.radius_mm) {
-        const bool in_file = at_points_ != nullptr || at_cells_ != nullptr;
+    Radii(const VtkFile& file, const TreeFileFacts& facts, const std::filesystem::path& path)
+        : at_points_(radii_in(file, "PointData")), stated_mm_(facts.radius_mm) {
+        if (!at_points_) at_cells_ = radii_in(file, "CellData");
+        const bool in_file = at_points_ || at_cells_;
         if (!in_file && !stated_mm_)
             throw InputError(
-                "holds no radii", file.string(),
+                "holds no radii", path.string(),
                 "Give the lines a point or cell array MaximumInscribedSphereRadius or Radius [mm], "
                 "or state one radius for all vessels: --radius-mm");
         if (in_file && stated_mm_)
-            throw InputError("holds radii of its own", file.string(), "Leave --radius-mm out");
+            throw InputError("holds radii of its own", path.string(), "Leave --radius-mm out");
     }
-    double at(vtkIdType cell, vtkIdType point) const {
-        if (at_points_ != nullptr) return at_points_->GetComponent(point, 0);
-        return at_cells_ != nullptr ? at_cells_->GetComponent(cell, 0) : *stated_mm_;
+    double at(std::size_t cell, int point) const {
+        if (at_points_) return (*at_points_)[point];
+        return at_cells_ ? (*at_cells_)[cell] : *stated_mm_;
     }
 
   private:
-    vtkDataArray* at_points_;
-    vtkDataArray* at_cells_;
+    std::optional<std::vector<double>> at_points_;
+    std::optional<std::vector<double>> at_cells_;
     std::optional<double> stated_mm_;
 };
 
-VesselTree foreign_tree(vtkPolyData* lines, const Vec3& signs, const TreeFileFacts& facts,
-                        const std::filesystem::path& file) {
-    std::vector<Vec3> points(lines->GetNumberOfPoints());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i] = point_at(lines, static_cast<vtkIdType>(i), signs);
-        require_in_patient_space(points[i], "a point", file.string());
-    }
-    const Radii radii(lines, facts, file);
+VesselTree foreign_tree(const Lines& lines, const TreeFileFacts& facts,
+                        const std::filesystem::path& path) {
+    for (const Vec3& point : lines.points_mm)
+        require_in_patient_space(point, "a point", path.string());
+    const Radii radii(lines.file, facts, path);
     std::vector<LineEdge> edges;
-    for_each_line(lines, [&](vtkIdType cell, const std::vector<vtkIdType>& ids) {
+    for (std::size_t line = 0; line < lines.cells.size(); ++line) {
+        const std::size_t cell = lines.first_cell + line;
+        const std::span<const int> ids = lines.cells[line];
         for (std::size_t i = 1; i < ids.size(); ++i)
-            edges.push_back({static_cast<int>(ids[i - 1]), static_cast<int>(ids[i]),
-                             radii.at(cell, ids[i - 1]), radii.at(cell, ids[i])});
-    });
-    return directed(graph_of_edges(points, edges).graph);
+            edges.push_back(
+                {ids[i - 1], ids[i], radii.at(cell, ids[i - 1]), radii.at(cell, ids[i])});
+    }
+    return directed(graph_of_edges(lines.points_mm, edges).graph);
 }
 
 }  // namespace
@@ -364,11 +341,13 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
 }
 
 VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts& facts) {
-    const vtkSmartPointer<vtkPolyData> lines = read_lines(file);
+    if (!std::filesystem::is_regular_file(file)) refuse(file, "there is no such file");
+    Lines lines(file);
     const Vec3 signs = signs_to_lps(space_of(lines, facts, file));
-    const bool own = is_own(lines);
-    if (own && !facts.in_case) require_known_systems(lines, file);
-    VesselTree tree = own ? own_tree(lines, signs, file) : foreign_tree(lines, signs, facts, file);
+    for (Vec3& point : lines.points_mm) point = signs.cwiseProduct(point);
+    const bool own = is_own(lines.file);
+    if (own && !facts.in_case) require_known_systems(lines.file, file);
+    VesselTree tree = own ? own_tree(lines, file) : foreign_tree(lines, facts, file);
     validate_from_file(tree, file);
     return tree;
 }

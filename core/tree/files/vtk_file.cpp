@@ -1,171 +1,169 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tree/files/vtk_file.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCellArray.h>
-#include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <fstream>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "core/base/error.h"
+#include <cmath>
+#include <limits>
 
 namespace hepatica {
 
 namespace {
 
-constexpr std::array array_types{"Int8",  "UInt8",  "Int16",   "UInt16",  "Int32",  "UInt32",
-                                 "Int64", "UInt64", "Float32", "Float64", "String", "Bit"};
-constexpr std::array formats{"ascii", "binary", "appended"};
-constexpr std::array counts{"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines",
-                            "NumberOfStrips", "NumberOfPolys", "NumberOfTuples"};
-constexpr long long most_components = 9;  // of a tensor
-// Compressed zeros take about a thousandth of their size.
-constexpr long long most_items_per_byte = 1100;
+constexpr std::array cell_kinds{"Verts", "Lines", "Strips", "Polys", "Cells"};
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
-    throw InputError(problem, file.string(), "Save the file anew with the program that wrote it");
+std::string_view text_of(const char* attribute) {
+    return attribute != nullptr ? attribute : "";
 }
 
-template <class List>
-bool holds(const List& list, const char* text) {
-    return text != nullptr && std::ranges::find(list, std::string_view(text)) != list.end();
+bool is_array(vtkXMLDataElement* element) {
+    const std::string_view name = text_of(element->GetName());
+    return name == "DataArray" || name == "Array";
 }
 
-class Check {
-  public:
-    Check(const std::filesystem::path& file, vtkXMLDataParser* parser)
-        : file_(file),
-          parser_(parser),
-          most_items_(most_items_per_byte *
-                      static_cast<long long>(std::filesystem::file_size(file))) {}
+bool holds_texts(vtkXMLDataElement* array) {
+    return text_of(array->GetAttribute("type")) == "String";
+}
 
-    void whole(vtkXMLDataElement* element) const {
-        const std::string_view name = element->GetName() != nullptr ? element->GetName() : "";
-        for (const char* count : counts) require_number(element, count, 0, most_items_);
-        if (name == "DataArray" || name == "Array") array(element);
-        if (name == "Points") points(element);
-        for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
-            whole(element->GetNestedElement(i));
+vtkXMLDataElement* array_of(vtkXMLDataElement* parent, std::string_view name) {
+    for (int i = 0; parent != nullptr && i < parent->GetNumberOfNestedElements(); ++i) {
+        vtkXMLDataElement* element = parent->GetNestedElement(i);
+        if (is_array(element) && text_of(element->GetAttribute("Name")) == name) return element;
     }
+    return nullptr;
+}
 
-  private:
-    // VTK would write to the terminal.
-    void points(vtkXMLDataElement* element) const {
-        for (int i = 0; i < element->GetNumberOfNestedElements(); ++i) {
-            const char* components =
-                element->GetNestedElement(i)->GetAttribute("NumberOfComponents");
-            if (components == nullptr || std::string_view(components) != "3")
-                refuse(file_, "holds points that are not of three coordinates");
-        }
-    }
-
-    void array(vtkXMLDataElement* element) const {
-        if (!holds(array_types, element->GetAttribute("type")))
-            refuse(file_, "holds an array of no known type");
-        const char* format = element->GetAttribute("format");
-        if (!holds(formats, format)) refuse(file_, "holds an array in no known format");
-        // VTK writes beyond texts of several components.
-        const bool texts = std::string_view(element->GetAttribute("type")) == "String";
-        require_number(element, "NumberOfComponents", 1, texts ? 1 : most_components);
-        require_number(element, "offset", 0, most_items_);
-        if (texts && std::string_view(format) == "ascii") ascii_texts(element);
-    }
-
-    // Each text ends with a 0. VTK writes all of them into as many places as the array says it has.
-    void ascii_texts(vtkXMLDataElement* element) const {
-        std::vector<unsigned char> bytes(std::filesystem::file_size(file_));
-        const std::size_t read = parser_->ReadInlineData(
-            element, 1, reinterpret_cast<char*>(bytes.data()), 0, bytes.size(), VTK_UNSIGNED_CHAR);
-        bytes.resize(std::min(read, bytes.size()));
-        const long long places = number(element, "NumberOfTuples").value_or(places_beside(element));
-        if (std::ranges::count(bytes, 0) > places)
-            refuse(file_, "holds more texts than it has places for");
-    }
-
-    // Of an array of points or cells: as many as the piece has of them.
-    static long long places_beside(vtkXMLDataElement* element) {
-        vtkXMLDataElement* data = element->GetParent();
-        vtkXMLDataElement* piece = data != nullptr ? data->GetParent() : nullptr;
-        if (piece == nullptr) return 0;
-        if (std::string_view(data->GetName()) == "PointData")
-            return number(piece, "NumberOfPoints").value_or(0);
-        long long cells = 0;
-        for (const char* kind :
-             {"NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
-            cells += number(piece, kind).value_or(0);
-        return cells;
-    }
-
-    static std::optional<long long> number(vtkXMLDataElement* element, const char* attribute) {
-        const char* text = element->GetAttribute(attribute);
-        if (text == nullptr) return std::nullopt;
-        const std::string_view digits(text);
-        long long value = 0;
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-        return value;
-    }
-
-    // Where the element has the attribute.
-    void require_number(vtkXMLDataElement* element, const char* attribute, long long least,
-                        long long most) const {
-        const char* text = element->GetAttribute(attribute);
-        if (text == nullptr) return;
-        const std::optional<long long> value = number(element, attribute);
-        if (!value || *value < least || *value > most)
-            refuse(file_, std::string("has a ") + attribute + " of \"" + text + "\"");
-    }
-
-    const std::filesystem::path& file_;
-    vtkXMLDataParser* parser_;
-    long long most_items_;
-};
+// The number as one from 0 to `most`.
+std::optional<std::size_t> whole_number(double value, std::size_t most) {
+    if (!(value >= 0.0 && value <= static_cast<double>(most)) || value != std::floor(value))
+        return std::nullopt;
+    return static_cast<std::size_t>(value);
+}
 
 }  // namespace
 
-void check_vtk_xml(const std::filesystem::path& file) {
-    vtkNew<vtkXMLDataParser> parser;
-    bool failed = false;
-    vtkNew<vtkCallbackCommand> on_error;  // with an observer VTK does not write to the terminal
-    on_error->SetClientData(&failed);
-    on_error->SetCallback(
-        [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
-    parser->AddObserver(vtkCommand::ErrorEvent, on_error);
-    std::ifstream in(file, std::ios::binary);  // stays open: texts are read through it
-    parser->SetStream(&in);
-    if (parser->Parse() == 0 || failed || parser->GetRootElement() == nullptr)
-        refuse(file, "is damaged, or no XML file of VTK");
-    Check(file, parser).whole(parser->GetRootElement());
+VtkFile::VtkFile(const std::filesystem::path& file, std::string_view type) : document_(file) {
+    vtkXMLDataElement* root = document_.root();
+    if (text_of(root->GetAttribute("type")) != type)
+        document_.refuse("is of type \"" + std::string(text_of(root->GetAttribute("type"))) +
+                         "\" instead of " + std::string(type));
+    whole_ = root->FindNestedElementWithName(std::string(type).c_str());
+    if (whole_ == nullptr) document_.refuse("holds no " + std::string(type));
+    for (int i = 0; i < whole_->GetNumberOfNestedElements(); ++i) {
+        vtkXMLDataElement* element = whole_->GetNestedElement(i);
+        if (text_of(element->GetName()) != "Piece") continue;
+        if (document_.number(element, "NumberOfPoints", 0) == 0) continue;
+        if (piece_ != nullptr) document_.refuse("holds several pieces, of which one can be read");
+        piece_ = element;
+    }
+    if (piece_ == nullptr) document_.refuse("holds no points");
 }
 
-void check_vtk_cells(vtkCellArray* cells, long long points, const std::filesystem::path& file) {
-    const auto offset = [cells](vtkIdType cell) {
-        return static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(cell, 0));
-    };
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
-        const vtkIdType begin = offset(cell), end = offset(cell + 1);
-        if (begin < 0 || end < begin || end > cells->GetNumberOfConnectivityIds())
-            refuse(file, "the offsets of its cells do not fit their connectivity");
-        cells->GetCellAtId(cell, ids);
-        for (const vtkIdType id : *ids)
-            if (id < 0 || id >= points)
-                refuse(file, "a cell names point " + std::to_string(id) + " of " +
-                                 std::to_string(points));
+std::size_t VtkFile::point_count() const {
+    const std::size_t count = document_.number(piece_, "NumberOfPoints", 0);
+    if (count > std::numeric_limits<int>::max())
+        document_.refuse("has a NumberOfPoints of \"" + std::to_string(count) + "\"");
+    return count;
+}
+
+std::vector<Vec3> VtkFile::points() const {
+    vtkXMLDataElement* element = piece_->FindNestedElementWithName("Points");
+    vtkXMLDataElement* array = nullptr;
+    for (int i = 0; element != nullptr && i < element->GetNumberOfNestedElements(); ++i)
+        if (array == nullptr && is_array(element->GetNestedElement(i)))
+            array = element->GetNestedElement(i);
+    if (array == nullptr || document_.components(array) != 3)
+        document_.refuse("holds points that are not of three coordinates");
+    const std::vector<double> values = document_.numbers(array, 3 * point_count());
+    std::vector<Vec3> points(point_count());
+    for (std::size_t p = 0; p < points.size(); ++p)
+        points[p] = Vec3(values[3 * p], values[3 * p + 1], values[3 * p + 2]);
+    return points;
+}
+
+std::size_t VtkFile::cell_count(const char* kind) const {
+    return document_.number(piece_, (std::string("NumberOf") + kind).c_str(), 0);
+}
+
+VtkCells VtkFile::cells(const char* kind) const {
+    VtkCells cells;
+    const std::size_t count = cell_count(kind);
+    if (count == 0) return cells;
+    vtkXMLDataElement* element = piece_->FindNestedElementWithName(kind);
+    vtkXMLDataElement* offsets = array_of(element, "offsets");
+    vtkXMLDataElement* connectivity = array_of(element, "connectivity");
+    if (offsets == nullptr || connectivity == nullptr)
+        document_.refuse(std::string("does not say which points its ") + kind + " have");
+    const std::vector<double> names = document_.numbers(connectivity, std::nullopt);
+    for (const double end : document_.numbers(offsets, count)) {
+        const std::optional<std::size_t> whole = whole_number(end, names.size());
+        if (!whole || (!cells.ends.empty() && *whole < cells.ends.back()))
+            document_.refuse(offsets, "does not fit the connectivity of " +
+                                          std::to_string(names.size()) + " points");
+        cells.ends.push_back(*whole);
     }
+    for (const double name : names) {
+        const std::optional<std::size_t> point = whole_number(name, point_count() - 1);
+        if (!point)
+            document_.refuse("a cell names point " + std::to_string(std::llround(name)) + " of " +
+                             std::to_string(point_count()));
+        cells.points.push_back(static_cast<int>(*point));
+    }
+    return cells;
+}
+
+std::vector<double> VtkFile::cell_types() const {
+    vtkXMLDataElement* types = array_of(piece_->FindNestedElementWithName("Cells"), "types");
+    if (types == nullptr) document_.refuse("does not say of what kind its cells are");
+    return document_.numbers(types, cell_count("Cells"));
+}
+
+std::vector<std::string> VtkFile::names_of_numbers(const char* data) const {
+    std::vector<std::string> names;
+    vtkXMLDataElement* element = part(data);
+    for (int i = 0; element != nullptr && i < element->GetNumberOfNestedElements(); ++i) {
+        vtkXMLDataElement* array = element->GetNestedElement(i);
+        if (is_array(array) && !holds_texts(array) && document_.components(array) == 1)
+            names.emplace_back(text_of(array->GetAttribute("Name")));
+    }
+    return names;
+}
+
+bool VtkFile::has(const char* data, std::string_view name) const {
+    return array(data, name) != nullptr;
+}
+
+std::optional<std::vector<double>> VtkFile::numbers(const char* data, std::string_view name) const {
+    vtkXMLDataElement* found = array(data, name);
+    if (found == nullptr || holds_texts(found) || document_.components(found) != 1)
+        return std::nullopt;
+    return document_.numbers(found, tuples(data, found));
+}
+
+std::optional<std::vector<std::string>> VtkFile::texts(const char* data,
+                                                       std::string_view name) const {
+    vtkXMLDataElement* found = array(data, name);
+    if (found == nullptr || text_of(found->GetName()) != "Array") return std::nullopt;
+    return document_.texts(found, tuples(data, found).value_or(1));
+}
+
+vtkXMLDataElement* VtkFile::part(const char* data) const {
+    const bool of_all = text_of(data) == "FieldData";
+    return (of_all ? whole_ : piece_)->FindNestedElementWithName(data);
+}
+
+vtkXMLDataElement* VtkFile::array(const char* data, std::string_view name) const {
+    return array_of(part(data), name);
+}
+
+std::optional<std::size_t> VtkFile::tuples(const char* data, vtkXMLDataElement* array) const {
+    if (text_of(data) == "PointData") return point_count();
+    std::size_t cells = 0;
+    for (const char* kind : cell_kinds) cells += cell_count(kind);
+    if (text_of(data) == "CellData") return cells;
+    if (array->GetAttribute("NumberOfTuples") == nullptr) return std::nullopt;
+    return document_.number(array, "NumberOfTuples", 0);
 }
 
 }  // namespace hepatica
