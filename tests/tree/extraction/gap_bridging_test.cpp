@@ -64,6 +64,19 @@ TEST(GapBridging, BrightGapIsBridgedWithConfidence) {
     EXPECT_LT(nearest_point(found.tree, Vec3(21.5, 30, 15)).distance_mm, 1.0);
 }
 
+// No stub of the branch is left on its trunk: the bridge leads to the side of the trunk, which is
+// the first link, and parts it.
+TEST(GapBridging, BrightGapAtTheWallOfTheTrunkIsBridgedToItsSide) {
+    const TreeExtraction found = extraction_of(broken_branch(15, 26, 160), true);
+    ASSERT_EQ(found.bridges.size(), 1u);
+    EXPECT_TRUE(found.bridges[0].built);
+    validate(found.tree);
+    EXPECT_EQ(roots(found.tree).size(), 1u);
+    EXPECT_EQ(bifurcation_count(found.tree), 1);
+    // Inside the lumen of the branch, whose radius is 2.2 mm.
+    EXPECT_LT(nearest_point(found.tree, Vec3(20.7, 22, 15)).distance_mm, 2.2);
+}
+
 TEST(GapBridging, DarkGapIsOfferedButNotBuilt) {
     const TreeExtraction found = extraction_of(broken_branch(24, 28, 110), true);
     ASSERT_EQ(found.bridges.size(), 1u);

@@ -151,12 +151,12 @@ TEST(VtkFile, IsRefusedWhereItsBlocksAreNotTheArray) {
              {{3, 8, 0, a, a, b}, one + one + two, "a damaged block"},
              {{1, 24, 0, a}, one, "a damaged block"},
              {{1, 24, 0, huge}, one, "bytes where"},
-             {{1, 24, 0, 4, huge}, one, "no base64"},
+             {{1, 24, 0, 4, huge}, one, "a damaged block"},
              {{3, 8, 0, huge, huge, a}, one, "in 9223372036854775808"},
              {{1, huge, 0, a}, one, "a block of 9223372036854775808 bytes"},
              {{huge, 24, 0, a}, one, "9223372036854775808 blocks"},
              {{1'000'000, 24, 0, a}, one, "states 8000024 bytes"},
-             {{2, 24, 0, a, 0}, one, "a block of 24 bytes in 0"},
+             {{2, 8, 0, a, 0}, one, "a block of 8 bytes in 0"},
              {{0, 0, 0}, no, "0 bytes instead of 24"}}) {
         try {
             read_tree_vtp(file_with_blocks(header, blocks));
