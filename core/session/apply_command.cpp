@@ -63,8 +63,8 @@ struct Session::Apply {
     void operator()(const RestoreSnapshot&) const;
 };
 
-// What cannot flow is found only while it is computed; that it is then no longer being computed is
-// a change of the world, so the command is not refused.
+// An injection that cannot flow is found only while it is computed. By then the world has changed:
+// it no longer waits for the computation. So the command counts as applied, not as refused.
 void Session::Apply::operator()(const FinishInjection&) const {
     try {
         flow().finish_injection();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a person or a script can do to the world. Commands are plain values: they wait in
-// a queue, are applied at a step boundary only, and are written into the recording as they are.
+// Everything that a person or a script can do to the world. Commands are plain values. They wait in
+// a queue, are applied between two steps only, and are written into the recording unchanged.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,24 +14,24 @@
 
 namespace hepatica {
 
-// Takes hold of the body at the point of its present surface nearest to point_mm (for example where
-// the mouse's ray met it). Replaces a grab that is held.
+// Grabs the body at the point of its deformed surface nearest to point_mm (for example where the
+// mouse's ray met it). An earlier grab is released.
 struct GrabPoint {
     Vec3 point_mm = Vec3::Zero();
 };
-// Takes hold of one vertex of the body.
+// Grabs one vertex of the body. An earlier grab is released.
 struct GrabVertex {
     int vertex = 0;
 };
-// Where the hand is now. Without a grab it does nothing.
+// Moves the hand to target_mm. Does nothing where nothing is grabbed.
 struct MoveGrab {
     Vec3 target_mm = Vec3::Zero();
 };
 struct ReleaseGrab {};
 
-// Injects at the point of the tree nearest to point_mm, seen in the present (deformed) shape.
-// Replaces an injection that was made before; the drug's clock starts at zero and plays. A drug
-// that does not flow like blood is computed beside the play until FinishInjection.
+// Injects at the point of the deformed tree nearest to point_mm. An earlier injection is replaced;
+// the drug's clock starts at zero and runs. The injection of a drug that does not flow like blood
+// is computed on another thread, and shown by FinishInjection.
 struct InjectDrug {
     Vec3 point_mm = Vec3::Zero();
     double mass_flow_g_s = default_injection::mass_flow_g_s;     // > 0
@@ -41,10 +41,10 @@ struct InjectDrug {
         default_injection::pressure_model;        // published, consistent, regime
     std::optional<double> drug_viscosity_pa_s{};  // > 0; otherwise the fluid's own
 };
-// Shows the injection that is being computed (of a drug that does not flow like blood) and starts
-// its clock, waiting for it where it is not done. The session gives this command itself as soon as
-// the injection is done; scripts and replays give it at a step of theirs, so that they do not
-// depend on the machine. Does nothing where nothing is being computed.
+// Shows the injection that is being computed on another thread and starts its clock. Waits where
+// the computation has not ended. The session gives this command itself as soon as the computation
+// ends; scripts and replays give it at a fixed step, so that the result does not depend on the
+// machine's speed. Does nothing where nothing is being computed.
 struct FinishInjection {};
 struct RemoveDrug {};
 struct PlayDrug {
@@ -73,23 +73,23 @@ struct SetWall {
 struct SetQuality {
     double quality = 0.5;
 };
-// Whether the session picks the most accurate setting that the frame's budget allows.
+// Whether the session itself chooses the most accurate setting that fits the frame's budget.
 struct SetAutomaticQuality {
     bool automatic = true;
 };
-// One setting exactly. Whatever changes the setting in play, a person's hand or the session itself,
-// stands in the recording as this: what the dial offers differs from machine to machine.
+// Uses exactly this setting. The recording holds this command for every change of the setting, by a
+// person or by the session, because the settings that a dial offers differ between machines.
 struct UseSetting {
     StepperOptions setting;
 };
-// Stops and resumes the clock; the view stays alive.
+// Stops or resumes simulated time. Pictures are still drawn and commands still applied.
 struct SetPaused {
     bool paused = true;
 };
-// Back to the rest shape: no grab, no drug, step count goes on.
+// Returns to the rest shape, without grab and drug. Steps are counted on.
 struct ResetWorld {};
-// Back to the last good state, a second ago at most, and on. What was set since then stays set, and
-// a hand that has opened since stays open.
+// Returns to the last good state, at most a second old, and goes on from there. Settings made since
+// then are kept, and a grab released since then stays released.
 struct RestoreSnapshot {};
 
 using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
@@ -97,7 +97,7 @@ using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, Injec
                              SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
                              UseSetting, SetWall, FinishInjection>;
 
-// {"command": "grab_point", "point_mm": [1, 2, 3]} and back; numbers survive to the last bit.
+// {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.
 nlohmann::ordered_json to_json(const Command& command);
 Command command_from_json(const nlohmann::ordered_json& json);

@@ -10,7 +10,7 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t window = 9;         // frames whose median counts
-constexpr double share_after_down = 0.8;  // of the budget that the forecast must fit
+constexpr double share_after_down = 0.8;  // the forecast must keep within this share of the budget
 constexpr double share_before_up = 0.7;
 constexpr int frames_before_up = 60;
 constexpr int first_penalty = 120, longest_penalty = 7200;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the frame within its budget: steps down the dial when the machine falls behind and up again
-// when there is room, by the cost of the frames it has seen on this machine and this body. It never
-// looks at the clock itself; what it decides is a command in the recording.
+// Chooses the setting of the dial so that a frame keeps within its budget: a cheaper one when
+// frames are late, a more accurate one when there is time left. It decides by the cost of frames
+// measured on this machine and this body, which the caller passes in; it reads no clock. Each
+// decision is recorded as a command.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,18 @@ namespace hepatica {
 
 class QualityGovernor {
   public:
-    // Costs of the dial's front, cheapest first: their ratios forecast what has not been seen yet.
+    // Costs of the dial's settings, the cheapest first. The cost of a setting not yet used here is
+    // forecast as the measured cost of the present one times the ratio of the two.
     explicit QualityGovernor(std::vector<double> front_ms);
 
-    // The most accurate setting whose measured cost fits; the cheapest where none does.
+    // The most accurate setting whose cost fits the budget; the cheapest where none does.
     std::size_t start(double budget_ms) const;
 
-    // Takes what a frame cost at the setting `at`; returns the setting for the next one. Down, as
-    // far as the forecast asks, after the median of nine frames was beyond the budget; up by one
-    // after a second in which the next one would have taken seven tenths of it at most. A setting
-    // that had to be left is not tried again for two seconds, then four, eight, ... up to two
-    // minutes.
+    // Takes the cost of a frame at the setting `at` and returns the setting for the next frame.
+    // Where the median of nine frames exceeds the budget, it goes down to the first setting whose
+    // forecast fits. Where the next better setting would have kept within seven tenths of the
+    // budget for a second, it goes up by one. A setting that proved too slow is not tried again for
+    // two seconds, the next time for four, eight, ... up to two minutes.
     std::size_t next(std::size_t at, double frame_ms, double budget_ms);
 
   private:
@@ -31,10 +33,10 @@ class QualityGovernor {
 
     std::vector<double> front_ms_;
     std::deque<double> recent_ms_;
-    std::vector<int> barred_;   // frames until a setting may be tried again
-    std::vector<int> penalty_;  // the next bar, in frames
-    int roomy_frames_ = 0;      // in a row
-    int frames_to_ignore_ = 0;  // after a change, whose first frames are not typical
+    std::vector<int> barred_;   // of each setting: frames until it may be tried again
+    std::vector<int> penalty_;  // of each setting: frames for which it will be barred next
+    int roomy_frames_ = 0;      // frames in a row after which a better setting would have fitted
+    int frames_to_ignore_ = 0;  // the first frames after a change are not typical
 };
 
 }  // namespace hepatica

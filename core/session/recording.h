@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session that can be played again to the last bit: which patient and scene it began with, the
-// commands of every step, a hash of the state after each, and every ten seconds of play a state in
-// which a replay can begin. Nothing in it names the patient: only a hash of tree and mesh does.
+// A session that can be replayed to the last bit: a hash of the patient, the scene, the commands of
+// every step, a hash of the state after each step, and a full state (keyframe) every ten seconds of
+// play, where a replay can begin. The patient is identified by the hash of tree and mesh alone.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,27 @@
 
 namespace hepatica {
 
-// A session after a step in which it was not paused, so that it is not.
+// The state of a session after a step. It is taken only while the session is not paused.
 struct Keyframe {
-    std::uint64_t step = 0;          // the number of that step
-    std::uint64_t played_steps = 0;  // of all up to it, those that were not paused
-    bool automatic = false;          // the session picked the setting
+    std::uint64_t step = 0;          // number of the step
+    std::uint64_t played_steps = 0;  // steps up to this one during which it was not paused
+    bool automatic = false;          // whether the session chooses the setting
     WorldCheckpoint world;
 };
 
 struct RecordedStep {
     std::vector<Command> commands;             // applied before the step, in order
-    std::uint64_t state_hash = 0;              // after it
-    std::shared_ptr<const Keyframe> keyframe;  // after it; usually none
+    std::uint64_t state_hash = 0;              // of the state after the step
+    std::shared_ptr<const Keyframe> keyframe;  // of the state after the step; null in most steps
 };
 
 struct Recording {
-    std::string program;             // its version
-    std::string back_end;            // that computed the body, see DeformBackEnd
+    std::string program;             // version of the program that recorded it
+    std::string back_end;            // name of the DeformBackEnd that computed the body
     std::uint64_t patient_hash = 0;  // of tree and mesh, see hash_of(PatientCase)
     SceneSpec scene;
     std::vector<RecordedStep> steps;
-    std::vector<std::string> warnings;  // of reading it
+    std::vector<std::string> warnings;  // from reading the file
 };
 
 // The version of this program, as recordings name it.

@@ -83,7 +83,7 @@ void read_step(const Json& json, Recording& recording) {
     recording.steps.push_back(std::move(step));
 }
 
-// It stands behind the line of its step.
+// A keyframe is the line after that of its step.
 void read_keyframe(const Json& json, Recording& recording) {
     auto keyframe = std::make_shared<Keyframe>();
     keyframe->step = whole_number<std::uint64_t>(json.at("keyframe"));
@@ -114,7 +114,7 @@ std::string program_version() {
 
 RecordingWriter::RecordingWriter(std::filesystem::path file, const Recording& start)
     : file_(std::move(file)) {
-    std::error_code ignored;  // what cannot be made cannot be opened either
+    std::error_code ignored;  // a folder that cannot be made is noticed when the file is opened
     std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), ignored);
     out_.open(file_, std::ios::binary | std::ios::trunc);
     out_ << header_of(start) << std::flush;
@@ -149,7 +149,7 @@ void RecordingWriter::write_until_closed() {
         try {
             for (const RecordedStep& step : steps) out_ << lines_of(step);
             out_.flush();
-        } catch (...) {  // no memory for a line: what follows would be behind a gap
+        } catch (...) {  // no memory: a recording must have no gap, so it ends here
             out_.setstate(std::ios::badbit);
         }
         failed_ = failed_ || !out_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording on disk: JSON lines, a header, then one line per step and one per keyframe. It grows
-// as the session goes and is never rewritten, so that a program that dies leaves all that was
-// played; the line that it was writing may be torn and is dropped when the file is read.
+// A recording on disk as JSON lines: a header, then one line for each step and each keyframe. Lines
+// are only appended, so that a program that dies leaves everything that was played. Its last line
+// may be incomplete and is then dropped by the reader.
 //   {"format": "hepatica-recording", "version": 2, "program": "0.1.0", "back_end": "cpu",
 //    "patient_hash": "...", "scene": {...}}
 //   {"hash": "...", "commands": [...]}
@@ -19,20 +19,21 @@
 
 namespace hepatica {
 
-// Writes on a thread of its own, so that no step waits for a disk or for a keyframe to be spelt
-// out.
+// Formats and writes on a thread of its own, so that no step waits for the disk or for the text of
+// a keyframe.
 class RecordingWriter {
   public:
-    // Begins the file with the header of `start` and its steps; what stood there before is gone.
-    // Throws InputError where it cannot be written.
+    // Writes the header and the steps of `start`. Replaces an existing file. Throws InputError
+    // where it cannot be written.
     RecordingWriter(std::filesystem::path file, const Recording& start);
-    ~RecordingWriter();  // writes what waits
+    ~RecordingWriter();  // writes all steps appended so far
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
     // Any thread. Never waits for the disk.
     void append(RecordedStep step);
-    // Writes what waits and ends the file. Throws InputError where any of it could not be written.
+    // Writes all steps appended so far and closes the file. Throws InputError where any step could
+    // not be written.
     void close();
 
   private:
@@ -41,21 +42,20 @@ class RecordingWriter {
 
     std::filesystem::path file_;
     std::ofstream out_;
-    std::mutex mutex_;  // of the next two
+    std::mutex mutex_;  // guards waiting_ and closing_
     std::vector<RecordedStep> waiting_;
     bool closing_ = false;
     std::condition_variable changed_;
-    bool failed_ = false;  // the writing thread's, until it has ended
+    bool failed_ = false;  // belongs to the writing thread until that has ended
     std::jthread thread_;
 };
 
-// The same at once.
+// Writes a whole recording. Throws InputError where it cannot be written.
 void write_recording(const std::filesystem::path& file, const Recording& recording);
 
-// A torn last line is dropped, and a warning says so. Throws InputError that names the file and the
-// line where any other line is damaged, or where the recording is of another format, of another
-// version of the program, or of a back end that this program does not have: their steps would not
-// have the same bits.
+// Drops an incomplete last line with a warning. Throws InputError, naming file and line, where any
+// other line is damaged, and where the format, the version of the program or the back end is
+// another one, because replayed steps would then differ in their last bits.
 Recording read_recording(const std::filesystem::path& file);
 
 }  // namespace hepatica

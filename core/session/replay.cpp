@@ -12,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-// Null: the start.
+// The last keyframe that is not after the step; null where there is none.
 const RecordedStep* keyframe_before(const Recording& recording, std::uint64_t step) {
     if (step > recording.steps.size())
         throw InputError("step " + std::to_string(step) + " is behind the end", "recording",
@@ -35,7 +35,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
     ReplayResult result;
     if (start != nullptr) {
         Keyframe keyframe = *start->keyframe;
-        keyframe.automatic = false;  // the recording says which settings were used
+        keyframe.automatic = false;  // settings come from the recorded commands
         session.restore(keyframe);
         result.began_at = result.steps = start->keyframe->step;
         result.state_hash = session.state_hash();
@@ -44,7 +44,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
                                  " is not the state that was recorded",
                              "recording", "Begin at an earlier step");
     }
-    session.record([](const RecordedStep&) {});  // for the hash of every step
+    session.record([](const RecordedStep&) {});  // hashes are computed only while recording
     job.begin_stage("Replaying");
     const std::uint64_t count = recording.steps.size();
     while (result.steps < count) {

@@ -50,8 +50,8 @@ ScriptPlace place_of(const Json& action) {
     return place;
 }
 
-// The rest of the action's keys are the command's own; those that it must have and the script may
-// leave out are filled in.
+// The action's other keys are fields of the command. Fields that a script may leave out get their
+// defaults.
 Command command_of(const std::string& name, Json action, Command defaults) {
     Json json = to_json(defaults);
     for (const char* key : {"at_s", "do", "where"}) action.erase(key);
@@ -86,7 +86,7 @@ ScriptAction action_from(const Json& json) {
     return action;
 }
 
-// From the first point of the path to the last, with radii left out.
+// The path as one line of points, without radii.
 std::vector<Vec3> longest_path(const VesselTree& tree) {
     std::vector<double> from_root(tree.segments.size());
     int widest = -1;
@@ -156,7 +156,7 @@ Script read_script(const std::filesystem::path& file) {
         const std::string where = number == 0 ? "" : ", action " + std::to_string(number);
         const std::string what = error.place().empty() ? "" : error.place() + " ";
         throw InputError(what + error.problem(), file.string() + where, error.remedy());
-    } catch (const Json::exception& error) {  // a value of another type than it must have
+    } catch (const Json::exception& error) {  // a value has the wrong type
         throw InputError(error.what(), file.string(),
                          "Give a script such as assets/scripts/drag.json");
     }

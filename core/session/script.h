@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session written down for any patient: actions at times, places named by the anatomy instead of
-// coordinates. `hepatica-cli simulate --script` plays it; docs stand beside assets/scripts.
+// A list of timed actions that can be played on any patient, because places can be given by anatomy
+// instead of coordinates. `hepatica-cli simulate --script` plays it. Examples: assets/scripts.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@
 
 namespace hepatica {
 
-// Where on a tree. Exactly one of them is set.
+// A place on a tree. Exactly one of the two is set.
 struct ScriptPlace {
     std::optional<Vec3> point_mm{};
-    // On the way from the root of the widest component to its farthest end: 0 is the root, 1 the
-    // end.
+    // On the path from the root of the widest component to its farthest end, as a share of its
+    // length: 0 is the root, 1 the end.
     std::optional<double> share_of_longest_path{};
 };
 
@@ -26,15 +26,15 @@ struct ScriptAction {
     double at_s = 0.0;
     std::string what;           // grab, move, release, inject, or the name of a plain command
     ScriptPlace place{};        // of grab and inject
-    Vec3 by_mm = Vec3::Zero();  // of move: from where the hand is
-    double over_s = 0.0;        // of move: evenly spread over this time
-    std::optional<Command> command{};  // of a plain command; of inject: its settings
+    Vec3 by_mm = Vec3::Zero();  // of move: displacement from the hand's present position
+    double over_s = 0.0;        // of move: duration, at constant speed
+    std::optional<Command> command{};  // of a plain command, or of inject with its settings
 };
 
 struct Script {
     std::string name;
     std::optional<SceneSpec> scene;
-    std::vector<ScriptAction> actions;  // by time
+    std::vector<ScriptAction> actions;  // in the order of time
 };
 
 // {"name": ..., "scene": {...}, "actions": [
@@ -46,12 +46,12 @@ struct Script {
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);
 
-// The commands of each step, for as many steps as asked. An injection is waited for at its own
-// step, so that what follows does not depend on the machine. Throws InputError for an empty tree.
+// The commands of each of `steps` steps. The step of an injection waits until that is computed, so
+// that later steps do not depend on the machine's speed. Throws InputError for an empty tree.
 std::vector<std::vector<Command>> schedule(const Script& script, const VesselTree& tree,
                                            double dt_s, int steps);
 
-// The point at a share of the way from the root of the widest component to its farthest end.
+// The point at this share of the path from the root of the widest component to its farthest end.
 Vec3 point_on_longest_path(const VesselTree& tree, double share);
 
 }  // namespace hepatica

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t steps_between_snapshots = 60;   // a second of play
 constexpr std::uint64_t steps_between_keyframes = 600;  // every tenth snapshot is one
 constexpr std::size_t longest_message = 512;
-constexpr double most_for_drawing = 0.6;  // share of a frame that is left to slow pictures
+constexpr double most_for_drawing = 0.6;  // of a frame: drawing is budgeted at most this share
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -214,7 +214,7 @@ void Session::shielded(const Work& work) noexcept {
     }
 }
 
-// Within the memory that message_ holds already.
+// Allocates nothing: the text is cut to the memory that message_ already has.
 void Session::stop_after(const char* what, const char* remedy) noexcept {
     failed_ = true;
     paused_ = true;
@@ -240,7 +240,7 @@ void Session::keep_step(SessionStep& step) {
         step.state_hash = recorded_.state_hash = state_hash();
         keep_(std::move(recorded_));
     } catch (...) {
-        keep_ = nullptr;  // a recording with a gap would be worth nothing from there on
+        keep_ = nullptr;  // a recording must have no gap, so it ends here
         throw;
     }
 }
@@ -285,7 +285,7 @@ void Session::wait_for_command(const std::stop_token& stop) {
 void Session::finish_ready_injection() {
     if (world_->flow() == nullptr || !world_->flow()->injection_ready()) return;
     const std::scoped_lock lock(queue_mutex_);
-    // Before what waits: another injection there must not be waited for.
+    // Before the queued commands, which may start another injection.
     queue_.insert(queue_.begin(), FinishInjection{});
 }
 
@@ -297,7 +297,7 @@ void Session::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const Clock::time_point now = Clock::now();
         const double factor = std::chrono::duration<double>(period) / (now - last);
-        constexpr double smoothing = 0.05;  // over some twenty steps
+        constexpr double smoothing = 0.05;  // average over about twenty steps
         real_time_factor_ += smoothing * (factor - real_time_factor_);
         last = now;
         shielded([&] { finish_ready_injection(); });
@@ -305,10 +305,10 @@ void Session::run(const std::stop_token& stop) {
         if (resting_) {
             wait_for_command(stop);
             due = Clock::now();
-            last = due - period;  // time at rest is no delay
+            last = due - period;  // time spent waiting for a command is no delay
             continue;
         }
-        due = std::max(due + period, Clock::now());  // time that was lost is not made up for
+        due = std::max(due + period, Clock::now());  // lost time is not caught up
         std::this_thread::sleep_until(due);
     }
 }
@@ -339,7 +339,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.diverged = diverged_;
     statistics.resting = resting_;
     statistics.message = message_.empty() ? step.deform.message : message_;
-    // Last, so that it holds the frame's own cost; handing it over is one exchange of an index.
+    // Measured last, so that filling the frame counts; publishing is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);
     frames_.publish();
     const std::scoped_lock lock(listener_mutex_);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The play: owns the world, takes commands, advances the clock at 60 Hz and publishes a Frame per
-// step. Where nothing moves and no clock runs, it rests and costs nothing until the next command.
-// The UI's simulation thread does nothing but run(); a script calls step() as fast as it can.
-// No error of a command or a step ends the program: the session stops, says what happened, and goes
-// back to its last good state.
+// Owns the world, applies commands, advances simulated time in steps of 1/60 s and publishes a
+// Frame after each step. While nothing moves and no clock runs, it makes no steps and uses no
+// processor time until the next command. The window's simulation thread only calls run(); a script
+// calls step() in a loop. An error in a command or a step never ends the program: the session
+// pauses, reports it in the frame, and returns to its last good state.
 //
 //     UI thread                               simulation thread
 //     session.post(GrabPoint{p});             session.run(stop);      // or step() in a loop
@@ -42,16 +42,17 @@ class World;
 // What one step did, for scripts and measurements.
 struct SessionStep {
     std::uint64_t step = 0;        // number of this step, from 1
-    double step_ms = 0.0;          // wall time of commands, world, recording and frame
-    std::uint64_t state_hash = 0;  // of the world; 0 unless a recording is kept
-    bool paused = false;           // the world stood still
-    StepReport deform;             // of the deforming body, where there is one
+    double step_ms = 0.0;          // wall time of commands, physics, recording and frame
+    std::uint64_t state_hash = 0;  // of the world after the step; 0 unless recording
+    bool paused = false;           // whether simulated time stood still
+    StepReport deform;             // of the deforming body; empty where the scene has none
 };
 
 class Session {
   public:
-    // Builds the world's parts and publishes a first frame of it at rest. Begins one stage of the
-    // job. Throws InputError (a spec that the case cannot serve), Cancelled.
+    // Builds the parts that the scene requires and publishes a frame of the world at rest. Begins
+    // one stage of the job. Throws InputError where the patient lacks what the scene requires, and
+    // Cancelled.
     Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
             const DeformBackEnd& back_end = cpu_back_end());
     ~Session();
@@ -59,52 +60,54 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     // --- any thread -----------------------------------------------------------------------------
-    // Queues a command for the next step boundary. Never waits for a step. What is out of range is
-    // refused there: the frame's message says so, and the world is as before. Moves that no step
-    // has seen yet are replaced by the newest.
+    // Queues a command, which is applied before the next step. Never waits for a step. A command
+    // with a value out of range is then refused: the frame's message names it and the world is
+    // unchanged. Of several MoveGrab before one step only the newest is applied.
     void post(Command command);
 
-    // Called after every frame that is published, on the thread that steps; it must neither wait
-    // nor throw. Takes the place of the one before, which is not called any more once this returns;
-    // empty for none. Any time, from any thread but out of `tell` itself.
+    // `tell` is called after every published frame, on the thread that steps; it must neither wait
+    // nor throw. It replaces an earlier one, which is never called after this returns; an empty
+    // function removes it. May be called at any time from any thread, but not from within `tell`.
     void on_frame(std::function<void()> tell);
 
-    // What drawing a picture takes [ms]: automatic quality leaves it that much of the frame. Any
-    // time, from any thread.
+    // Time that drawing a picture takes [ms]; automatic quality subtracts it from the frame's
+    // budget. May be called at any time from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
 
-    // Another dial of the same body, from the next step on. A setting in use that is not on it, but
-    // was on the one before, is replaced: by what automatic quality picks, or by the one at the
-    // same turn of the dial. Any time, from any thread.
+    // Uses another dial of the same body from the next step on. Where the setting in use came from
+    // the old dial and is not on the new one, it is replaced: by the choice of automatic quality,
+    // or by the setting at the same position of the dial. May be called at any time from any
+    // thread.
     void use_dial(QualityDial dial);
 
     // --- the reader's thread (UI) ---------------------------------------------------------------
-    // True where a newer frame is there; frame() stays valid and unchanged until the next call.
+    // Takes the newest frame; false where there is none since the last call. frame() stays valid
+    // and unchanged until the next call.
     bool update_frame() { return frames_.update(); }
     const Frame& frame() const { return frames_.front(); }
 
     // --- the simulation thread (or any, while run() does not run) -------------------------------
-    // Applies the commands that wait, advances by one time step, publishes a frame. Commands that
-    // are refused are named in the frame's message and change nothing. Any other error (no memory,
-    // a defect) pauses the session, drops what is left of the step and its commands, and takes the
-    // world back to its last good state; the frame says `diverged` and why.
+    // Applies the queued commands, advances by one time step and publishes a frame. Refused
+    // commands change nothing and are named in the frame's message. Any other error (no memory, a
+    // defect) pauses the session, drops the rest of the step and of its commands, and returns the
+    // world to its last good state; the frame then has `diverged` and the reason.
     SessionStep step();
-    // Steps at the scene's rate until asked to stop. When a step takes longer than its period,
-    // simulated time runs slower than the wall's, and the frames' real_time_factor says by how
-    // much; it never tries to catch up. Where further steps would change nothing (the last frame
-    // says `resting`), it makes none and waits for a command.
+    // Steps at the scene's rate until asked to stop. Where a step takes longer than its period,
+    // simulated time falls behind wall time and is not caught up; real_time_factor of the frames
+    // says by how much it is slower. Where further steps would change nothing (the last frame is
+    // `resting`), it waits for a command instead.
     void run(const std::stop_token& stop);
 
-    // Hands every step to `keep`, on the thread that steps, from the first one on: call it before.
-    // Where `keep` throws, the recording ends there, and the session stops as for any error.
+    // Passes every step to `keep`, on the thread that steps. Call it before the first step. Where
+    // `keep` throws, the recording ends there and the session pauses as after any other error.
     void record(std::function<void(RecordedStep)> keep) { keep_ = std::move(keep); }
-    // What a recording of this session begins with; no steps.
+    // The beginning of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }
-    // Goes on from a keyframe of a session of the same patient and scene, with the same bits.
-    // Throws InputError where it is of another.
+    // Continues from a keyframe of a session of the same patient and scene; all later steps have
+    // the same bits as there. Throws InputError where patient or scene is another one.
     void restore(const Keyframe& keyframe);
 
-    // Of all that determines the steps to come.
+    // Hash of everything that determines later steps.
     std::uint64_t state_hash() const;
     World& world() { return *world_; }
     const World& world() const { return *world_; }
@@ -114,50 +117,50 @@ class Session {
     void apply_waiting_commands();
     struct Apply;  // one operator per command
     void apply(const Command& command);
-    // What the recording keeps of a command that was applied.
+    // The form in which an applied command is recorded.
     Command as_recorded(const Command& command) const;
-    // The one barrier: whatever `work` throws ends in stop_after().
+    // Calls `work`; any exception is passed to stop_after().
     template <class Work>
     void shielded(const Work& work) noexcept;
     void stop_after(const char* what, const char* remedy) noexcept;
-    // To the last good state, but with the settings of now: what a person has chosen stays chosen.
-    // A hand that is closed there closes again unless it is to be open.
+    // Returns to the last good state but keeps the present settings. A grab of that state is taken
+    // again unless open_hand.
     void take_back(bool open_hand);
-    // From an error: takes the world back, and says so in the recording.
+    // After an error: returns to the last good state and records that.
     void recover();
     void keep_step(SessionStep& step);
-    // Shows an injection as soon as it is computed.
+    // Shows an injection whose computation has ended.
     void finish_ready_injection();
-    // Of the dial's front, where the setting is one of its points.
+    // Index of the setting among those of the dial; none where it is not one of them.
     std::optional<std::size_t> point_of(const StepperOptions& setting) const;
     void use_point(std::size_t index);
     void take_dial(QualityDial dial);
-    // What a frame may take beside the picture.
+    // Time that a step may take: the frame's period less that of drawing.
     double budget_ms() const;
-    // Picks the setting of the next step by what this one cost.
+    // Chooses the setting of the next step by the cost of this one.
     void govern(const SessionStep& done);
     void guard_state();
     void forget_divergence();
-    // Nothing but a command can change anything after this step.
+    // Whether no later step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
     void wait_for_command(const std::stop_token& stop);
-    // Fills a frame in and hands it to the reader; `step.step_ms` is then the time since `start`.
+    // Fills a frame in, hands it to the reader, and sets step.step_ms to the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
     QualityDial dial_;
     QualityGovernor governor_;
-    std::optional<std::size_t> point_;  // of the dial's front, that is in use
+    std::optional<std::size_t> point_;  // index of the setting in use on the dial
     bool automatic_ = false;
-    bool setting_changed_ = false;  // by the session, since the last step
+    bool setting_changed_ = false;  // the session changed the setting since the last step
     std::atomic<double> drawing_ms_{0.0};
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;
     bool paused_ = false;
-    bool diverged_ = false;  // until somebody resumes, restores or resets
-    bool failed_ = false;    // the world may be half changed: until it was taken back
+    bool diverged_ = false;  // set by a divergence, cleared by resuming, restoring or resetting
+    bool failed_ = false;    // the world may be half changed; cleared by recover()
     std::string message_;
-    RecordedStep recorded_;           // the step under way
-    std::uint64_t played_steps_ = 0;  // not paused
+    RecordedStep recorded_;           // of the present step
+    std::uint64_t played_steps_ = 0;  // steps during which it was not paused
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
     bool resting_ = false;
@@ -170,7 +173,7 @@ class Session {
     std::optional<QualityDial> waiting_dial_;
 
     TripleBuffer<Frame> frames_;
-    std::function<void(RecordedStep)> keep_;  // none: nothing is recorded
+    std::function<void(RecordedStep)> keep_;  // empty: nothing is recorded
     Recording recording_start_;
 };
 
