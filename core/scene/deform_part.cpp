@@ -33,7 +33,7 @@ Material material_named(const std::string& name) {
     throw InputError("\"" + name + "\" is not known", "material", "Choose one of: " + known);
 }
 
-FrameSkeleton skeleton_of(const VesselTree& tree) {
+CoarseSkeleton skeleton_of(const VesselTree& tree) {
     std::vector<SkeletonPolyline> polylines;
     for (const VesselSegment& segment : tree.segments)
         polylines.push_back({segment.points_mm, segment.radii_mm, segment.parent});

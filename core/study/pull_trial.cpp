@@ -18,7 +18,7 @@ constexpr int frames_out = Pull::frames / 2;
 constexpr double reach_radii = 1.5;  // of the hand, so that it holds whole cross-sections
 constexpr double hand_strain = 0.4;  // the hand pulls no harder than would stretch the vessel so
 
-std::vector<double> distances_from_roots(const FrameSkeleton& skeleton) {
+std::vector<double> distances_from_roots(const CoarseSkeleton& skeleton) {
     std::vector<double> distance(skeleton.size(), 0.0);
     for (int n = 0; n < skeleton.size(); ++n) {
         const int parent = skeleton.parent[n];
@@ -30,7 +30,7 @@ std::vector<double> distances_from_roots(const FrameSkeleton& skeleton) {
 }
 
 // The root of the tree that each node belongs to.
-std::vector<int> roots_of(const FrameSkeleton& skeleton) {
+std::vector<int> roots_of(const CoarseSkeleton& skeleton) {
     std::vector<int> root(skeleton.size());
     for (int n = 0; n < skeleton.size(); ++n)
         root[n] = skeleton.parent[n] < 0 ? n : root[skeleton.parent[n]];
@@ -39,7 +39,7 @@ std::vector<int> roots_of(const FrameSkeleton& skeleton) {
 
 std::vector<char> trees_that_are_fixed(const BodyDescription& body, const std::vector<int>& root) {
     std::vector<char> fixed(root.size(), 0);
-    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    const SkeletonBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
     for (std::size_t v = 0; v < body.fixed.size(); ++v)
         if (body.fixed[v] != 0) fixed[root[binding.nodes[v][0]]] = 1;
     return fixed;
@@ -60,7 +60,7 @@ std::vector<double> lumped_volumes(const TetMesh& mesh) {
 }  // namespace
 
 Pull::Pull(const BodyDescription& body) {
-    const FrameSkeleton& skeleton = body.skeleton;
+    const CoarseSkeleton& skeleton = body.skeleton;
     if (skeleton.size() < 2)
         throw InputError("has no skeleton", "the body",
                          "Give it a centreline of two nodes or more");

@@ -77,7 +77,7 @@ VesselTree study_tree(int generations, double root_radius_mm) {
     return tree;
 }
 
-FrameSkeleton skeleton_of(const VesselTree& tree) {
+CoarseSkeleton skeleton_of(const VesselTree& tree) {
     std::vector<SkeletonPolyline> lines;
     for (const VesselSegment& segment : tree.segments) {
         lines.push_back({segment.points_mm, segment.radii_mm, segment.parent});

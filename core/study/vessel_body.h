@@ -21,7 +21,7 @@ VesselTree study_tree(int generations, double root_radius_mm);
 // skeleton.
 BodyDescription body_of(const VesselTree& tree, int tetrahedra, Job& job);
 
-FrameSkeleton skeleton_of(const VesselTree& tree);
+CoarseSkeleton skeleton_of(const VesselTree& tree);
 
 // The middle of the clamped vertices; the origin where there is none.
 Vec3 clamp_mm(const BodyDescription& body);

@@ -233,7 +233,7 @@ void make_hollow(BodyDescription& body, double wall_thickness_mm) {
     if (!(wall_thickness_mm > 0.0) || !std::isfinite(wall_thickness_mm))
         reject("is " + std::to_string(wall_thickness_mm), "wall thickness [mm]",
                "Give a finite value greater than 0");
-    const FrameSkeleton& skeleton = body.skeleton;
+    const CoarseSkeleton& skeleton = body.skeleton;
     if (skeleton.positions_mm.empty())
         reject("has no skeleton", "the body", "A hollow wall needs the radii along the centreline");
     body.stiffness_factor.resize(body.mesh.tetrahedra.size() + body.hexahedra.size(), 1.0);

@@ -12,7 +12,7 @@
 #include "core/deform/elements/hexahedron_element.h"
 #include "core/deform/elements/spring_element.h"
 #include "core/deform/elements/tetrahedron_element.h"
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {
@@ -31,7 +31,7 @@ struct BodyDescription {
     std::vector<double> density_factor;
     // Pull of the surrounding tissue back to the place at rest, per volume: Pa/mm2. 0: none.
     double tether_pa_per_mm2 = 0.0;
-    FrameSkeleton skeleton;  // may be empty
+    CoarseSkeleton skeleton;  // may be empty
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.

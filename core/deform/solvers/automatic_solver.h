@@ -17,7 +17,7 @@ namespace hepatica {
 
 class AutomaticSolver final : public LinearSolver {
   public:
-    AutomaticSolver(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm)
+    AutomaticSolver(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm)
         : skeleton_(skeleton),
           rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()) {}
 
@@ -41,7 +41,7 @@ class AutomaticSolver final : public LinearSolver {
   private:
     void choose(const BlockMatrix& pattern);
 
-    FrameSkeleton skeleton_;
+    CoarseSkeleton skeleton_;
     std::vector<Vec3> rest_positions_mm_;
     std::optional<CholeskySolver> cholesky_;  // one of these two once the choice is made
     std::optional<SkeletonSolver> two_level_;

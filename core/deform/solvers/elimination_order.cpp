@@ -16,7 +16,7 @@ struct SkeletonTree {
     std::vector<int> root_of;  // first node of the tree that a node belongs to
 };
 
-SkeletonTree neighbours_of(const FrameSkeleton& skeleton) {
+SkeletonTree neighbours_of(const CoarseSkeleton& skeleton) {
     SkeletonTree tree;
     tree.neighbours.resize(skeleton.parent.size());
     for (int n = 0; n < skeleton.size(); ++n) {
@@ -31,7 +31,7 @@ SkeletonTree neighbours_of(const FrameSkeleton& skeleton) {
 
 // Node of each tree whose removal leaves the smallest largest part, by number of vertices; indexed
 // by the tree's root.
-std::vector<int> centres_of(const FrameSkeleton& skeleton, const FrameBinding& binding,
+std::vector<int> centres_of(const CoarseSkeleton& skeleton, const SkeletonBinding& binding,
                             const SkeletonTree& tree) {
     const std::size_t count = skeleton.parent.size();
     std::vector<double> below(count, 0.0);  // vertices bound to edges under a node
@@ -69,7 +69,7 @@ std::vector<int> fill_reducing_order(const BlockMatrix& pattern) {
     return {order.indices().data(), order.indices().data() + rows};
 }
 
-std::vector<int> order_from_ends(const FrameSkeleton& skeleton, const FrameBinding& binding) {
+std::vector<int> order_from_ends(const CoarseSkeleton& skeleton, const SkeletonBinding& binding) {
     const SkeletonTree tree = neighbours_of(skeleton);
     const std::vector<int> centre = centres_of(skeleton, binding, tree);
     // Nodes from each centre outward, every subtree in one piece: reversed, ends come first.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 namespace hepatica {
 
@@ -17,6 +17,6 @@ std::vector<int> fill_reducing_order(const BlockMatrix& pattern);
 // From the ends of a tree inward, cross-section after cross-section, towards the node that halves
 // the body: a permutation of the vertices of `binding`, first eliminated first. No fill at all on a
 // tree's own graph.
-std::vector<int> order_from_ends(const FrameSkeleton& skeleton, const FrameBinding& binding);
+std::vector<int> order_from_ends(const CoarseSkeleton& skeleton, const SkeletonBinding& binding);
 
 }  // namespace hepatica

@@ -55,7 +55,7 @@ std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
-                                                 const FrameSkeleton& skeleton,
+                                                 const CoarseSkeleton& skeleton,
                                                  std::span<const Vec3> rest_positions_mm) {
     switch (kind) {
         case LinearSolverKind::skeleton:

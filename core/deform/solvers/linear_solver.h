@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 namespace hepatica {
 
@@ -85,7 +85,7 @@ std::unique_ptr<LinearSolver> make_block_jacobi_solver();
 // Makes a solver for a body. `rest_positions_mm` are those the skeleton was made for, one per
 // vertex; an empty skeleton is an error for every kind but block_jacobi: use skeleton_of_mesh.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
-                                                 const FrameSkeleton& skeleton,
+                                                 const CoarseSkeleton& skeleton,
                                                  std::span<const Vec3> rest_positions_mm);
 
 }  // namespace hepatica

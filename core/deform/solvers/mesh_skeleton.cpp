@@ -7,7 +7,7 @@
 #include <numeric>
 #include <queue>
 
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 namespace hepatica {
 
@@ -109,7 +109,7 @@ Piece grow(int seed, int node, const TetMesh& mesh, const Graph& graph,
 }
 
 // The same node, or one the parent of the other.
-bool related(const FrameSkeleton& skeleton, int a, int b) {
+bool related(const CoarseSkeleton& skeleton, int a, int b) {
     return a == b || (a >= 0 && skeleton.parent[a] == b) || (b >= 0 && skeleton.parent[b] == a);
 }
 
@@ -118,7 +118,7 @@ bool related(const FrameSkeleton& skeleton, int a, int b) {
 // coarse mesh falls apart where nothing forks.
 void add_slices(const TetMesh& mesh, const Graph& graph, const std::vector<int>& order,
                 const std::vector<double>& distance, double spacing, double radius,
-                FrameSkeleton& skeleton, std::vector<int>& node_of) {
+                CoarseSkeleton& skeleton, std::vector<int>& node_of) {
     const double length = distance[order.back()];
     const double slices = std::max(1.0, std::round(length / spacing));
     std::vector<int> slice(node_of.size(), -1);
@@ -162,11 +162,11 @@ void add_slices(const TetMesh& mesh, const Graph& graph, const std::vector<int>&
 
 }  // namespace
 
-FrameSkeleton skeleton_of_mesh(const TetMesh& mesh, double spacing_diameters) {
+CoarseSkeleton skeleton_of_mesh(const TetMesh& mesh, double spacing_diameters) {
     const Graph graph = edges_of(mesh);
     const double radius = tube_radius(mesh);
     const double spacing = 2.0 * spacing_diameters * radius;
-    FrameSkeleton skeleton;
+    CoarseSkeleton skeleton;
     std::vector<int> node_of(mesh.vertices_mm.size(), -1);
     std::vector<double> distance(mesh.vertices_mm.size(), unreached);
     for (std::size_t v = 0; v < mesh.vertices_mm.size(); ++v) {

@@ -18,12 +18,12 @@ constexpr int iterations_to_prepare = 3;
 // More than so many iterations beyond those of a fresh preconditioner are not waited for.
 constexpr int patience = 4;
 
-// Frames from the ends of the tree inward, the four vectors of each together.
-std::vector<int> coarse_order(const FrameSkeleton& skeleton) {
+// Nodes from the ends of the tree inward, the four vectors of each together.
+std::vector<int> coarse_order(const CoarseSkeleton& skeleton) {
     std::vector<int> order;
     for (const int node :
          order_from_ends(skeleton, bind_vertices(skeleton, skeleton.positions_mm))) {
-        for (int k = 0; k < vectors_per_frame; ++k) order.push_back(vectors_per_frame * node + k);
+        for (int k = 0; k < vectors_per_node; ++k) order.push_back(vectors_per_node * node + k);
     }
     return order;
 }
@@ -42,7 +42,7 @@ std::vector<char> lone_vertices(const BlockMatrix& matrix) {
     return lone;
 }
 
-SkeletonPreconditioner::SkeletonPreconditioner(FrameSkeleton skeleton,
+SkeletonPreconditioner::SkeletonPreconditioner(CoarseSkeleton skeleton,
                                                std::span<const Vec3> rest_positions_mm)
     : skeleton_(std::move(skeleton)) {
     if (skeleton_.size() == 0) {
@@ -82,7 +82,7 @@ void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
 void SkeletonPreconditioner::apply(const std::vector<Vec3>& r, std::vector<Vec3>& z) {
     z.resize(r.size());
     smoother_->forward(r, z, remainder_);
-    space_->restrict_to_frames(remainder_, coarse_remainder_);
+    space_->restrict_to_nodes(remainder_, coarse_remainder_);
     coarse_factor_->solve(coarse_remainder_, coarse_remainder_);
     space_->add_motion(coarse_remainder_, z);
     smoother_->backward(r, z);

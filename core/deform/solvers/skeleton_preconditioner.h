@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two-level preconditioner whose coarse grid is the vessel tree's own centreline: a Gauss-Seidel
-// sweep, a correction by affine frames along the tree, and the sweep's adjoint. Iterations depend
+// sweep, a correction by affine motions along the tree, and the sweep's adjoint. Iterations depend
 // on neither the length of the vessels nor the size of the mesh nor how far they are bent.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "core/deform/solvers/affine_coarse_space.h"
 #include "core/deform/solvers/conjugate_gradient.h"
-#include "core/deform/solvers/frame_space.h"
 #include "core/deform/solvers/gauss_seidel.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/solvers/tree_cholesky.h"
@@ -21,7 +21,7 @@ std::vector<char> lone_vertices(const BlockMatrix& matrix);
 class SkeletonPreconditioner {
   public:
     // Throws InputError where the skeleton is empty or broken.
-    SkeletonPreconditioner(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm);
+    SkeletonPreconditioner(CoarseSkeleton skeleton, std::span<const Vec3> rest_positions_mm);
 
     // As LinearSolver::prepare. The first call, and one with another pattern, plans anew.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
@@ -32,17 +32,17 @@ class SkeletonPreconditioner {
     // z = M^-1 r, M symmetric positive definite.
     void apply(const std::vector<Vec3>& r, std::vector<Vec3>& z);
 
-    const FrameSpace& space() const { return *space_; }
+    const AffineCoarseSpace& space() const { return *space_; }
     const TreeCholesky& coarse_factor() const { return *coarse_factor_; }
 
   private:
     bool planned_for(const BlockMatrix& matrix) const;
 
     std::vector<char> lone_;
-    FrameSkeleton skeleton_;
-    FrameBinding binding_;
+    CoarseSkeleton skeleton_;
+    SkeletonBinding binding_;
     std::vector<int> planned_columns_, planned_rows_;
-    std::optional<FrameSpace> space_;
+    std::optional<AffineCoarseSpace> space_;
     std::optional<GaussSeidel> smoother_;
     std::optional<TreeCholesky> coarse_factor_;
     BlockMatrix coarse_;
@@ -57,7 +57,7 @@ struct SkeletonSettings {
 
 class SkeletonSolver final : public LinearSolver {
   public:
-    SkeletonSolver(FrameSkeleton skeleton, std::span<const Vec3> rest_positions_mm,
+    SkeletonSolver(CoarseSkeleton skeleton, std::span<const Vec3> rest_positions_mm,
                    const SkeletonSettings& settings = {})
         : settings_(settings), preconditioner_(std::move(skeleton), rest_positions_mm) {}
 

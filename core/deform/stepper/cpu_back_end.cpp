@@ -13,7 +13,7 @@ namespace hepatica {
 namespace {
 
 // Made only where the solver may use it: it costs a search through the mesh.
-FrameSkeleton skeleton_for(const BodyDescription& description) {
+CoarseSkeleton skeleton_for(const BodyDescription& description) {
     if (description.skeleton.size() > 0) return description.skeleton;
     TetMesh mesh = description.mesh;
     const auto cut = cut_into_tetrahedra(description.hexahedra);

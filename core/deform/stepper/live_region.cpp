@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-LiveRegion::LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
+LiveRegion::LiveRegion(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
                        const LiveRegionOptions& options)
     : skeleton_(skeleton), options_(options) {
     if (skeleton_.size() == 0) {
@@ -16,7 +16,7 @@ LiveRegion::LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest
                          "Make one with skeleton_of_mesh.");
     }
     validate(skeleton_);
-    const FrameBinding binding = bind_vertices(skeleton_, rest_positions_mm);
+    const SkeletonBinding binding = bind_vertices(skeleton_, rest_positions_mm);
     const std::size_t nodes = skeleton_.parent.size();
     vertices_of_.resize(nodes);
     neighbours_.resize(nodes);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
@@ -27,7 +27,7 @@ struct LiveRegionOptions {
 class LiveRegion {
   public:
     // Everything is live at first. Throws InputError for an empty or broken skeleton.
-    LiveRegion(const FrameSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
+    LiveRegion(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
                const LiveRegionOptions& options = {});
 
     // The vertices share an element: where one moves, the others feel it. To be called for every
@@ -58,7 +58,7 @@ class LiveRegion {
     std::vector<char> nodes_at_borders() const;
     void refer_to(std::span<const Vec3> positions_mm, const std::vector<char>& bordered_before);
 
-    FrameSkeleton skeleton_;
+    CoarseSkeleton skeleton_;
     LiveRegionOptions options_;
     std::vector<int> node_of_;                   // of each vertex
     std::vector<std::vector<int>> vertices_of_;  // of each node

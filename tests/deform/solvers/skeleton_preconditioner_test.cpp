@@ -59,16 +59,17 @@ Eigen::MatrixXd dense(const BlockMatrix& matrix) {
     return full;
 }
 
-TEST(FrameSpace, ReproducesAffineMotionExactly) {
+TEST(AffineCoarseSpace, ReproducesAffineMotionExactly) {
     const Case tree = make_case(test::make_brick_tree(4, 3.0, 1.2), 0.4, 90.0);
-    FrameSpace space(tree.body.skeleton,
-                     bind_vertices(tree.body.skeleton, tree.body.mesh.vertices_mm), tree.matrix);
+    AffineCoarseSpace space(tree.body.skeleton,
+                            bind_vertices(tree.body.skeleton, tree.body.mesh.vertices_mm),
+                            tree.matrix);
     space.set_shape(tree.positions, std::vector<char>(tree.positions.size(), 0));
     Mat3 gradient;
     gradient << 0.3, -1.0, 0.2, 0.7, 0.1, 2.0, -0.4, 0.0, 0.5;
     const Vec3 shift(3.0, -2.0, 1.0);
     std::vector<Vec3> coarse;
-    for (int n = 0; n < space.frames(); ++n) {
+    for (int n = 0; n < space.node_count(); ++n) {
         coarse.push_back(gradient * space.centres_mm()[n] + shift);
         for (int a = 0; a < 3; ++a) {
             coarse.push_back(tree.body.skeleton.radii_mm[n] * gradient.col(a));
@@ -81,30 +82,31 @@ TEST(FrameSpace, ReproducesAffineMotionExactly) {
     }
 }
 
-TEST(FrameSpace, ProjectsTheMatrixAndItsVectors) {
+TEST(AffineCoarseSpace, ProjectsTheMatrixAndItsVectors) {
     const Case tree = make_case(test::make_brick_tree(3, 3.0, 1.4), 0.4, 90.0);
-    FrameSpace space(tree.body.skeleton,
-                     bind_vertices(tree.body.skeleton, tree.body.mesh.vertices_mm), tree.matrix);
+    AffineCoarseSpace space(tree.body.skeleton,
+                            bind_vertices(tree.body.skeleton, tree.body.mesh.vertices_mm),
+                            tree.matrix);
     space.set_shape(tree.positions, lone_vertices(tree.matrix));
-    const std::size_t frames = static_cast<std::size_t>(vectors_per_frame * space.frames());
+    const std::size_t vectors = static_cast<std::size_t>(vectors_per_node * space.node_count());
     BlockMatrix coarse = space.coarse_pattern();
     space.project(tree.matrix, coarse);
     for (unsigned seed = 1; seed < 4; ++seed) {
-        const std::vector<Vec3> a = random_vectors(frames, seed);
+        const std::vector<Vec3> a = random_vectors(vectors, seed);
         std::vector<Vec3> fine(tree.positions.size(), Vec3::Zero()), product, projected, direct;
         space.add_motion(a, fine);
         multiply(tree.matrix, fine, product);
-        space.restrict_to_frames(product, projected);
+        space.restrict_to_nodes(product, projected);
         multiply(coarse, a, direct);
         double difference = 0.0, scale = 0.0;
-        for (std::size_t i = 0; i < frames; ++i) {
+        for (std::size_t i = 0; i < vectors; ++i) {
             difference += (projected[i] - direct[i]).squaredNorm();
             scale += direct[i].squaredNorm();
         }
         EXPECT_LT(std::sqrt(difference / scale), 1e-12);
         const std::vector<Vec3> b = random_vectors(tree.positions.size(), seed);
         std::vector<Vec3> restricted;
-        space.restrict_to_frames(b, restricted);
+        space.restrict_to_nodes(b, restricted);
         EXPECT_NEAR(dot(restricted, a), dot(b, fine),
                     1e-9 * std::sqrt(dot(b, b) * dot(fine, fine)));
     }
@@ -131,7 +133,7 @@ TEST(SkeletonPreconditioner, CoarseEliminationHasNextToNoFillAndSolvesLikeADense
     factor.solve(b, x);
     Eigen::VectorXd rhs(3 * coarse.rows());
     for (int i = 0; i < coarse.rows(); ++i) rhs.segment<3>(3 * i) = b[i];
-    // Frames at fixed vertices may leave the matrix semidefinite: compare what A does to x.
+    // Nodes at fixed vertices may leave the matrix semidefinite: compare what A does to x.
     const Eigen::MatrixXd full = dense(coarse);
     Eigen::VectorXd solution(rhs.size());
     for (int i = 0; i < coarse.rows(); ++i) solution.segment<3>(3 * i) = x[i];
@@ -199,10 +201,10 @@ TEST(SkeletonSolver, BranchingTreeRefinedTwice) {
 TEST(SkeletonSolver, DegenerateSkeletonsStillSolve) {
     const Case bar = bent_bar(6, 2, 0.5);
     const std::vector<Vec3> exact = test::solve_exactly(bar.matrix, bar.load);
-    FrameSkeleton one, crowded, far, collinear;
+    CoarseSkeleton one, crowded, far, collinear;
     one = {{Vec3(18, 0, 0)}, {-1}, {3.0}};
     far = {{Vec3(1e5, 0, 0), Vec3(1e5, 10, 0)}, {-1, 0}, {3.0, 3.0}};
-    for (int n = 0; n < 200; ++n) {  // more frames than vertices, many of them without any
+    for (int n = 0; n < 200; ++n) {  // more nodes than vertices, many of them without any
         crowded.positions_mm.emplace_back(0.18 * n, 0.0, 0.0);
         crowded.parent.push_back(n - 1);
         crowded.radii_mm.push_back(3.0);
@@ -212,7 +214,7 @@ TEST(SkeletonSolver, DegenerateSkeletonsStillSolve) {
         collinear.parent.push_back(n == 3 ? -1 : n - 1);
         collinear.radii_mm.push_back(1e-6);
     }
-    for (const FrameSkeleton& skeleton : {one, crowded, far, collinear}) {
+    for (const CoarseSkeleton& skeleton : {one, crowded, far, collinear}) {
         SkeletonSolver solver(skeleton, bar.body.mesh.vertices_mm);
         solver.prepare(bar.matrix, bar.positions);
         std::vector<Vec3> x(bar.load.size(), Vec3::Zero());

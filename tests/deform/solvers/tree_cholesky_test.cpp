@@ -97,7 +97,7 @@ TEST(TreeCholesky, FactorsABentTreeFromItsEnds) {
     const SampleBody body = test::make_brick_tree(4, 3.0, 1.0);
     const auto positions = test::bend(body.mesh.vertices_mm, 2.0, 90.0);
     const BlockMatrix matrix = test::assemble(body, positions, {});
-    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    const SkeletonBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
     TreeCholesky factor(matrix, order_from_ends(body.skeleton, binding));
     factor.factor(matrix);
     EXPECT_EQ(factor.dropped_pivots(), 0);
@@ -110,7 +110,7 @@ TEST(TreeCholesky, FactorsABentTreeFromItsEnds) {
 TEST(TreeCholesky, SameBitsForAnyNumberOfThreads) {
     const auto body = test::make_brick_tree(4, 3.0, 1.0);
     const BlockMatrix matrix = test::assemble(body, body.mesh.vertices_mm, {});
-    const FrameBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
+    const SkeletonBinding binding = bind_vertices(body.skeleton, body.mesh.vertices_mm);
     const std::vector<Vec3> load = test::make_load(body, {});
     std::vector<std::vector<Vec3>> results;
     for (const int threads : {1, 2, 4}) {
@@ -128,7 +128,7 @@ TEST(TreeCholesky, RefactorsWhatChangedToTheSameBits) {
     const auto body = test::make_brick_tree(4, 3.0, 1.2);
     const std::vector<Vec3>& rest = body.mesh.vertices_mm;
     const BlockMatrix matrix = test::assemble(body, rest, {});
-    const FrameBinding binding = bind_vertices(body.skeleton, rest);
+    const SkeletonBinding binding = bind_vertices(body.skeleton, rest);
     const std::vector<int> order = order_from_ends(body.skeleton, binding);
     // One twig turns by 0.3 rad about its tip.
     std::vector<Vec3> moved = rest;

@@ -8,7 +8,7 @@
 
 #include "core/deform/body/body.h"
 #include "core/deform/solvers/block_matrix.h"
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica::test {
@@ -16,7 +16,7 @@ namespace hepatica::test {
 struct SampleBody {
     TetMesh mesh;
     std::vector<char> fixed;  // per vertex
-    FrameSkeleton skeleton;
+    CoarseSkeleton skeleton;
 };
 
 // A bar along x from the origin, square section, fixed at x = 0.

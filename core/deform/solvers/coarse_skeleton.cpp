@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ struct EdgeGroup {
     double largest_radius = 0.0;
 };
 
-std::vector<EdgeGroup> group_edges(const FrameSkeleton& skeleton, const std::vector<Edge>& edges) {
+std::vector<EdgeGroup> group_edges(const CoarseSkeleton& skeleton, const std::vector<Edge>& edges) {
     constexpr std::size_t edges_per_group = 16;
     std::vector<EdgeGroup> groups;
     for (std::size_t begin = 0; begin < edges.size(); begin += edges_per_group) {
@@ -77,7 +77,7 @@ struct Nearest {
     double fraction = 0.0;
 };
 
-Nearest nearest_on(const FrameSkeleton& skeleton, const Edge& edge, const Vec3& point) {
+Nearest nearest_on(const CoarseSkeleton& skeleton, const Edge& edge, const Vec3& point) {
     const Vec3& start = skeleton.positions_mm[edge.parent];
     const Vec3 along = skeleton.positions_mm[edge.child] - start;
     const double length_squared = along.squaredNorm();
@@ -95,8 +95,8 @@ Nearest nearest_on(const FrameSkeleton& skeleton, const Edge& edge, const Vec3& 
 
 }  // namespace
 
-FrameSkeleton resample(std::span<const SkeletonPolyline> polylines, double spacing_diameters) {
-    FrameSkeleton skeleton;
+CoarseSkeleton resample(std::span<const SkeletonPolyline> polylines, double spacing_diameters) {
+    CoarseSkeleton skeleton;
     std::vector<int> last_node;  // of each polyline
     for (std::size_t p = 0; p < polylines.size(); ++p) {
         const SkeletonPolyline& line = polylines[p];
@@ -133,7 +133,7 @@ FrameSkeleton resample(std::span<const SkeletonPolyline> polylines, double spaci
     return skeleton;
 }
 
-void validate(const FrameSkeleton& skeleton) {
+void validate(const CoarseSkeleton& skeleton) {
     const std::size_t count = skeleton.positions_mm.size();
     if (skeleton.parent.size() != count || skeleton.radii_mm.size() != count) {
         reject("positions, parents and radii differ in number", "skeleton");
@@ -148,7 +148,7 @@ void validate(const FrameSkeleton& skeleton) {
     }
 }
 
-FrameBinding bind_vertices(const FrameSkeleton& skeleton, std::span<const Vec3> positions_mm) {
+SkeletonBinding bind_vertices(const CoarseSkeleton& skeleton, std::span<const Vec3> positions_mm) {
     std::vector<Edge> edges;
     std::vector<char> has_child(skeleton.parent.size(), 0);
     for (int n = 0; n < skeleton.size(); ++n) {
@@ -161,7 +161,7 @@ FrameBinding bind_vertices(const FrameSkeleton& skeleton, std::span<const Vec3> 
     }
     const std::vector<EdgeGroup> groups = group_edges(skeleton, edges);
 
-    FrameBinding binding;
+    SkeletonBinding binding;
     binding.nodes.resize(positions_mm.size());
     binding.weights.resize(positions_mm.size());
     parallel_blocks(positions_mm.size(), 512, [&](std::size_t begin, std::size_t end) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 namespace hepatica {
 namespace {
 
-int roots_of(const FrameSkeleton& skeleton) {
+int roots_of(const CoarseSkeleton& skeleton) {
     return static_cast<int>(std::count(skeleton.parent.begin(), skeleton.parent.end(), -1));
 }
 
-TEST(FrameSkeleton, ResamplesToHalfADiameterAndKeepsTheTree) {
+TEST(CoarseSkeleton, ResamplesToHalfADiameterAndKeepsTheTree) {
     //   0 ------- 20 ---- 26
     //              \--- thin, 4 long
     const std::vector<SkeletonPolyline> lines{
@@ -24,7 +24,7 @@ TEST(FrameSkeleton, ResamplesToHalfADiameterAndKeepsTheTree) {
         {{Vec3(20, 0, 0), Vec3(26, 0, 0)}, {1.5, 1.5}, 0},
         {{Vec3(20, 0, 0), Vec3(20, 4, 0)}, {1.0, 1.0}, 0},
         {{Vec3(20, 4, 0), Vec3(20, 4.2, 0)}, {1.0, 1.0}, 2}};
-    const FrameSkeleton skeleton = resample(lines);
+    const CoarseSkeleton skeleton = resample(lines);
     ASSERT_NO_THROW(validate(skeleton));
     EXPECT_EQ(skeleton.size(), 1 + 10 + 4 + 4);  // the last line is too short for a node
     EXPECT_EQ(roots_of(skeleton), 1);
@@ -35,7 +35,7 @@ TEST(FrameSkeleton, ResamplesToHalfADiameterAndKeepsTheTree) {
     }
 }
 
-TEST(FrameSkeleton, RejectsWhatIsNoTree) {
+TEST(CoarseSkeleton, RejectsWhatIsNoTree) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const SkeletonPolyline bad_point{{Vec3(0, nan, 0)}, {1.0}, -1};
     const SkeletonPolyline bad_radius{{Vec3(0, 0, 0)}, {0.0}, -1};
@@ -48,10 +48,10 @@ TEST(FrameSkeleton, RejectsWhatIsNoTree) {
     EXPECT_THROW(validate({{Vec3::Zero()}, {-1}, {}}), InputError);
 }
 
-TEST(FrameSkeleton, BindsLinearlyAndLikeBruteForce) {
+TEST(CoarseSkeleton, BindsLinearlyAndLikeBruteForce) {
     std::mt19937 random(7);
     const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    FrameSkeleton skeleton;
+    CoarseSkeleton skeleton;
     for (int n = 0; n < 200; ++n) {
         skeleton.positions_mm.emplace_back(40 * uniform(), 40 * uniform(), 40 * uniform());
         skeleton.radii_mm.push_back(0.5 + 3 * uniform());
@@ -62,7 +62,7 @@ TEST(FrameSkeleton, BindsLinearlyAndLikeBruteForce) {
         points.emplace_back(80 * uniform() - 20, 80 * uniform() - 20, 80 * uniform() - 20);
     }
     points.push_back(Vec3(1e6, 0, 0));
-    const FrameBinding binding = bind_vertices(skeleton, points);
+    const SkeletonBinding binding = bind_vertices(skeleton, points);
     for (std::size_t v = 0; v < points.size(); ++v) {
         const auto [a, b] = binding.nodes[v];
         const auto [wa, wb] = binding.weights[v];
@@ -86,9 +86,9 @@ TEST(FrameSkeleton, BindsLinearlyAndLikeBruteForce) {
     }
 }
 
-TEST(FrameSkeleton, OneNodeTakesEverything) {
+TEST(CoarseSkeleton, OneNodeTakesEverything) {
     const std::vector<Vec3> points{Vec3(1, 2, 3), Vec3(-100, 0, 0)};
-    const FrameBinding binding = bind_vertices({{Vec3::Zero()}, {-1}, {1.0}}, points);
+    const SkeletonBinding binding = bind_vertices({{Vec3::Zero()}, {-1}, {1.0}}, points);
     for (std::size_t v = 0; v < points.size(); ++v) {
         EXPECT_EQ(binding.nodes[v], (std::array<int, 2>{0, 0}));
         EXPECT_EQ(binding.weights[v], (std::array<double, 2>{1.0, 0.0}));
@@ -97,7 +97,7 @@ TEST(FrameSkeleton, OneNodeTakesEverything) {
 
 TEST(MeshSkeleton, FollowsABar) {
     const auto body = test::make_bar(60.0, 4.0, 30, 2);
-    const FrameSkeleton skeleton = skeleton_of_mesh(body.mesh);
+    const CoarseSkeleton skeleton = skeleton_of_mesh(body.mesh);
     ASSERT_NO_THROW(validate(skeleton));
     EXPECT_EQ(roots_of(skeleton), 1);
     EXPECT_GE(skeleton.size(), 15);
@@ -118,7 +118,7 @@ TEST(MeshSkeleton, OneTreePerPieceAndATwigPerFork) {
         for (int& v : t) v += before;
         body.mesh.tetrahedra.push_back(t);
     }
-    const FrameSkeleton skeleton = skeleton_of_mesh(body.mesh);
+    const CoarseSkeleton skeleton = skeleton_of_mesh(body.mesh);
     ASSERT_NO_THROW(validate(skeleton));
     EXPECT_EQ(roots_of(skeleton), 2);
     std::vector<int> children(static_cast<std::size_t>(skeleton.size()), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The centreline tree as the coarse grid of the deformation solver: nodes half to one diameter
-// apart, each the place of an affine frame, and the binding of mesh vertices to them by weights
-// that blend linearly between neighbouring nodes.
+// apart, each of which carries an affine motion, and the binding of mesh vertices to them by
+// weights that blend linearly between neighbouring nodes.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace hepatica {
 
 // A forest of centreline nodes. All three arrays have one entry per node.
-struct FrameSkeleton {
+struct CoarseSkeleton {
     std::vector<Vec3> positions_mm;
     std::vector<int> parent;       // -1 at a root; a parent stands before its children
     std::vector<double> radii_mm;  // of the body around the node, > 0
@@ -32,19 +32,20 @@ struct SkeletonPolyline {
 // Resamples polylines (parents before children) to nodes `spacing_diameters` local diameters apart;
 // a polyline shorter than a third of that adds no node of its own.
 // Throws InputError for broken sizes, parents out of order, non-finite points, radii <= 0.
-FrameSkeleton resample(std::span<const SkeletonPolyline> polylines, double spacing_diameters = 0.5);
+CoarseSkeleton resample(std::span<const SkeletonPolyline> polylines,
+                        double spacing_diameters = 0.5);
 
 // A skeleton from the mesh alone: vertices are ranked by their distance along mesh edges from one
 // end, and every connected slice of that ranking becomes a node. Loops are cut. One tree per
 // connected piece; a compact body gets a few nodes or one.
-FrameSkeleton skeleton_of_mesh(const TetMesh& mesh, double spacing_diameters = 0.5);
+CoarseSkeleton skeleton_of_mesh(const TetMesh& mesh, double spacing_diameters = 0.5);
 
-// Checks what FrameSkeleton promises; throws InputError that names the node.
-void validate(const FrameSkeleton& skeleton);
+// Checks what CoarseSkeleton promises; throws InputError that names the node.
+void validate(const CoarseSkeleton& skeleton);
 
 // Vertex v moves with nodes[v][0] and nodes[v][1] by weights[v], which sum to 1. The two nodes are
 // neighbours in the tree; both are the same, with weight 1 and 0, where only one counts.
-struct FrameBinding {
+struct SkeletonBinding {
     std::vector<std::array<int, 2>> nodes;
     std::vector<std::array<double, 2>> weights;
 };
@@ -52,6 +53,6 @@ struct FrameBinding {
 // Binds each position to the nearest centreline edge, distance measured in local radii, so that a
 // vertex on a wide parent is not taken by a thin child that leaves nearby. Any distance is
 // accepted. Requires a valid skeleton of one node or more and finite positions.
-FrameBinding bind_vertices(const FrameSkeleton& skeleton, std::span<const Vec3> positions_mm);
+SkeletonBinding bind_vertices(const CoarseSkeleton& skeleton, std::span<const Vec3> positions_mm);
 
 }  // namespace hepatica

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coarse space of the skeleton preconditioner: an affine frame (12 modes) at every node of the
-// centreline, blended linearly between neighbours. P maps the motion of frames to that of vertices,
-// at the body's current shape; P^T A P has the graph of the tree.
+// The coarse space of the skeleton preconditioner: an affine motion (12 modes) at every node of the
+// centreline, blended linearly between neighbours. P maps the motions of nodes to those of
+// vertices, at the body's current shape; P^T A P has the graph of the tree.
 #pragma once
 
 #include <array>
@@ -10,24 +10,26 @@
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
-#include "core/deform/solvers/frame_skeleton.h"
+#include "core/deform/solvers/coarse_skeleton.h"
 
 namespace hepatica {
 
-// A frame's motion is four vectors: the velocity of its centre, and that gained over one radius
-// along x, y and z. Coarse vectors and the coarse matrix count four "vertices" a node.
-constexpr int vectors_per_frame = 4;
+// The affine motion of a node is four vectors: the velocity of its centre, and the differences of
+// velocity over one radius along x, y and z. Coarse vectors and the coarse matrix have four entries
+// (3-vectors, 3x3 blocks) for each node.
+constexpr int vectors_per_node = 4;
 
-class FrameSpace {
+class AffineCoarseSpace {
   public:
-    // Vertices as bound to the skeleton; `pattern` is that of the matrices to come.
-    FrameSpace(const FrameSkeleton& skeleton, FrameBinding binding, const BlockMatrix& pattern);
+    // `binding` binds the vertices to the skeleton; `pattern` is that of all later matrices.
+    AffineCoarseSpace(const CoarseSkeleton& skeleton, SkeletonBinding binding,
+                      const BlockMatrix& pattern);
 
-    // Takes the current shape. Vertices marked fixed (one mark each) do not move with the frames.
+    // Takes the current shape. Vertices marked as fixed (one mark each) do not move with the nodes.
     void set_shape(std::span<const Vec3> positions_mm, std::span<const char> fixed);
 
     // coarse = P^T fine
-    void restrict_to_frames(std::span<const Vec3> fine, std::vector<Vec3>& coarse) const;
+    void restrict_to_nodes(std::span<const Vec3> fine, std::vector<Vec3>& coarse) const;
     // fine += P coarse
     void add_motion(std::span<const Vec3> coarse, std::span<Vec3> fine) const;
     // The pattern of coarse_matrix(), all zeros.
@@ -35,8 +37,8 @@ class FrameSpace {
     // coarse = P^T A P; `coarse` holds the pattern above.
     void project(const BlockMatrix& matrix, BlockMatrix& coarse) const;
 
-    int frames() const { return frames_; }
-    // Where the frames' centres are at the current shape: the weighted mean of their vertices.
+    int node_count() const { return node_count_; }
+    // The centre of each node at the current shape: the weighted mean of its vertices.
     const std::vector<Vec3>& centres_mm() const { return centres_mm_; }
 
   private:
@@ -53,8 +55,8 @@ class FrameSpace {
     void find_columns(Group& group, const BlockMatrix& pattern);
     void build_coarse_pattern();
 
-    int frames_ = 0;
-    FrameBinding binding_;
+    int node_count_ = 0;
+    SkeletonBinding binding_;
     std::vector<double> radii_mm_;
     std::vector<Vec3> centres_mm_;
     std::vector<Group> groups_;
@@ -62,7 +64,7 @@ class FrameSpace {
     BlockMatrix pattern_;
     // Of each block of A: the places of its column's nodes among the columns of its row's group.
     std::vector<std::array<std::uint16_t, 2>> slots_;
-    std::vector<std::array<Modes, 2>> modes_;  // weights of a vertex in the vectors of its frames
+    std::vector<std::array<Modes, 2>> modes_;  // weights of a vertex in the vectors of its nodes
 };
 
 }  // namespace hepatica
