@@ -32,7 +32,7 @@ void AutomaticSolver::update(const BlockMatrix& matrix, std::span<const Vec3> po
     chosen_->update(matrix, positions_mm, changed_rows);
 }
 
-// The choice follows from the pattern; nothing is kept before there was one.
+// The choice depends on the pattern alone. Before the first pattern there is nothing to restore.
 std::vector<double> AutomaticSolver::memory() const {
     return chosen_ == nullptr ? std::vector<double>{} : chosen_->memory();
 }

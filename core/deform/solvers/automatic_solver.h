@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses between factorisation and two-level iteration for each body by what their operations were
-// measured to cost: thin trees are factored, bulky bodies iterated. Never by the clock, so that the
-// same commands give the same bits. The choice takes the analysis of the pattern alone: what is
-// rejected has no number allocated.
+// Chooses between factorisation and two-level iteration for each body by their number of operations
+// and the measured cost of an operation: thin trees are factored, bulky bodies iterated. It
+// measures no time itself, so that the same commands give the same bits. The choice needs only the
+// symbolic analysis of the pattern; a rejected factor is never allocated.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ class AutomaticSolver final : public LinearSolver {
                 std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override {
-        return chosen_->solve(rhs, x, limits);  // its report names the method
+        return chosen_->solve(rhs, x, limits);  // the report names the method used
     }
     std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
     bool made_from_latest() const override { return chosen_->made_from_latest(); }
@@ -33,7 +33,7 @@ class AutomaticSolver final : public LinearSolver {
     void restore(const BlockMatrix& matrix, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
-    // Of the factor that is kept; 0 where the factorisation was rejected.
+    // Size of the factor; 0 where the factorisation was rejected.
     std::size_t factor_bytes() const {
         return chosen_ != nullptr && cholesky_ ? cholesky_->bytes() : 0;
     }
@@ -43,7 +43,7 @@ class AutomaticSolver final : public LinearSolver {
 
     CoarseSkeleton skeleton_;
     std::vector<Vec3> rest_positions_mm_;
-    std::optional<CholeskySolver> cholesky_;  // one of these two once the choice is made
+    std::optional<CholeskySolver> cholesky_;  // exactly one of the two is set after the choice
     std::optional<SkeletonSolver> two_level_;
     LinearSolver* chosen_ = nullptr;
     std::vector<int> planned_rows_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The usual preconditioner of real-time deformation, the inverse of each vertex's 3x3 diagonal
-// block: the yardstick for the others, and the choice for bulky bodies with heavy vertices.
+// The preconditioner common in real-time deformation: the inverse 3x3 diagonal block of each
+// vertex. It is the baseline for comparisons, and the choice for bulky bodies with heavy vertices.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace hepatica {
 
-// Inverse diagonal blocks; a block that is not positive definite inverts to zero.
+// Inverse diagonal blocks; zero for a block that is not positive definite.
 std::vector<Mat3> inverse_diagonal(const BlockMatrix& matrix);
 
 class BlockJacobiSolver final : public LinearSolver {

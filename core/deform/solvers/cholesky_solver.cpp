@@ -12,7 +12,7 @@
 namespace hepatica {
 namespace {
 
-// Iterations that a factor in single precision may take to the tolerance that was asked for.
+// Where a single-precision factor needs more iterations to the tolerance, double precision is used.
 constexpr int most_polishing_iterations = 10;
 
 }  // namespace
@@ -72,7 +72,7 @@ SolveReport CholeskySolver::polish(SolveReport direct,
     return report;
 }
 
-// x from the factor alone, and then as many iterations as the limits still ask for.
+// x from the factor, improved by conjugate gradients until it meets the limits.
 template <class T>
 SolveReport CholeskySolver::solve_by(TreeFactor<T>& factor, std::span<const Vec3> rhs,
                                      std::span<Vec3> x, const SolveLimits& limits) {

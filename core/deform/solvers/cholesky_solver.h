@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact end of the dial: every matrix is factored, but only the branches of the elimination
-// tree whose rows have changed. The factor is kept in single precision, which halves what each
-// solve reads; residuals are taken in double, and conjugate gradients polish what rounding left.
-// A matrix too ill-conditioned for that is factored in double precision from then on.
+// Sparse Cholesky factorisation. Of each new matrix only those branches of the elimination tree are
+// factored again whose rows have changed. The factor is in single precision, which halves the
+// memory read by a solve; conjugate gradients with residuals in double precision remove the
+// rounding error. For a matrix too ill-conditioned for that, factors are in double precision from
+// then on.
 #pragma once
 
 #include <optional>
@@ -22,21 +23,21 @@ class CholeskySolver final : public LinearSolver {
                       const SolveLimits& limits) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
 
-    // The factor is that of the latest matrix: nothing of an earlier one is carried on.
+    // The factor is always that of the latest matrix.
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override;
     void restore(const BlockMatrix& pattern, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
-    // The elimination of a pattern, before any number is allocated.
+    // The symbolic analysis of a pattern. Allocates no factor.
     static EliminationTree analyse(const BlockMatrix& pattern);
-    // Takes that analysis of a pattern; the next update must name all rows.
+    // Uses that analysis; the next update must name all rows as changed.
     void plan(const BlockMatrix& pattern, EliminationTree analysis);
 
     const EliminationTree& tree() const { return tree_; }
     // Supernodes eliminated by the last update.
     int eliminated() const;
-    // Of the factor that is kept.
+    // Size of the factor.
     std::size_t bytes() const;
     bool in_single_precision() const { return !in_double_; }
 

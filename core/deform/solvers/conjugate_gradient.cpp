@@ -50,7 +50,7 @@ double radau_factor(double eigenvalue, std::span<const double> steps,
 // How much smaller than the smallest Ritz value the smallest eigenvalue is taken to be.
 constexpr double eigenvalue_margin = 0.8;
 
-// A value from an earlier solve may be forgotten this fast: the matrix has changed since.
+// Factor by which the value of earlier solves grows at each solve, because the matrix has changed.
 constexpr double relaxation = 1.02;
 
 // Follows the spectrum and the error bound of one solve.
@@ -77,14 +77,14 @@ class ErrorBound {
 
   private:
     void update_spectrum() {
-        // The Ritz value moves little from one iteration to the next once there are many.
+        // After many iterations the Ritz value changes little, so it is computed less often.
         next_check_ = steps_.size() + 1 + steps_.size() / 16;
         const double upper = std::min(ritz_, 1.0 / steps_[0]);
         ritz_ = smallest_eigenvalue(upper, steps_, ratios_);
         history_.push_back({steps_.size(), ritz_});
         double eigenvalue = eigenvalue_margin * smallest();
         if (known_ == 0.0 || ritz_ < known_) {
-            // Still falling: it will fall on at least as it did since half as many iterations.
+            // While it falls, assume that it falls again by as much as since half the iterations.
             const auto half = std::lower_bound(
                 history_.begin(), history_.end(), steps_.size() / 2,
                 [](const auto& entry, std::size_t size) { return entry.first < size; });
@@ -124,7 +124,8 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     double solution_energy = 0.0;  // |x|_A squared, so far
     const double warm_work = dot(direction_, rhs);
     if (warm_work != 0.0) {
-        // The warm start is scaled to its best length, so that it is never worse than none.
+        // Scaled to minimise the error in the energy norm, so a warm start is never worse than
+        // zero.
         multiply(matrix, direction_, product_);
         const double warm_energy = dot(direction_, product_);
         const double scale = warm_energy > 0.0 ? warm_work / warm_energy : 0.0;
@@ -146,7 +147,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     const auto finished = [&] {
         const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;
         const double residual_limit = limits.residual_tolerance * limits.residual_tolerance;
-        // A semidefinite preconditioner may see nothing of a residual that is still there.
+        // A semidefinite preconditioner may map a nonzero residual to zero.
         if (work == 0.0) error_squared = residual_squared > 0.0 ? INFINITY : 0.0;
         report.converged = (1.0 - energy_limit) * error_squared <= energy_limit * solution_energy ||
                            residual_squared <= residual_limit * rhs_squared ||
@@ -184,7 +185,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     }
     if (report.iterations > 0) smallest_ritz_ = bound.smallest();
     report.relative_residual = std::sqrt(residual_squared / rhs_squared);
-    // Of the exact solution's energy: what was found plus, being orthogonal to it, what was not.
+    // |x_exact|_A^2 = |x|_A^2 + |x_exact - x|_A^2, because the error is A-orthogonal to x.
     report.energy_error =
         std::isfinite(error_squared)
             ? std::sqrt(error_squared / (std::max(solution_energy, 0.0) + error_squared))

@@ -17,19 +17,20 @@ class ConjugateGradient {
     // z = M^-1 r for a symmetric positive definite M. Sizes are the matrix's.
     using Preconditioner = std::function<void(const std::vector<Vec3>& r, std::vector<Vec3>& z)>;
 
-    // Forgets what earlier solves taught about the spectrum.
+    // Forgets the smallest Ritz value of earlier solves.
     void forget() { smallest_ritz_ = 0.0; }
-    // Goes on from what another one knew: its smallest_ritz().
+    // Continues with the smallest_ritz() of another solver.
     void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
     SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
-    // Smallest eigenvalue of M^-1 A seen by the solves so far, relaxed a little by each; 0: none.
+    // Smallest Ritz value of M^-1 A in the solves so far, raised a little at each solve because the
+    // matrix changes; 0 before the first solve.
     double smallest_ritz() const { return smallest_ritz_; }
 
   private:
-    double smallest_ritz_ = 0.0;  // 0: nothing known yet
+    double smallest_ritz_ = 0.0;  // 0 before the first solve
     std::vector<Vec3> residual_, direction_, product_, preconditioned_;
 };
 

@@ -28,8 +28,8 @@ struct PivotRule {
 // those of L. The remainder is column-major, padded(rest) by rest, lower part: on exit it has had
 // L21 L21^T taken away; its rows of padding are garbage. Both need front_alignment scalars of slack
 // behind their end, which are read but not used.
-// What becomes of pivots that are not above `smallest` times their entry value is the rule's.
-// Returns how many there were.
+// Pivots not above `smallest` times their value on entry are treated as the rule says. Returns
+// their number.
 template <class T>
 int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule);
 

@@ -14,9 +14,8 @@ namespace hepatica {
 // multiplications that it takes from the ends inwards.
 std::vector<int> fill_reducing_order(const BlockMatrix& pattern);
 
-// From the ends of a tree inward, cross-section after cross-section, towards the node that halves
-// the body: a permutation of the vertices of `binding`, first eliminated first. No fill at all on a
-// tree's own graph.
+// The vertices of `binding` in the order of their skeleton nodes, from the ends of the tree towards
+// the node that halves the body. On the graph of a tree this order gives no fill.
 std::vector<int> order_from_ends(const CoarseSkeleton& skeleton, const SkeletonBinding& binding);
 
 }  // namespace hepatica

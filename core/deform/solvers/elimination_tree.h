@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a sparse Cholesky factor before any number is: the supernodes (columns of equal
-// structure, eliminated as one dense front), their tree, and which of them may run side by side.
+// Symbolic analysis of a sparse Cholesky factor: the supernodes (columns of equal structure,
+// eliminated as one dense front), their tree, and which of them may be eliminated in parallel.
 #pragma once
 
 #include <span>
@@ -37,8 +37,8 @@ struct EliminationTree {
         place_in_parent;  // of each of `rows`: index among the parent's columns and rows
     std::vector<int> children;
 
-    // Sets of supernodes, one set after the other; within a set, chains in any order or at once,
-    // each chain from its begin to its end.
+    // Stages of the elimination, one after the other. The chains of a stage may run in parallel;
+    // the supernodes of a chain are eliminated in order.
     struct Chain {
         int begin = 0;  // into chain_supernodes
         int end = 0;
@@ -50,9 +50,9 @@ struct EliminationTree {
     std::size_t factor_blocks = 0;  // 3x3 blocks in L, padding of supernodes included
 };
 
-// `order` is a permutation of the vertices that names the wish of elimination; the result keeps it
-// up to a reordering without effect on fill. Time: as the number of blocks of the factor; memory:
-// as the rows of its supernodes.
+// `order` is the wanted order of elimination, a permutation of the vertices; the result may reorder
+// it where that does not change the fill. Time is proportional to the blocks of the factor, memory
+// to the rows of its supernodes.
 EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a solve gives back is finite whatever went in: a matrix or a load that is not finite, or an
-// iteration that overflowed, has no answer and the report says so.
+// Keeps results of a solve finite. A matrix or load that is not finite, or an iteration that
+// overflowed, has no solution; the report then says so.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace hepatica {
 
-// Where x or an error is not finite, x becomes zero and counts as not converged.
+// Where x or an error estimate is not finite, sets x to zero and reports "not converged".
 inline void own_up_unless_finite(SolveReport& report, std::span<Vec3> x) {
     const bool finite = std::ranges::all_of(x, [](const Vec3& v) { return v.allFinite(); });
     if (finite && std::isfinite(report.relative_residual) && std::isfinite(report.energy_error))

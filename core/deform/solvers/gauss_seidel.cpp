@@ -155,7 +155,7 @@ void GaussSeidel::forward(std::span<const Vec3> r, std::span<Vec3> z, std::span<
             }
         });
     }
-    // Row p was satisfied when it was swept: what is left is the part of the later rows.
+    // Row p had no residual when it was swept; its residual now comes from later rows only.
     parallel_blocks(vertex_.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             Wide sum{};

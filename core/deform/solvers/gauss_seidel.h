@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Block Gauss-Seidel sweeps that run in parallel and give the same bits for any number of threads:
 // vertices in the order of the tree are cut into chunks, and chunks that touch have different
-// colours. Off-diagonal blocks are kept in single precision, and a row is applied to differences,
-// R_i z_i + sum_j A_ij (z_j - z_i) with the row's sum R_i in double: what a long thin body does as
-// a whole is then not drowned in the rounding of stiff blocks.
+// colours. Off-diagonal blocks are in single precision. A row is applied to differences,
+// R_i z_i + sum_j A_ij (z_j - z_i) with the row's sum R_i in double precision, so that the rounding
+// of stiff blocks does not affect motions of a long thin body as a whole.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace hepatica {
 
 class GaussSeidel {
   public:
-    // `order` keeps neighbours close together; any permutation will do.
+    // `order` is a permutation; the sweep converges faster where neighbours are close in it.
     GaussSeidel(const BlockMatrix& pattern, std::span<const int> order);
 
     // Takes the values of a matrix of that pattern.

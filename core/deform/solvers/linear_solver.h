@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One interface for every way to solve the step's linear system, A dv = rhs of eq. (12), with the
-// error that was reached: iterations, residual and energy-norm error are always reported.
+// The interface of all solvers of the step's linear system, A dv = rhs of eq. (12). Each reports
+// its iterations, residual and error in the energy norm.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ struct SolveReport {
     double relative_residual = 0.0;  // |b - A x| / |b|, achieved
     double energy_error = 0.0;       // estimate of |x - x_exact|_A / |x_exact|_A, achieved
     bool converged = false;          // a tolerance was met before max_iterations
-    // Pivots that vanished in the factorisation of this matrix or of the one its factor is of: it
-    // was not positive definite. 0 where the matrix itself is not factored.
+    // Pivots dropped by the factorisation in use because its matrix was not positive definite; 0
+    // for solvers that do not factor the matrix.
     int dropped_pivots = 0;
     std::string_view method;  // of the solver that did it ("skeleton", ...)
 };
@@ -41,11 +41,11 @@ class LinearSolver {
     virtual ~LinearSolver() = default;
 
     // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
-    // must stay unchanged and alive until the next one. `changed_rows`: every row with a block that
-    // differs from the matrix before; what is left out may be taken to be as it was.
+    // must stay unchanged and alive until the next call. `changed_rows` must name every row with a
+    // block that differs from the last matrix.
     virtual void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                         std::span<const int> changed_rows) = 0;
-    // The same for a matrix of which nothing is known.
+    // The same with all rows named as changed.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
 
     // Solves A x = rhs. On entry x is the warm start (zeros where there is none). A matrix or a
@@ -55,17 +55,17 @@ class LinearSolver {
 
     virtual std::string_view name() const = 0;
 
-    // What is carried from one matrix to the next: something made of an earlier matrix (a factor,
-    // a preconditioner), and the few numbers that say when it is to be made anew.
+    // State carried from one matrix to the next: a factor or preconditioner of an earlier matrix,
+    // and `memory()`, the numbers that decide when it is computed anew.
 
-    // Whether that something was made of the latest matrix. False where a solver makes nothing
-    // that it keeps.
+    // Whether that factor or preconditioner is of the latest matrix. False for solvers without one.
     virtual bool made_from_latest() const = 0;
     virtual std::vector<double> memory() const = 0;
-    // Takes the numbers, and makes it anew of the matrix and positions that it was last made of
-    // where `made_from_it`; otherwise the matrix is only a pattern. What follows has the bits of
-    // the solver that gave the numbers; the next update must name all rows. Throws InputError where
-    // the numbers cannot be those of such a solver, and then changes nothing.
+    // Restores that state: takes the numbers and, where `made_from_it`, computes the factor or
+    // preconditioner from this matrix and these positions; otherwise the matrix gives the pattern
+    // only. Later solves have the same bits as those of the solver that gave the numbers. The next
+    // update must name all rows. Throws InputError, and changes nothing, where the numbers cannot
+    // be those of such a solver.
     virtual void restore(const BlockMatrix& matrix, bool made_from_it,
                          std::span<const Vec3> positions_mm, std::span<const double> memory) = 0;
 };

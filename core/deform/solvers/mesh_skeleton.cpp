@@ -99,7 +99,8 @@ Piece grow(int seed, int node, const TetMesh& mesh, const Graph& graph,
                 node_of[w] = node;
                 piece.members.push_back(w);
             } else if (node_of[w] >= 0 && slice[w] < slice[seed]) {
-                // Where two arms of a loop meet, it is cut: the latest node is the parent.
+                // Where the two arms of a loop meet, the loop is cut: the latest node is the
+                // parent.
                 piece.parent = std::max(piece.parent, node_of[w]);
             }
         }
@@ -108,14 +109,14 @@ Piece grow(int seed, int node, const TetMesh& mesh, const Graph& graph,
     return piece;
 }
 
-// The same node, or one the parent of the other.
+// Whether they are the same node, or one is the parent of the other.
 bool related(const CoarseSkeleton& skeleton, int a, int b) {
     return a == b || (a >= 0 && skeleton.parent[a] == b) || (b >= 0 && skeleton.parent[b] == a);
 }
 
 // Adds one tree: the connected slices of `order`, which is sorted by `distance`. Pieces of a slice
-// that touch related nodes and lie within a radius of each other are one: a thin slice through a
-// coarse mesh falls apart where nothing forks.
+// that touch related nodes and lie within a radius of each other are merged, because a thin slice
+// through a coarse mesh may fall apart where the body does not fork.
 void add_slices(const TetMesh& mesh, const Graph& graph, const std::vector<int>& order,
                 const std::vector<double>& distance, double spacing, double radius,
                 CoarseSkeleton& skeleton, std::vector<int>& node_of) {

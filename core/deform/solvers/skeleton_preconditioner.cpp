@@ -15,7 +15,7 @@ namespace {
 
 // Preparing costs about as much as this many iterations. Measured.
 constexpr int iterations_to_prepare = 3;
-// More than so many iterations beyond those of a fresh preconditioner are not waited for.
+// A solve that needs this many iterations more than with a fresh preconditioner is interrupted.
 constexpr int patience = 4;
 
 // Nodes from the ends of the tree inward, the four vectors of each together.
@@ -129,7 +129,7 @@ SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     spent_ += std::max(0, report.iterations - fresh_iterations_);
     worn_ = spent_ >= iterations_to_prepare;
     if (report.converged || lagged.max_iterations == limits.max_iterations) return report;
-    // Far from what it was made for: what has been found is a start for a fresh one.
+    // The old preconditioner fits badly: prepare anew and go on from the x reached so far.
     const int iterations = report.iterations;
     prepare_anew();
     SolveLimits rest = limits;

@@ -50,8 +50,8 @@ class SkeletonPreconditioner {
 };
 
 struct SkeletonSettings {
-    // Prepare for every matrix. Otherwise a preconditioner serves until the iterations that it took
-    // beyond those of a fresh one have cost as much as preparing that.
+    // Prepare for every matrix. Otherwise a preconditioner is kept until its additional iterations,
+    // compared with a fresh one, have cost as much as preparing a fresh one.
     bool always_fresh = false;
 };
 
@@ -80,11 +80,11 @@ class SkeletonSolver final : public LinearSolver {
     std::vector<Vec3> positions_mm_;
     SkeletonPreconditioner preconditioner_;
     ConjugateGradient iteration_;
-    bool fresh_ = false;          // the preconditioner is that of *matrix_
-    bool worn_ = true;            // it has cost more than a fresh one would
-    SolveLimits fresh_limits_{};  // of the solve with the preconditioner when it was fresh,
-    int fresh_iterations_ = 0;    // and what that took
-    int spent_ = 0;               // iterations beyond that since
+    bool fresh_ = false;          // the preconditioner is of *matrix_
+    bool worn_ = true;            // it is to be prepared anew for the next solve
+    SolveLimits fresh_limits_{};  // limits of the first solve with this preconditioner
+    int fresh_iterations_ = 0;    // iterations of that solve
+    int spent_ = 0;               // additional iterations of all later solves
 };
 
 }  // namespace hepatica

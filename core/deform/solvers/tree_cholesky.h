@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sparse Cholesky factorisation of a tree-shaped body by fronts (multifrontal, Duff and Reid 1983),
-// which keeps what each branch passes on to the next, so that after a change only the fronts that
-// changed and those between them and the root are eliminated again.
+// Multifrontal sparse Cholesky factorisation (Duff and Reid 1983). It keeps the update matrix that
+// each front passes to its parent, so that after a change only the changed fronts and those between
+// them and the root are eliminated again.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace hepatica {
 
-// The same bits for any number of threads. Not thread-safe. With float it is a preconditioner: half
-// the memory to read, and positive definite whatever is rounded.
+// Gives the same bits for any number of threads. Not thread-safe. With float it is a
+// preconditioner: it reads half the memory and stays positive definite in spite of rounding.
 template <class T>
 class TreeFactor {
   public:
     // Fixes pattern and order (a permutation of the vertices, see elimination_order.h).
     TreeFactor(const BlockMatrix& pattern, std::span<const int> order)
         : TreeFactor(pattern, analyse(pattern, order)) {}
-    // The same with the analysis of that pattern and order at hand.
+    // The same with an analysis of that pattern that was made before.
     TreeFactor(const BlockMatrix& pattern, EliminationTree tree);
 
     // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
@@ -32,7 +32,7 @@ class TreeFactor {
     // `changed_vertices`: the factor is that of factor() to the last bit.
     void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices);
 
-    // Pivots that the factor at hand has dropped or raised.
+    // Number of pivots dropped or raised in the present factor.
     int dropped_pivots() const;
 
     // x = A^-1 b. b and x may be the same.

@@ -12,7 +12,7 @@
 namespace hepatica {
 namespace {
 
-// Made only where the solver may use it: it costs a search through the mesh.
+// Computed only where the solver may use it, because it costs a search through the mesh.
 CoarseSkeleton skeleton_for(const BodyDescription& description) {
     if (description.skeleton.size() > 0) return description.skeleton;
     TetMesh mesh = description.mesh;

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double sleep_speed_edges_per_s = 1e-5;
 constexpr double sleep_after_s = 0.5;
-// A body slower than this for as long has settled, and is searched for inverted elements.
+// A body that stays below this speed for this long has settled; inverted elements are then sought.
 constexpr double settled_speed_edges_per_s = 2e-2;
 constexpr double settled_after_s = 0.25;
 
-// The region is counted in nodes of the skeleton.
+// LiveRegion counts skeleton nodes, the back end counts the nodes of the body.
 BodyDescription with_skeleton(BodyDescription body) {
     if (body.skeleton.size() > 0) return body;
     TetMesh mesh = body.mesh;
@@ -72,7 +72,7 @@ bool GovernedStepper::asleep() const {
     return options_.sleeping && still_s_ >= sleep_after_s;
 }
 
-// Vertices as the region has them; the middle of an edge is live where one of its ends is.
+// A vertex is frozen where its skeleton node is; the middle of an edge only where both ends are.
 std::vector<std::uint8_t> GovernedStepper::frozen_nodes() const {
     const Body& body = back_end_->body();
     std::vector<std::uint8_t> frozen(nodes(), 0);
@@ -84,7 +84,7 @@ std::vector<std::uint8_t> GovernedStepper::frozen_nodes() const {
     return frozen;
 }
 
-// What froze has stopped.
+// A frozen node has velocity zero.
 void GovernedStepper::change_region() {
     const std::vector<std::uint8_t> frozen = frozen_nodes();
     const BodyState& now = back_end_->state();
@@ -191,7 +191,7 @@ StepReport GovernedStepper::step(double dt_s) {
     return report;
 }
 
-// What froze in this step is in its report: its motion is gone by the end of it.
+// The kinetic energy of nodes that freeze after this step is booked in this step's report.
 void GovernedStepper::watch(double dt_s, StepReport& report) {
     if (!region_) {
         const double slow = sleep_speed_edges_per_s * back_end_->body().mean_edge_mm;
@@ -205,7 +205,7 @@ void GovernedStepper::watch(double dt_s, StepReport& report) {
     report.energy.integrator_loss += loss;
 }
 
-// Once each time the body has settled.
+// Searches once after the body has settled, and again only after it has moved.
 void GovernedStepper::look_for_inversion(double dt_s, StepReport& report) {
     if (options_.published) return;
     const double slow = settled_speed_edges_per_s * back_end_->body().mean_edge_mm;
@@ -271,7 +271,7 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     std::optional<LiveRegion> region = region_;
     if (region) region->restore(*checkpoint.region);
     back_end_->restore(checkpoint.solver);
-    // Nothing throws from here on.
+    // Nothing below throws, so the restored state is complete.
     region_ = std::move(region);
     back_end_->set_state(checkpoint.nodes);
     back_end_->set_grabs(checkpoint.grabs);

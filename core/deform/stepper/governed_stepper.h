@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body's steps compute, and when, for any back end: substeps, sleep, the live region near
-// the tools and where something moves (see live_region.h), recovery from inversion. Frozen nodes
-// stay exactly where they are and live ones go on from where they were, so nothing jumps when the
-// region changes.
+// Decides what each step computes, for any back end: the number of substeps, whether the body
+// sleeps, which part is live (near the tools and where something moves, see live_region.h), and
+// when inverted elements are repaired. When the live part changes, no node is moved, so that
+// nothing jumps.
 #pragma once
 
 #include <functional>
@@ -20,8 +20,8 @@ class GovernedStepper final : public LiveStepper {
     using MakeBackEnd =
         std::function<std::unique_ptr<StepBackEnd>(const BodyDescription&, const StepperOptions&)>;
 
-    // Without a region everything is computed until all of it sleeps. Throws InputError where body
-    // or options are not valid.
+    // Without a region the whole body is computed until it sleeps. Throws InputError where body or
+    // options are not valid.
     GovernedStepper(const BodyDescription& body, const StepperOptions& options,
                     const std::optional<LiveRegionOptions>& region, MakeBackEnd make);
 
@@ -55,11 +55,11 @@ class GovernedStepper final : public LiveStepper {
     std::optional<LiveRegion> region_;
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
-    double tool_work_ = 0.0;  // since the last step
-    double lost_ = 0.0;       // of motion, by freezing, since the last step
-    double still_s_ = 0.0;    // for how long nothing has moved
-    double settled_s_ = 0.0;  // for how long nothing has moved much
-    EnergyLedger resting_;    // the energies at the end of the last step
+    double tool_work_ = 0.0;  // of the grabs since the last step [nJ]
+    double lost_ = 0.0;       // kinetic energy of nodes frozen since the last step [nJ]
+    double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
+    double settled_s_ = 0.0;  // the same for the threshold of the search for inverted elements
+    EnergyLedger resting_;    // energies at the end of the last step; a sleeping body reports them
 };
 
 }  // namespace hepatica

@@ -93,8 +93,8 @@ std::vector<char> LiveRegion::nodes_at_borders() const {
     return bordered;
 }
 
-// Takes positions for the nodes whose border has just arisen. One that had a frozen neighbour
-// already keeps the older reference, be it frozen itself meanwhile: strain adds up from there.
+// Stores reference positions for nodes that have just got their first frozen neighbour. Nodes that
+// had one before keep the older reference, so that small changes of strain add up.
 void LiveRegion::refer_to(std::span<const Vec3> positions_mm,
                           const std::vector<char>& bordered_before) {
     for (std::size_t n = 0; n < live_.size(); ++n) {
@@ -125,11 +125,11 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
         }
     }
     if (wake_around(waking)) {
-        // Growing costs a rebuild: past half of the body the rest comes along at once.
+        // Each growth costs a rebuild, so past half of the body all of it is made live.
         if (2 * live_count() > static_cast<int>(live_.size())) wake_all();
         return true;
     }
-    // What is held or still moves stays live with its surroundings.
+    // Nodes that are held or still move stay live, and so do those around them.
     const std::vector<char> before = live_;
     const int count_before = live_count();
     const std::vector<char> bordered_before = nodes_at_borders();

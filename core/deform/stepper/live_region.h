@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which stretches of a vessel tree a scene has to compute: those near the tool and those that move.
-// The rest is frozen where it is. Counted in skeleton nodes; a vertex belongs to one of them.
+// Which part of a vessel tree is computed (live): the nodes of its skeleton near a tool, and those
+// that move. All others are frozen in place. Each vertex belongs to one skeleton node.
 #pragma once
 
 #include <span>
@@ -12,34 +12,36 @@
 namespace hepatica {
 
 struct LiveRegionOptions {
-    // A frozen stretch wakes when the live one beside it, half a diameter away, has moved by this
-    // share of its radius since the border between them arose: a change of strain there, however
-    // slowly it comes and however often the region changes meanwhile.
+    // A frozen node wakes when a live neighbour (half a diameter away) has moved by this share of
+    // its radius since the border between them arose. This bounds the change of strain at a border,
+    // also for slow motion and where the region changes often.
     double wake_radii = 1e-4;
-    // A live node that is slower than this share of its radius a second ...
+    // A live node may freeze after moving slower than still_radii_per_s radii per second ...
     double still_radii_per_s = 5e-4;
-    // ... for this long may freeze.
+    // ... for still_s seconds.
     double still_s = 0.5;
-    // Nodes around whatever wakes or is held that wake, too: two of them are a diameter.
+    // Nodes up to this many edges from a waking or held node wake with it; two edges are about one
+    // diameter.
     int reach_nodes = 8;
 };
 
 class LiveRegion {
   public:
-    // Everything is live at first. Throws InputError for an empty or broken skeleton.
+    // All nodes are live at first. Throws InputError for an empty or broken skeleton.
     LiveRegion(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
                const LiveRegionOptions& options = {});
 
-    // The vertices share an element: where one moves, the others feel it. To be called for every
-    // element that joins stretches which are no neighbours on the skeleton (or simply for all).
+    // Makes neighbours of the skeleton nodes of these vertices, which share an element. Needed for
+    // elements that join nodes without a common skeleton edge; may be called for all elements.
     void connect(std::span<const int> vertices);
 
     void wake_all();
-    // Wakes the surroundings of these vertices and keeps them live until the next call.
-    // Returns whether anything woke.
+    // Wakes the nodes around these vertices and keeps them live until the next call. Returns
+    // whether any node woke.
     bool hold(std::span<const int> vertices);
-    // Takes a step's outcome (of all vertices). Returns whether the region changed: it grows at
-    // once, and shrinks when a quarter of it has been still for long enough.
+    // Takes the positions and velocities of all vertices after a step. Returns whether the region
+    // changed: it grows at once, and shrinks when a quarter of its nodes has been still for
+    // still_s.
     bool watch(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                double dt_s);
 
@@ -66,8 +68,8 @@ class LiveRegion {
     std::vector<char> live_;
     std::vector<double> still_s_;
     std::vector<int> held_;  // nodes
-    // Where the vertices of each node were when the first of its neighbours that are frozen froze;
-    // of no meaning where none is.
+    // Positions of the vertices of each node at the time when the first of its frozen neighbours
+    // froze; unused for nodes without frozen neighbours.
     std::vector<Vec3> reference_mm_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stepper that computes only what the scene requires: the stretches of the tree near a tool and
-// those that move (see live_region.h), with the frozen rest as their support.
+// A stepper that computes only the live part of the tree (see live_region.h); the frozen rest is a
+// fixed boundary of it.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace hepatica {
 
 class LiveStepper : public Stepper {
   public:
-    // Elements and vertices that are computed at present, of how many.
+    // How many elements and vertices are computed at present, and how many there are.
     struct Extent {
         int live_elements = 0;
         int elements = 0;
@@ -24,8 +24,8 @@ class LiveStepper : public Stepper {
     virtual Extent extent() const = 0;
 };
 
-// As make_cpu_stepper. A body without skeleton gets one from its mesh. Energies in the report are
-// those of the whole body; the little motion that freezing ends is booked as integrator_loss.
+// Like make_cpu_stepper. A body without skeleton gets one from its mesh. The report has the
+// energies of the whole body; the kinetic energy of nodes that freeze is booked as integrator_loss.
 // Throws InputError as make_cpu_stepper does.
 std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,
                                                const StepperOptions& options,

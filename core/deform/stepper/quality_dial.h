@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial: speed against accuracy as measured, not guessed. From settings with their measured cost
-// and error it keeps the Pareto front and picks from it.
+// The dial between speed and accuracy. It keeps the Pareto front of settings whose cost and error
+// were measured, and chooses one of them.
 #pragma once
 
 #include <span>
@@ -11,12 +11,12 @@
 
 namespace hepatica {
 
-// One setting and what it was measured to cost and to miss.
+// One setting with its measured cost and error.
 struct QualityPoint {
     StepperOptions options;
-    double frame_ms = 0.0;        // what 95 of 100 frames of 1/60 s take at most, > 0
-    double error_relative = 0.0;  // of the motion, >= 0
-    std::string reference;        // what that error was measured against
+    double frame_ms = 0.0;        // 95th percentile of the time of a frame of 1/60 s, > 0
+    double error_relative = 0.0;  // relative error of the motion, >= 0
+    std::string reference;        // the solution against which the error was measured
 };
 
 // Thread safety: const access only.
@@ -25,11 +25,11 @@ class QualityDial {
     // Throws InputError where nothing was measured or a value is not finite.
     explicit QualityDial(std::vector<QualityPoint> measured);
 
-    // The points that no other beats in both cost and error, cheapest first: error falls along it.
+    // The Pareto front, the cheapest first: cost rises and error falls along it.
     std::span<const QualityPoint> front() const { return front_; }
 
-    // quality 0: the cheapest point; 1: the most accurate; in between the most accurate that costs
-    // no more than the quality asks for, on a logarithmic scale. Values outside are clamped.
+    // The most accurate point whose cost is at most c0 (c1 / c0)^quality, where c0 and c1 are the
+    // smallest and largest cost. quality is clamped to [0, 1].
     const QualityPoint& at(double quality) const { return front_[index_at(quality)]; }
     std::size_t index_at(double quality) const;
 
@@ -40,7 +40,7 @@ class QualityDial {
     std::vector<QualityPoint> front_;
 };
 
-// Indices of the Pareto front of (cost, error), cheapest first; of equals the first.
+// Indices of the Pareto front of (cost, error), the cheapest first; of equal points the first.
 std::vector<std::size_t> pareto_front(std::span<const double> cost, std::span<const double> error);
 
 }  // namespace hepatica

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arithmetic of a body's steps, on one kind of machine: a state, the forces on it, one step of
-// the clock. What is computed and when (substeps, sleep, the live region, recovery from inversion)
-// is decided above it, in GovernedStepper, once for all back ends.
-// Not thread-safe: the simulation thread owns it.
+// Holds the state of a body and computes one time step of it, on one kind of machine.
+// GovernedStepper decides, for all back ends alike, what is computed and when: substeps, sleep, the
+// live region and the repair of inverted elements. Not thread-safe: the simulation thread owns it.
 #pragma once
 
 #include <cstdint>
@@ -24,41 +23,40 @@ class StepBackEnd {
   public:
     virtual ~StepBackEnd() = default;
 
-    // As built from the description: nodes, masses, elements.
+    // The nodes, masses and elements that were built from the description.
     virtual const Body& body() const = 0;
 
-    // From the next step on. What is out of range was refused above.
+    // Take effect in the next step. The caller has checked the values.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
-    // False where these options need another back end.
+    // Returns false, and changes nothing, where these options need another back end.
     virtual bool set_options(const StepperOptions& options) = 0;
-    // Freezes the nodes with frozen[i] != 0 where they are, and no others. Their velocities are 0.
+    // Freezes exactly the nodes with frozen[i] != 0, in place and with velocity 0.
     virtual void freeze(std::span<const std::uint8_t> frozen) = 0;
     virtual int live_elements() const = 0;
 
-    // One step of dt_s > 0; fills everything in the report but tool_work. The work of a step is
-    // bounded, see BackwardEuler::advance. Energies are those of the whole body.
+    // One step of dt_s > 0. The report has the energies of the whole body and everything else but
+    // tool_work. The cost of a step is bounded, see BackwardEuler::advance.
     virtual StepReport advance(double dt_s) = 0;
 
-    // Puts right what settled inside out, if anything is, and books it in the report of the step
-    // that was just made; the body is then at rest. False where nothing was done.
+    // Repairs inverted elements, books the energy in the report of the step just made and sets all
+    // velocities to 0. Returns false where no element is inverted.
     virtual bool recover_from_inversion(StepReport& report) = 0;
 
-    // Every node. Where the state lies on a device, asking for it reads it back, once after a step;
-    // nothing else does.
+    // Of every node. This is the only function that copies the state from a device, once per step.
     virtual const BodyState& state() const = 0;
     virtual void set_state(const BodyState& state) = 0;
-    // The velocities alone.
+    // Replaces the velocities only.
     virtual void set_velocities(const std::vector<Vec3>& velocities_mm_per_s) = 0;
 
-    // Of the present state: kinetic, elastic, grab and tether; the rest is 0.
+    // Kinetic, elastic, grab and tether energy of the present state; all other terms are 0.
     virtual EnergyLedger energies() const = 0;
-    // Of the grabs alone, and of everything that moves [nJ].
+    // Parts of energies() alone [nJ].
     virtual double grab_energy() const = 0;
     virtual double kinetic_energy() const = 0;
 
-    // What the linear solver carries from step to step. restore() throws InputError where it does
-    // not fit, and then changes nothing.
+    // What the linear solver carries from one step to the next. restore() throws InputError, and
+    // changes nothing, where the checkpoint is of another body or solver.
     virtual SolverCheckpoint checkpoint() const = 0;
     virtual void restore(const SolverCheckpoint& checkpoint) = 0;
 };

@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 constexpr std::string_view heading = "hepatica checkpoint 2\n";
 
-// The one list of all fields, for writing, reading and hashing alike.
+// All fields in order. Writing, reading and hashing share this list.
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
     value.weights;

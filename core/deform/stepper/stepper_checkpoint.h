@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that determines the steps to come, apart from the body's description and the stepper's
-// options: a stepper that is made of the same two and given a checkpoint goes on with the same bits
-// as the one it was taken from. What a factor or a preconditioner holds is not kept but the inputs
-// of the matrix it was made from, so that it can be made anew. Taking one costs a few copied
-// arrays.
+// Everything but body and options that determines later steps: a stepper of the same body and
+// options that restores a checkpoint makes the same steps, to the last bit, as the one it was taken
+// from. A factor or preconditioner is not stored; the inputs of its matrix are, from which it is
+// computed again. Taking a checkpoint costs a copy of a few arrays.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +19,24 @@
 
 namespace hepatica {
 
-// The inputs of one system matrix of eq. (12). The matrices of later Newton iterates hold the
-// damping of the first.
+// The inputs from which one system matrix of eq. (12) is assembled. The matrix of a later Newton
+// iterate uses the damping of the first iterate.
 struct MatrixOrigin {
     double dt_s = 0.0;               // > 0
-    std::vector<Vec3> first_mm;      // where the first iterate was
-    std::vector<Vec3> iterate_mm;    // empty at the first iterate
-    std::vector<std::uint8_t> held;  // per node: fixed or frozen then
+    std::vector<Vec3> first_mm;      // positions of the first iterate
+    std::vector<Vec3> iterate_mm;    // positions of this iterate; empty where it is the first
+    std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
     std::vector<Grab> grabs;
     RayleighDamping velocity_error;  // E of eq. (11)
 };
 
 // What a linear solver carries from one step to the next.
 struct SolverCheckpoint {
-    std::optional<MatrixOrigin> made_from;  // its factor or preconditioner; none: it has none yet
+    std::optional<MatrixOrigin> made_from;  // of its factor or preconditioner, where it has one
     std::vector<double> memory;             // see LinearSolver::memory
 };
 
-// The stretches that are computed, one entry per skeleton node.
+// The live part of the tree, with one entry per skeleton node.
 struct RegionCheckpoint {
     std::vector<std::uint8_t> live;  // 0 or 1
     std::vector<double> still_s;
@@ -46,22 +45,22 @@ struct RegionCheckpoint {
 };
 
 struct StepperCheckpoint {
-    BodyState nodes;  // middles of edges too
+    BodyState nodes;  // vertices, then edge middles
     std::vector<Grab> grabs;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     double unreported_tool_work = 0.0;  // nJ, since the last step
-    double unreported_loss = 0.0;       // nJ, of motion that freezing ended since
-    double still_s = 0.0;               // for how long nothing has moved
-    double settled_s = 0.0;             // for how long nothing has moved much
-    double last_kinetic = 0.0;          // of the last step [nJ]: what a sleeping body reports
+    double unreported_loss = 0.0;       // nJ, kinetic energy of nodes frozen since the last step
+    double still_s = 0.0;               // see GovernedStepper
+    double settled_s = 0.0;             // see GovernedStepper
+    double last_kinetic = 0.0;          // nJ, energies of the last step, reported during sleep
     double last_elastic = 0.0;
     double last_grab = 0.0;
     double last_tether = 0.0;
     SolverCheckpoint solver;
-    std::optional<RegionCheckpoint> region;  // where stretches may freeze
+    std::optional<RegionCheckpoint> region;  // of a stepper with a live region
 };
 
-// Of every field.
+// Hash of every field.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
 // "hepatica checkpoint 2\n", then the fields in the order above, little-endian: numbers as 8 bytes
@@ -70,7 +69,7 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number
-// that is not finite. What does not fit a body is found by Stepper::restore.
+// that is not finite. Whether it fits a body is checked by Stepper::restore.
 StepperCheckpoint checkpoint_from_bytes(std::string_view bytes);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every stepper refuses, in one place: back ends call these before they change anything of
-// their own, so that bad input leaves them as they were. All throw InputError.
+// Checks of a stepper's input, common to all back ends. They are called before anything is changed,
+// so that bad input has no effect. Each throws InputError unless its argument is as described.
 #pragma once
 
 #include <span>
@@ -24,11 +24,11 @@ void validate_gravity(const Vec3& gravity_mm_per_s2);
 // target, stiffness and force limit finite and greater than 0.
 void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 
-// As many positions and velocities as asked for, all finite.
+// As many positions and velocities as expected, all finite.
 void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                     std::size_t expected);
 
-// Nodes, grabs and gravity of a checkpoint, as the three above.
+// State, grabs and gravity of the checkpoint pass the three checks above.
 void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial's coordinates, apart from the mesh and the length of the step: what a stepper is made
-// with, and what can be changed while it plays.
+// The parameters of a stepper that trade accuracy for speed, apart from mesh and time step. Some
+// can be changed while it runs, see Stepper::set_options.
 #pragma once
 
 #include "core/deform/body/body.h"
@@ -14,22 +14,24 @@ struct StepperOptions {
     LinearSolverKind solver = LinearSolverKind::automatic;
     SolveLimits linear{};            // of each linear solve
     int newton_iterations = 1;       // 1: the linearly implicit step of eq. (12)
-    double newton_tolerance = 1e-6;  // largest move of an iterate that ends them, in mean edges
-    int substeps = 1;                // each step() is cut into so many
-    // E of eq. (11) as `DampingFit::error` gives it: added to the damping in the first iterate's
-    // matrix, where it meets the change of velocity alone. It damps nothing and changes no answer
-    // that Newton's method converges to. It may be negative; a matrix that would no longer be
-    // positive definite keeps a tenth of its inertia and stiffness.
+    double newton_tolerance = 1e-6;  // ends when no node moves farther, in mean edge lengths
+    int substeps = 1;                // per step()
+    // E of eq. (11), from `DampingFit::error`, added to the damping in the matrix of the first
+    // iterate, where it multiplies the change of velocity only. It adds no damping force and does
+    // not change the solution to which Newton's method converges. It may be negative; its effect is
+    // limited so that at least a tenth of inertia and stiffness remains and the matrix stays
+    // positive definite.
     RayleighDamping velocity_error{};
-    // The step exactly as published: whole, even where it makes energy. Otherwise a step that would
-    // is shortened, and the report says so.
+    // Takes the step of the publication unchanged, even where it creates energy. Otherwise such a
+    // step is shortened, which the report says.
     bool published = false;
-    // Skip the steps of a body that has not moved faster than 1e-5 mean edges a second for half a
-    // second of its time, until something changes.
+    // Makes no steps of a body whose nodes have moved slower than 1e-5 mean edge lengths per second
+    // for half a second of simulated time, until a force or option changes.
     bool sleeping = true;
-    // Each step's nonlinear_loss is computed from the forces on its way, so that a force that is no
-    // gradient of its energy shows up as imbalance (see energy_ledger.h). For studies and tests: it
-    // evaluates all elements five times more a step, and up to some hundred times.
+    // Computes nonlinear_loss of each step by integrating the forces along its path, so that a
+    // force that is not the gradient of its energy appears as imbalance (see energy_ledger.h). For
+    // studies and tests: it evaluates all elements at least five more times per step, at most about
+    // 100.
     bool audit = false;
 };
 
