@@ -9,9 +9,10 @@
 namespace hepatica {
 
 // How an element turns strain into energy. All take the same parameters.
-//   spring:     lumped edges with a volume spring; cheapest, and only roughly the material asked
-//   for corotated:  Hooke's law in the frame of the rotation; the default neohookean: stable
-//   Neo-Hookean; the reference at large strain
+// - spring: springs along the edges and one for the volume; the cheapest, and only roughly the
+//   material that was asked for
+// - corotated: Hooke's law in the frame of the element's rotation; the default
+// - neohookean: stable Neo-Hookean; the reference at large strain
 enum class ElementModel { spring, corotated, neohookean };
 
 struct Material {

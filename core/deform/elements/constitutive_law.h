@@ -2,11 +2,10 @@
 // Strain energy, stress and stiffness at one point of an elastic body, for host and device. Every
 // law is W(F) + U(theta): theta measures dilatation, and U takes its mean over the element, which
 // is the cure for volumetric locking (mean dilatation; Nagtegaal, Parks and Rice 1974). Lame's
-// lambda is split between the two: W holds what is safe at every point, U the rest.
-//   Corotated:  theta = trace(R^T F) - 3, W = mu |F - R|^2 + local_lambda/2 theta^2
-//   NeoHookean: the stable form of Smith, de Goes and Kim 2018, theta = J - 1, with mu' = 4/3 mu
-//   and
-//               lambda' = lambda + 5/6 mu, so that small strains obey Hooke's law exactly
+// lambda is split between the two: W has the part that causes no locking at a point, U the rest.
+// - Corotated: theta = trace(R^T F) - 3, W = mu |F - R|^2 + local_lambda/2 theta^2
+// - NeoHookean: the stable form of Smith, de Goes and Kim 2018, theta = J - 1; mu' = 4/3 mu and
+//   lambda' = lambda + 5/6 mu make it agree with Hooke's law for small strains
 #pragma once
 
 #include "core/deform/elements/polar_decomposition.h"
