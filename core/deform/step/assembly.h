@@ -19,11 +19,11 @@ namespace hepatica {
 // The slots of one body. Keeps a reference to the body. Not thread-safe.
 class Assembly {
   public:
-    // Keeps a reference to `live`, too; null: everything is.
+    // Keeps a reference to `live`; null means that all elements are live.
     explicit Assembly(const Body& body, small::Tangent tangent = small::Tangent::rotated,
                       const LiveSet* live = nullptr);
 
-    // As ElementSlots.
+    // See ElementSlots.
     double evaluate(std::span<const Vec3> positions_mm) { return slots_.evaluate(positions_mm); }
     double evaluate_forces(std::span<const Vec3> positions_mm) {
         return slots_.evaluate_forces(positions_mm);
@@ -38,18 +38,18 @@ class Assembly {
         slots_.add_energy_by_piece(piece_of_node, energy_nj);
     }
 
-    // Elastic force on each live node, from the last evaluation [uN]; the others keep what they
-    // have.
+    // Writes the elastic force [uN] of the last evaluation on each live node; entries of other
+    // nodes are left unchanged.
     void gather_forces(std::span<Vec3> forces_un) const;
 
-    // Off-diagonal blocks of factor * K, diagonal blocks that make every row sum to zero, in the
-    // rows of live elements; those of held nodes lack what is frozen. `matrix` gets the plan's
-    // pattern if it does not have it, and zeros.
+    // Writes factor * K into the rows of live elements: the off-diagonal blocks, and diagonal
+    // blocks that make every row sum to zero. Rows of held nodes lack the contributions of frozen
+    // elements. A `matrix` with another pattern first gets that of the plan, filled with zeros.
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
     const AssemblyPlan& plan() const { return *plan_; }
 
-    // Slots of their own over the same plan.
+    // Separate slots that share the plan.
     Assembly with_own_slots() const { return Assembly(*this); }
 
   private:

@@ -33,7 +33,7 @@ DampingFit DampingRegression::fit(double threshold) const {
     DampingFit fit;
     fit.steps = steps_;
     const double determinant = mm_ * kk_ - mk_ * mk_;
-    // Parallel regressors: the stiffness alone, which is the better of the two for stiff bodies.
+    // The two regressors are parallel: use stiffness only, which fits stiff bodies better.
     double e_m = 0.0, e_k = kk_ > 0.0 ? rk_ / kk_ : 0.0;
     if (determinant > 1e-10 * mm_ * kk_) {
         e_m = (rm_ * kk_ - rk_ * mk_) / determinant;
@@ -64,7 +64,7 @@ DampingFit fit_damping(const Body& body, std::span<const BodyState> recorded, do
     };
     for (std::size_t s = 0; s + 1 < recorded.size(); ++s) {
         damped_force(recorded[s + 1], after);
-        damped_force(recorded[s], before);  // leaves the earlier state's stiffness behind
+        damped_force(recorded[s], before);  // and leaves the earlier stiffness in the slots
         const auto dx = difference(recorded[s + 1].positions_mm, recorded[s].positions_mm);
         const auto dv =
             difference(recorded[s + 1].velocities_mm_per_s, recorded[s].velocities_mm_per_s);

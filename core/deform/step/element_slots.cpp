@@ -277,7 +277,7 @@ double ElementSlots::block_form(const ElementGroup& group, int slot, int e,
     small::Vector3<double> u[10];  // relative to the first node
     load_positions(group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * n, n, d, u);
     const small::Matrix3<double>* block = block_.data() + slot;
-    // Of the first node's blocks only the share of the others' diagonal blocks remains.
+    // u[0] = 0, so the blocks of the first node count only as parts of the other diagonal blocks.
     double sum = 0.0;
     for (int b = 1; b < n; ++b, ++block) sum -= small::dot(u[b], *block * u[b]);
     for (int a = 1; a < n; ++a)

@@ -28,13 +28,13 @@ class ElementSlots {
                  const LiveSet* live);
 
     // Evaluates the live elements at the positions; the others keep their energy. Returns the
-    // elastic energy of all [nJ].
+    // elastic energy of all elements [nJ].
     double evaluate(std::span<const Vec3> positions_mm);
-    // The same for energies and forces alone; the stiffness in the slots stays what it was.
+    // The same for energies and forces only; the stiffness in the slots is left unchanged.
     double evaluate_forces(std::span<const Vec3> positions_mm);
-    // That of every element, live or not: after the state was changed from outside.
+    // Evaluates every element, live or not. Needed after the state was changed from outside.
     double evaluate_all_forces(std::span<const Vec3> positions_mm);
-    // The elastic energy alone; leaves the slots as they are.
+    // Computes the elastic energy only and leaves the slots unchanged.
     double energy(std::span<const Vec3> positions_mm) const;
     // Adds the energy of every element at the last evaluate to the piece of its first node.
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;

@@ -13,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double least_gain = 1e-9;  // rounding may not count as less energy
+constexpr double least_gain = 1e-9;  // relative; a smaller decrease of energy may be rounding
 
 bool is_inverted(const ElementGroup& group, int e, std::span<const Vec3> x) {
     using Kind = ElementGroup::Kind;
@@ -32,7 +32,7 @@ bool is_inverted(const ElementGroup& group, int e, std::span<const Vec3> x) {
     return false;
 }
 
-// The motion that carries the nodes outside the patch from rest to where they are, at best.
+// The rigid motion that fits the nodes outside the patch best, from their positions at rest.
 struct RigidMotion {
     Mat3 rotation = Mat3::Identity();
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
@@ -68,7 +68,7 @@ void take_if_any(const std::vector<T>& from, int e, std::vector<T>& to) {
     if (!from.empty()) to.push_back(from[e]);
 }
 
-// `elements` count through the groups, ascending. The part's nodes that `is_free` denies are fixed.
+// `elements` are counted through the groups, in ascending order. Nodes without `is_free` are fixed.
 template <class IsFree>
 Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& is_free) {
     Part part;
@@ -105,8 +105,8 @@ Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& 
     return part;
 }
 
-// The motion of the free nodes of a part, in the frame of rest, that balances its linear elasticity
-// while the others move by `change`. Fixed nodes are cut out; what they pull with is the load.
+// Displacements of the free nodes of a part, in rest coordinates, at which its linear elastic
+// forces vanish while the other nodes are displaced by `change`. The displaced nodes give the load.
 std::vector<Vec3> balanced(const Part& part, const std::vector<Vec3>& change) {
     Assembly assembly(part.body);
     assembly.evaluate(part.body.rest_positions_mm);
@@ -212,7 +212,7 @@ std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patc
     const bool held = !around.empty();
     const RigidMotion motion = motion_of(held ? around : all, rest, now);
     std::vector<Vec3> change(rest.size(), Vec3::Zero());
-    // What the surroundings are off the motion, seen from the frame of rest.
+    // Deviation of the surroundings from the rigid motion, in rest coordinates.
     for (const int i : around) change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));
     unknowns_ += 3 * static_cast<int>(rest.size() - around.size());
     if (held) change = balanced(part, change);

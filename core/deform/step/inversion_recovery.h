@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body that was forced through itself may settle in another state of equilibrium, with elements
-// turned inside out that no motion of least resistance turns back. Such a state is none that tissue
-// can be in. This looks for one that is: the smallest patch around the inverted elements that,
-// put where linear elasticity spans it between its surroundings, is inverted nowhere.
+// A body that was forced through itself may settle in an equilibrium with inverted elements, which
+// the forces do not turn back and which tissue cannot have. This finds positions without inversion:
+// it moves the smallest patch around the inverted elements to the solution of linear elasticity
+// with the nodes around the patch as boundary values, and enlarges the patch until no element is
+// inverted.
 #pragma once
 
 #include <functional>
@@ -14,8 +15,8 @@
 
 namespace hepatica {
 
-// Elements of the body that are turned inside out or flat at a corner or an integration point, as
-// indices counted through its groups.
+// Elements that are inverted or flat at a corner or an integration point, as indices counted
+// through the groups of the body.
 std::vector<int> inverted_elements(const Body& body, std::span<const Vec3> positions_mm);
 
 // Keeps a reference to the body. Not thread-safe; the same bits for any number of threads.
@@ -23,12 +24,12 @@ class InversionRecovery {
   public:
     explicit InversionRecovery(const Body& body) : body_(body) {}
 
-    // Positions without inverted elements, or none where nothing is inverted or no patch helps.
-    // `energy` is that of elements, springs and weight at given positions; it is lower at the ones
-    // returned, so that a body cannot be recovered again and again. Costs one look at every
-    // element, an energy for every patch that came out right, and linear solves over the patches
-    // alone: of most_unknowns in all, each of so many iterations at most. What a body of that size
-    // does not recover from stays as it is.
+    // Returns positions without inverted elements; none where nothing is inverted or no patch
+    // helps. `energy` gives the energy of elements, springs and weight at given positions. It is
+    // lower at the positions returned, so that recoveries cannot repeat without end. The cost is
+    // bounded: one check of every element, one energy for every successful patch, and linear solves
+    // over patches with at most most_unknowns in total, of at most most_iterations each. Larger
+    // inversions stay.
     using Energy = std::function<double(std::span<const Vec3> positions_mm)>;
     std::optional<std::vector<Vec3>> recover(std::span<const Vec3> positions_mm,
                                              const Energy& energy);
@@ -36,11 +37,11 @@ class InversionRecovery {
     static constexpr int most_unknowns = 12000;
     static constexpr int most_iterations = 300;
 
-    // Coordinates of the nodes that the last call to recover() solved for, all patches together.
+    // Number of unknowns of all solves of the last call to recover().
     int unknowns() const { return unknowns_; }
 
   private:
-    // Marks nodes, each of which is in the patch once.
+    // A set of nodes.
     struct Patch {
         std::vector<int> nodes;
         std::vector<int> index;  // of each node of the body; -1: not in the patch

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of a body a step computes. Frozen nodes stay where they are, as fixed ones do;
-// elements without a live node, and rows of the matrix without one, keep what they hold. So a step
-// costs what is live, and a change of what is live costs nothing that a step does not cost.
+// The part of a body that a step computes. Frozen nodes do not move, like fixed ones. Elements
+// without a live node, and their rows of the matrix, keep their values. The cost of a step is
+// proportional to the live part; changing the live part costs no more than a step.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,27 @@ class LiveSet {
     // Elements are evaluated in packs of so many that follow one another, see ElementSlots.
     static constexpr int elements_per_pack = 4;
 
-    // Everything is live but the fixed nodes.
+    // All nodes but the fixed ones are live.
     explicit LiveSet(const Body& body);
 
     // Freezes the nodes with frozen[i] != 0 and no others. One entry per node.
     void freeze(std::span<const std::uint8_t> frozen);
 
-    // Of each node: 1 where it is fixed or frozen.
+    // For each node 1 where it is fixed or frozen, else 0.
     const std::vector<std::uint8_t>& held() const { return held_; }
-    // Elements with a node that is not frozen, be it fixed.
+    // Number of elements with a node that is not frozen (it may be fixed).
     int live_elements() const { return live_elements_; }
 
-    // Ascending: the nodes of all elements that have a live node, and the packs of each group that
-    // hold such an element.
+    // In ascending order: the nodes of all elements with a live node, and the packs of each group
+    // with such an element.
     std::span<const int> rows() const { return rows_; }
     std::span<const int> packs(std::size_t group) const { return packs_[group]; }
 
-    // Those rows, and those of the set before until written() was called: ascending. What is
-    // neither among them is in the matrix as it was.
+    // The rows of those nodes and, until written() is called, also those of the live part before,
+    // in ascending order. All other rows of the matrix are unchanged.
     std::span<const int> changed_rows() const { return changed_; }
     void written() { changed_ = rows_; }
-    // Nothing is known of the matrix: every row counts as changed.
+    // From now on every row counts as changed until written() is called.
     void forget_written();
 
   private:

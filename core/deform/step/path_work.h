@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work of the forces of elements and potentials on a straight way between two shapes, by adaptive
-// Simpson quadrature of the forces: it knows no energy, and so tells whether the forces are the
-// gradient of one. Not for play: costs five evaluations of all elements on a smooth way and up to
-// a few hundred where elements turn inside out on it.
+// Work of the forces of elements and potentials along the straight path between two shapes, by
+// adaptive Simpson quadrature of the forces. It uses no energies, so comparing the two checks that
+// the forces are gradients of the energies. For tests and studies: costs five evaluations of all
+// elements on a smooth path, and up to a few hundred where elements invert on it.
 #pragma once
 
 #include <span>

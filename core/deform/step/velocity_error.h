@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// E of eq. (11) in the matrix of a step's first iterate, whose unknown is the change of velocity:
-// E meets that alone. See StepperOptions.
+// E of eq. (11) in the matrix of a step's first iterate. The unknown there is the change of
+// velocity, so that E multiplies nothing else. See StepperOptions.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,8 @@ class VelocityError {
     }
     bool any() const { return error_.alpha_per_s != 0.0 || error_.beta_s != 0.0; }
 
-    // Adds dt E to the potential's matrix. E may be negative: a tenth of inertia and of stiffness
-    // stay in the matrix.
+    // Adds dt E to the potential's matrix. A negative E is limited so that a tenth of inertia and
+    // of stiffness remains in the matrix.
     void add_to(IncrementalPotential& potential, const Body& body, double dt_s);
 
     // dt E of the last step.
