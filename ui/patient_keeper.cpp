@@ -57,6 +57,8 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     job.begin = [this, request]() -> BackgroundJob::Work {
         written_.clear();
         return [this, request](Job& progress) -> std::function<void()> {
+            const auto series = ways_.list_series(request, progress);
+            if (!series.empty()) return [this, request, series] { choose_series(request, series); };
             // std::function wants to be copied, a loaded patient does not.
             auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
             return [this, request, loaded] {
@@ -70,6 +72,14 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     };
     job.cancelled = [this] { screen_.say("Cancelled"); };
     jobs_.replace(std::move(job));
+}
+
+void PatientKeeper::choose_series(OpenRequest request,
+                                  const std::vector<SeriesDescription>& series) {
+    const std::optional<int> chosen = questions_.which_series(series);
+    if (!chosen) return screen_.say("Cancelled");
+    request.reconstruct.series = *chosen;
+    start_opening(request);
 }
 
 // The patient before may have been corrected while this one was made ready.

@@ -34,10 +34,15 @@ class PatientKeeper {
         // Throws InputError where the last of these corrections cannot be made on the others.
         std::function<void(const PatientCase&, const std::vector<TreeEdit>&)> check =
             with_edited_tree;
+        // Those that the person is asked about before one is read; none: there is no choice.
+        std::function<std::vector<SeriesDescription>(const OpenRequest&, Job&)> list_series =
+            series_to_choose_from;
     };
     // Answered by a person, at once; a test answers them itself.
     struct Questions {
         std::function<UnsavedAnswer(const std::string& title)> unsaved;
+        // The number of one of these series, from 1, which is the best; none: not after all.
+        std::function<std::optional<int>(const std::vector<SeriesDescription>&)> which_series;
         // The folder of the case; none: not after all.
         std::function<std::optional<std::filesystem::path>()> where_to_save;
     };
@@ -80,6 +85,7 @@ class PatientKeeper {
   private:
     void leave_if_safe(std::function<void()> go);
     void start_opening(const OpenRequest& request);
+    void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded);
     void correct();
     struct Possible {

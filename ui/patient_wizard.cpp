@@ -178,7 +178,7 @@ ReconstructOptions PatientWizard::options() const {
         throw InputError("nothing is chosen", "CT", "choose a DICOM folder or a volume file");
     }
     options.ct = to_path(ct_->text().trimmed());
-    if (series_->currentIndex() > 0) options.series = series_->currentIndex() + 1;
+    if (series_->count() > 1) options.series = series_->currentIndex() + 1;
     if (!liver_mask_->text().isEmpty()) options.liver_mask = to_path(liver_mask_->text());
     if (!vessel_mask_->text().isEmpty()) options.vessel_mask = to_path(vessel_mask_->text());
     const std::vector<double> window = numbers_in(window_->text(), "Window");

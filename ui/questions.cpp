@@ -4,6 +4,7 @@
 #include <QMessageBox>
 
 #include "ui/save_case_dialog.h"
+#include "ui/series_dialog.h"
 
 namespace hepatica {
 namespace {
@@ -37,6 +38,12 @@ bool ask_replace(QWidget& parent, const QString& name) {
 PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& settings) {
     PatientKeeper::Questions questions;
     questions.unsaved = [&parent](const std::string& title) { return ask_unsaved(parent, title); };
+    questions.which_series =
+        [&parent](const std::vector<SeriesDescription>& series) -> std::optional<int> {
+        SeriesDialog dialog(series, &parent);
+        if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+        return dialog.chosen();
+    };
     questions.where_to_save = [&parent, &settings]() -> std::optional<std::filesystem::path> {
         SaveCaseDialog dialog(
             settings.last_folder(), "patient.hep",

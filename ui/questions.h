@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that keep a patient from being lost, as dialogs.
+// The questions that keep a patient from being lost, and which series is meant, as dialogs.
 #pragma once
 
 #include "ui/patient_keeper.h"

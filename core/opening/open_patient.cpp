@@ -100,6 +100,26 @@ OpenRequest with_absolute_paths(OpenRequest request) {
     return request;
 }
 
+std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job) {
+    const fs::path& path = request.reconstruct.ct;
+    std::error_code ignored;
+    if (request.built_in || request.reconstruct.series != 0 || is_case(path) ||
+        !fs::is_directory(path, ignored))
+        return {};
+    std::vector<SeriesDescription> series;
+    try {
+        job.expect_stages(1);
+        series = list_series(path, job);
+    } catch (const InputError&) {
+        return {};
+    }
+    std::erase_if(series, [](const SeriesDescription& one) {
+        return one.modality != "CT" && !one.modality.empty();
+    });
+    if (series.size() < 2) series.clear();
+    return series;
+}
+
 int opening_stage_count(const OpenRequest& request) {
     const fs::path& path = request.reconstruct.ct;
     if (request.built_in) return holds_patient(request.cache) ? 1 : built_in_stage_count();

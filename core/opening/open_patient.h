@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/image/volume_reader.h"
 #include "core/opening/built_in_cache.h"
 #include "core/patient/patient_case.h"
 #include "core/reconstruction/reconstruct.h"
@@ -34,6 +35,12 @@ struct OpenedPatient {
     std::vector<std::string> warnings;
     std::vector<StageTime> stages;  // of the job that reconstructed it just now; else empty
 };
+
+// The CT series among which a person may choose, the best first: of a folder that holds several,
+// and where the request names none of them; else none. Reads the headers of the folder's files in a
+// stage of its own. What cannot be read is left for open_patient() to say. Throws Cancelled. Any
+// thread.
+std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job);
 
 // How many stages of its job open_patient() begins; more where it finds its cache damaged.
 int opening_stage_count(const OpenRequest& request);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/image/volume_writer.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/patient/parted_patient.h"
 
@@ -57,6 +58,36 @@ TEST_F(Opening, what_is_not_there_is_named) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.place(), (folder_ / "nothing.hep").string());
     }
+}
+
+std::vector<std::string> choice(const fs::path& path, int series = 0) {
+    OpenRequest request;
+    request.reconstruct.ct = path;
+    request.reconstruct.series = series;
+    Job job;
+    std::vector<std::string> slices;
+    for (const SeriesDescription& one : series_to_choose_from(request, job))
+        slices.push_back(std::to_string(one.slices) + " " + one.why_not_chosen);
+    return slices;
+}
+
+// A person is asked only where several series of a folder could be read and none is named yet.
+TEST_F(Opening, offers_the_series_of_a_folder_that_holds_several) {
+    Volume volume(Grid{{16, 16, 8}}, 40);
+    Job job;
+    write_dicom_series(folder_ / "scan" / "thin", volume, {}, job);
+    EXPECT_TRUE(choice(folder_ / "scan").empty());
+    volume = Volume(Grid{{16, 16, 4}}, 40);
+    volume.grid.spacing_mm.z() = 2.0;
+    write_dicom_series(folder_ / "scan" / "thick", volume, {}, job);
+    EXPECT_EQ(choice(folder_ / "scan"), (std::vector<std::string>{"8 ", "4 it has more slices"}));
+    EXPECT_TRUE(choice(folder_ / "scan", 1).empty());
+    EXPECT_TRUE(choice(folder_ / "scan" / "thin").empty());
+    fs::create_directory(folder_ / "empty");
+    for (const char* name : {"empty", "nothing", "scan/thin/0001.dcm"})
+        EXPECT_TRUE(choice(folder_ / name).empty()) << name;
+    write_case(folder_ / "p.hep", test::patient_with_bridges());
+    EXPECT_TRUE(choice(folder_ / "p.hep").empty());
 }
 
 TEST(OpenRequest, means_the_same_from_every_folder) {

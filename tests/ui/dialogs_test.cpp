@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <filesystem>
 #include <fstream>
 
@@ -15,6 +16,7 @@
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
 #include "ui/save_case_dialog.h"
+#include "ui/series_dialog.h"
 
 namespace hepatica {
 namespace {
@@ -98,7 +100,7 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     EXPECT_TRUE(series->itemText(0).contains("thin")) << series->itemText(0).toStdString();
     EXPECT_TRUE(series->itemText(1).contains("\"thick\", 4 images"))
         << series->itemText(1).toStdString();
-    EXPECT_EQ(wizard_.options().series, 0);
+    EXPECT_EQ(wizard_.options().series, 1) << "it was offered: nobody asks again";
     series->setCurrentIndex(1);
     EXPECT_EQ(wizard_.options().series, 2);
     Job job;
@@ -133,6 +135,47 @@ TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
     for (QPushButton* button : wizard_.findChildren<QPushButton*>())
         if (button->text() == "Reconstruct") button->click();
     EXPECT_EQ(wizard_.result(), QDialog::Accepted);
+}
+
+class Choosing : public ::testing::Test {
+  protected:
+    Choosing() { dialog_.show(); }
+    QTreeWidget& list() { return *dialog_.findChild<QTreeWidget*>("series"); }
+
+    SeriesDialog dialog_{
+        {{"3 \"portal\"", "CT", 240, 1.25, "B30f", "portal venous phase", ""},
+         {"2 \"lung\"", "CT", 480, 0.0, "B70f", "", "its kernel is for soft tissue"}}};
+};
+
+TEST_F(Choosing, lists_what_tells_the_series_apart) {
+    ASSERT_EQ(list().topLevelItemCount(), 2);
+    const auto row = [&](int number) {
+        QStringList cells;
+        for (int column = 0; column < list().columnCount(); ++column)
+            cells << list().topLevelItem(number)->text(column);
+        return cells.join(" | ").toStdString();
+    };
+    EXPECT_EQ(row(0),
+              "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase | the best for the "
+              "liver's vessels");
+    EXPECT_EQ(row(1),
+              "2 | 2 \"lung\" | 480 | unknown | B70f |  | of the best, its kernel is for soft "
+              "tissue");
+}
+
+TEST_F(Choosing, takes_the_best_by_enter_alone) {
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog_, testing::patience_ms));
+    QTest::keyClick(&list(), Qt::Key_Return);
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog_.chosen(), 1);
+}
+
+TEST_F(Choosing, takes_another_by_one_key_more) {
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog_, testing::patience_ms));
+    QTest::keyClick(&list(), Qt::Key_Down);
+    QTest::keyClick(&list(), Qt::Key_Return);
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog_.chosen(), 2);
 }
 
 class SavingCase : public ::testing::Test {

@@ -78,11 +78,14 @@ class WindowTest : public ::testing::Test {
 
     // Nobody sits before the tests' window: what is asked is answered from here.
     PatientKeeper::Questions answers() {
-        return {[this](const std::string&) {
-                    ++questions_asked_;
-                    return unsaved_answer_;
-                },
-                [this] { return save_place_; }};
+        PatientKeeper::Questions answers;
+        answers.unsaved = [this](const std::string&) {
+            ++questions_asked_;
+            return unsaved_answer_;
+        };
+        answers.which_series = [](const std::vector<SeriesDescription>&) { return 1; };
+        answers.where_to_save = [this] { return save_place_; };
+        return answers;
     }
 
     int questions_asked_ = 0;

@@ -43,6 +43,10 @@ FakeWard::FakeWard() {
         if (!place) return std::nullopt;
         return path_of(*place);
     };
+    answers.which_series = [this](const std::vector<SeriesDescription>&) {
+        ++series_asked;
+        return series;
+    };
     PatientKeeper::Screen screen;
     screen.show = [this](LoadedPatient patient, bool corrected) {
         if (before_show) before_show(corrected);
@@ -110,6 +114,8 @@ LoadedPatient FakeWard::load(const OpenRequest& request, Job& job) {
     patient.mask = Mask(Grid{{1, 1, 1}}, 1);
     if (!request.built_in && loaded.title.starts_with("ct")) {
         loaded.image = path;
+        if (const int chosen = request.reconstruct.series; chosen != 0)
+            loaded.title += ", series " + std::to_string(chosen);
         loaded.worth_saving = true;
     } else if (!request.built_in) {
         const std::lock_guard lock(mutex_);
@@ -124,6 +130,11 @@ LoadedPatient FakeWard::load(const OpenRequest& request, Job& job) {
 PatientKeeper::Ways FakeWard::ways() {
     PatientKeeper::Ways ways;
     ways.load = [this](const OpenRequest& request, Job& job) { return load(request, job); };
+    ways.list_series = [](const OpenRequest& request, Job&) -> std::vector<SeriesDescription> {
+        const bool two = request.reconstruct.ct.filename().string().starts_with("ct of two");
+        if (!two || request.reconstruct.series != 0) return {};
+        return {2, SeriesDescription{}};
+    };
     // As write_case(): without a job, so that nothing cancels it half-way.
     ways.save = [this](const std::filesystem::path& folder, const PatientCase& patient) {
         Job unheard;

@@ -31,7 +31,8 @@ class FakeWard {
     // Handles events until no job runs; false where that takes too long.
     bool finish();
 
-    // A path named "ct..." is a CT, every other one a case on the disk.
+    // A path named "ct..." is a CT, "ct of two..." one of two series, every other one a case on the
+    // disk.
     void open(const std::string& name);
     void open_built_in();
     // True once `go` was called.
@@ -52,9 +53,11 @@ class FakeWard {
     // What a person answers, and was asked and shown.
     UnsavedAnswer answer = UnsavedAnswer::cancel;
     std::optional<std::string> place;
+    std::optional<int> series;
     bool left = false;
     int questions = 0;
     int places_asked = 0;
+    int series_asked = 0;
     std::vector<std::string> failures;
     std::vector<std::string> said;
     std::vector<std::string> shown;  // titles of patients, one each time; "+" for a corrected one

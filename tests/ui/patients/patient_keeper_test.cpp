@@ -207,6 +207,23 @@ TEST_F(Keeper, a_discarded_patient_stays_as_he_is_where_the_other_cannot_be_open
     EXPECT_FALSE(ward.left);
 }
 
+TEST_F(Keeper, asks_once_which_of_several_series_is_meant_and_reads_that_one) {
+    ward.series = 2;
+    ward.open("ct of two");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.series_asked, 1);
+    EXPECT_EQ(ward.shown.back(), "ct of two, series 2");
+}
+
+TEST_F(Keeper, stays_where_none_of_the_series_is_meant) {
+    ward.open("ct of two");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.series_asked, 1);
+    EXPECT_EQ(ward.shown, std::vector<std::string>{"ct"});
+    EXPECT_EQ(ward.said.back(), "Cancelled");
+    EXPECT_FALSE(ward.workspace().dirty());
+}
+
 TEST_F(Keeper, a_newer_opening_takes_the_place_of_an_older_one) {
     ward.hold_openings = true;
     ward.open("ct2");
