@@ -35,6 +35,8 @@ class DialKeeper {
     // Whether somebody plays or another job runs: then nothing is measured, and not for a second
     // after.
     void set_busy(bool busy);
+    // Whether settings of the patient who is shown are still to be measured.
+    bool has_work() const { return worker_ != nullptr; }
 
   private:
     void take(std::vector<QualityPoint> points);
