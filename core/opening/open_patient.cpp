@@ -108,7 +108,6 @@ std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request,
         return {};
     std::vector<SeriesDescription> series;
     try {
-        job.expect_stages(1);
         series = list_series(path, job);
     } catch (const InputError&) {
         return {};
