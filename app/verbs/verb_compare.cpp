@@ -2,15 +2,16 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "app/verbs/compare_systems.h"
 #include "app/verbs/flow_options.h"
+#include "app/verbs/truth_place.h"
 #include "app/verbs/verbs.h"
 #include "core/accuracy/accuracy.h"
 #include "core/base/error.h"
-#include "core/image/filters.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
 #include "core/tree/files/tree_json.h"
@@ -23,41 +24,9 @@ struct Options {
     std::filesystem::path patient;
     std::filesystem::path truth_tree;
     TreeFileOptions tree_file;  // of the truth
-    std::filesystem::path truth_mask;
+    std::vector<std::string> truth_masks;
+    std::filesystem::path liver_mask, cava_mask;  // where each system has its own mask
 };
-
-using Box = Eigen::AlignedBox3d;
-
-Box box_of(const VesselTree& tree) {
-    Box box;
-    for (const VesselSegment& segment : tree.segments)
-        for (const Vec3& point : segment.points_mm) box.extend(point);
-    return box;
-}
-
-Box box_of(const Mask& mask) {
-    const IndexBox voxels = bounding_box(mask);
-    Box box;
-    for (int corner = 0; !voxels.empty() && corner < 8; ++corner)
-        box.extend(mask.grid.to_mm((corner & 1) != 0 ? voxels.end[0] - 1 : voxels.begin[0],
-                                   (corner & 2) != 0 ? voxels.end[1] - 1 : voxels.begin[1],
-                                   (corner & 4) != 0 ? voxels.end[2] - 1 : voxels.begin[2]));
-    return box;
-}
-
-std::string text_of(double millimetres) {
-    return std::to_string(std::lround(millimetres)) + " mm";
-}
-
-// Vessels of one patient's scan share a place, however badly they were found.
-void require_overlap(const Box& of_case, const std::filesystem::path& patient, const Box& of_truth,
-                     const std::filesystem::path& truth) {
-    if (of_case.isEmpty() || of_truth.isEmpty() || of_case.intersects(of_truth)) return;
-    throw InputError("its vessels and those of " + patient.string() + " lie " +
-                         text_of(of_case.exteriorDistance(of_truth)) + " apart",
-                     truth.string(),
-                     "Give the truth of the same patient, in the same coordinates (LPS, mm)");
-}
 
 // Nothing where the two trees may well be one patient's. In a liver the vessels of any two patients
 // lie near each other here and there, so that the median is asked and not the least distance; and
@@ -73,13 +42,21 @@ std::vector<std::string> doubts(const Options& options, const Accuracy& found) {
             "--truth-mask."};
 }
 
-Json run(const Options& options, Job& job) {
+Json compare_with_tree(const Options& options, Job& job) {
+    if (options.truth_masks.size() != 1 || names_a_system(options.truth_masks[0]))
+        throw UsageError("a true tree is judged with one mask of all its vessels", "--truth-mask",
+                         "Give one FILE without a name, or leave --truth-tree out");
+    if (!options.liver_mask.empty() || !options.cava_mask.empty())
+        throw UsageError("organs are left out only where each system has its own mask",
+                         options.liver_mask.empty() ? "--cava-mask" : "--liver-mask",
+                         "Leave it out, or give --truth-mask NAME=FILE in place of --truth-tree");
+    const std::filesystem::path mask_file = options.truth_masks[0];
     job.expect_stages(2);
     const PatientCase patient = read_case(options.patient);
     const VesselTree truth_tree = read_tree(options.truth_tree, options.tree_file.facts());
-    const Mask truth_mask = read_mask(options.truth_mask, job);
+    const Mask truth_mask = read_mask(mask_file, job);
     require_overlap(box_of(patient.tree), options.patient, box_of(truth_tree), options.truth_tree);
-    require_overlap(box_of(patient.tree), options.patient, box_of(truth_mask), options.truth_mask);
+    require_overlap(box_of(patient.tree), options.patient, box_of(truth_mask), mask_file);
     job.begin_stage("Comparing");
     const Accuracy found =
         compare(patient.tree, patient.mask, truth_tree, truth_mask, AccuracyOptions{}, job);
@@ -110,15 +87,32 @@ Json run(const Options& options, Job& job) {
 
 void add_compare(CommandLine& line) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = line.add_verb("compare", "Judge a case by a known truth of the same patient",
-                                   [options](Job& job) { return run(*options, job); });
+    CLI::App& verb = line.add_verb(
+        "compare", "Judge a case by a known truth of the same patient",
+        [options](Job& job) {
+            if (!options->truth_tree.empty()) return compare_with_tree(*options, job);
+            return compare_systems(
+                {options->patient, options->truth_masks, options->liver_mask, options->cava_mask},
+                job);
+        },
+        [options](const Json& answer) {
+            return options->truth_tree.empty() ? tables_of_systems(answer) : answer;
+        });
     verb.add_option("case", options->patient, "Case to judge")->required();
     verb.add_option("--truth-tree", options->truth_tree,
                     "Centrelines with radii (.vtp, .swc or .json); refused where they lie "
-                    "elsewhere, with a warning where half of both trees is 5 mm apart")
-        ->required();
+                    "elsewhere, with a warning where half of both trees is 5 mm apart");
     options->tree_file.add_to(verb);
-    verb.add_option("--truth-mask", options->truth_mask, "Vessel voxels (NIfTI ...)")->required();
+    verb.add_option("--truth-mask", options->truth_masks,
+                    "Vessel voxels (NIfTI ...): one FILE beside --truth-tree, else NAME=FILE for "
+                    "each system: portal, hepatic, artery")
+        ->required()
+        ->allow_extra_args(false);
+    verb.add_option("--liver-mask", options->liver_mask,
+                    "With NAME=FILE: judge only what lies in this liver, vessels closed");
+    verb.add_option("--cava-mask", options->cava_mask,
+                    "With NAME=FILE: leave out what lies within 3 mm of this vena cava; where the "
+                    "hepatic mask is wider than 6 mm in radius it is left out anyway");
 }
 
 }  // namespace hepatica

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places at which a tree connects vessels that the truth keeps apart.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accuracy/centreline_samples.h"
+
+namespace hepatica {
+
+struct JoinOptions {
+    // A stretch along one system that is shorter than this is no vessel of it: that far a
+    // centreline strays where lumens touch, and a tree that was opened there keeps a stub.
+    double stray_mm = 5.0;
+    // Joins nearer to each other along the tree than the lumen's radius and this are one place, as
+    // the two sides of a crossing are.
+    double place_mm = 2.0;
+};
+
+// Number of places where one connected piece of the judged samples runs from one true system to
+// another, directly or by stretches that lie near no truth. `truth` holds the true system of each
+// sample, 0 where it lies near none.
+int count_false_joins(const CentrelineSamples& tree, std::span<const std::uint8_t> truth,
+                      const JoinOptions& options = {});
+
+}  // namespace hepatica
