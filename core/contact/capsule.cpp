@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/capsule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/time_of_contact.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double tolerance = 1e-3;  // of the gap to be kept, and of that at the beginning
+constexpr int most_slides = 5;
+
+Box box_around(const Segment& axis, double margin_mm) {
+    Box box;
+    for (const Vec3& end : axis) box.add(end);
+    box.grow(margin_mm);
+    return box;
+}
+
+Segment moved(const Segment& axis, const Vec3& by_mm) {
+    return {axis[0] + by_mm, axis[1] + by_mm};
+}
+
+NearTriangle nearest_point(const Segment& axis, double radius_mm, const Triangle& corners,
+                           int triangle) {
+    const SegmentTriangle on = closest(axis, corners);
+    NearTriangle near{triangle, on.weights, std::sqrt(on.squared_mm2) - radius_mm, Vec3::Zero(),
+                      point_at(axis, on.along)};
+    if (on.squared_mm2 > 0.0)
+        near.normal = (point_at(corners, on.weights) - near.on_axis_mm) / std::sqrt(on.squared_mm2);
+    return near;
+}
+
+// Where a motion ends, and the normal of what ends it, away from that.
+struct Stop {
+    double share = 1.0;
+    Vec3 normal = Vec3::Zero();
+};
+
+// What is nearer than keep_mm from the beginning comes no nearer.
+Stop straight(const Segment& axis, double radius_mm, const SurfacePatches& surface,
+              std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm) {
+    constexpr double band = tolerance * tolerance;
+    const Motion<Segment> motion{axis, moved(axis, motion_mm)};
+    Box box;
+    for (const Segment& ends : {motion.begin, motion.end})
+        for (const Vec3& end : ends) box.add(end);
+    box.grow(radius_mm + keep_mm);
+    Stop stop;
+    for (const int t : surface.triangles_in(box, positions_mm)) {
+        const Triangle corners = corners_of(surface.triangles()[t], positions_mm);
+        const double gap = nearest_point(axis, radius_mm, corners, t).gap_mm;
+        const double keep = std::min(keep_mm, gap) - band * keep_mm;
+        const Motion<Triangle> still{corners, corners};
+        const auto time = time_of_contact(motion, still, radius_mm + keep, band * keep_mm);
+        if (!time || *time >= stop.share) continue;
+        const Segment there = moved(axis, *time * motion_mm);
+        stop = {*time, -nearest_point(there, radius_mm, corners, t).normal};
+    }
+    return stop;
+}
+
+// What is left of a motion that must not go against any of these normals. None where it has no way
+// out: a motion into a corner.
+Vec3 along_all(Vec3 motion, const std::vector<Vec3>& normals) {
+    for (int round = 0; round < 2; ++round)
+        for (const Vec3& n : normals) motion -= std::min(0.0, motion.dot(n)) * n;
+    const auto against = [&](const Vec3& n) { return motion.dot(n) < -1e-9 * motion.norm(); };
+    return std::ranges::any_of(normals, against) ? Vec3(Vec3::Zero()) : motion;
+}
+
+}  // namespace
+
+std::vector<NearTriangle> near_capsule(const Capsule& capsule, const SurfacePatches& surface,
+                                       std::span<const Vec3> positions_mm, double reach_mm) {
+    std::vector<NearTriangle> near;
+    const Segment axis = capsule.axis();
+    const Box box = box_around(axis, capsule.radius_mm + reach_mm);
+    for (const int t : surface.triangles_in(box, positions_mm)) {
+        const Triangle corners = corners_of(surface.triangles()[t], positions_mm);
+        const NearTriangle candidate = nearest_point(axis, capsule.radius_mm, corners, t);
+        if (candidate.gap_mm < reach_mm) near.push_back(candidate);
+    }
+    return near;
+}
+
+double free_share(const Capsule& capsule, const SurfacePatches& surface,
+                  std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                  const std::function<double(double gap_mm)>& kept) {
+    const Segment axis = capsule.axis();
+    const Motion<Segment> still{axis, axis};
+    const Box box = box_around(axis, capsule.radius_mm);
+    double share = 1.0;
+    const auto look_at = [&](int t) {
+        const Motion<Triangle> motion{corners_of(surface.triangles()[t], from_mm),
+                                      corners_of(surface.triangles()[t], to_mm)};
+        const double gap = nearest_point(axis, capsule.radius_mm, motion.begin, t).gap_mm;
+        const double keep = kept(gap);
+        if (keep < 0.0) return;
+        const double band = tolerance * std::max(gap - keep, keep);
+        const auto time = time_of_contact(still, motion, capsule.radius_mm + keep, band);
+        if (time) share = std::min(share, *time);
+    };
+    for (std::size_t p = 0; p < surface.size(); ++p) {
+        Box swept = surface.box(p, from_mm);
+        const Box end = surface.box(p, to_mm);
+        swept.add(end.low);
+        swept.add(end.high);
+        // Room for the largest gap that is asked for.
+        swept.grow(std::max(0.0, kept(INFINITY)));
+        if (!swept.meets(box)) continue;
+        for (const int t : surface.triangles_of(p)) look_at(t);
+    }
+    return share;
+}
+
+Vec3 approach(const Capsule& capsule, const SurfacePatches& surface,
+              std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm) {
+    const Segment axis = capsule.axis();
+    return straight(axis, capsule.radius_mm, surface, positions_mm, motion_mm, keep_mm).share *
+           motion_mm;
+}
+
+Vec3 slide(const Capsule& capsule, const SurfacePatches& surface,
+           std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm) {
+    Vec3 gone = Vec3::Zero(), left = motion_mm;
+    std::vector<Vec3> normals;  // from what stopped it
+    for (int round = 0; round < most_slides && !left.isZero(0.0); ++round) {
+        const Stop stop = straight(moved(capsule.axis(), gone), capsule.radius_mm, surface,
+                                   positions_mm, left, keep_mm);
+        gone += stop.share * left;
+        left *= 1.0 - stop.share;
+        if (stop.share == 1.0) break;
+        normals.push_back(stop.normal);
+        left = along_all(left, normals);
+    }
+    return gone;
+}
+
+}  // namespace hepatica

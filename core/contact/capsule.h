@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A capsule (a sphere where its axis has no length) beside a surface: what of it is near, how far
+// the surface may move against it, and how far it may move against the surface. Lengths in mm;
+// pure functions. Their cost is that of the boxes of all patches and of the triangles near.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/contact/surface_patches.h"
+
+namespace hepatica {
+
+struct Capsule {
+    Vec3 centre_mm = Vec3::Zero();
+    Vec3 half_axis_mm = Vec3::Zero();  // from the centre to the middle of one end's ball
+    double radius_mm = 0.0;            // > 0
+
+    Segment axis() const { return {centre_mm - half_axis_mm, centre_mm + half_axis_mm}; }
+};
+
+// A triangle's nearest point.
+struct NearTriangle {
+    int triangle = 0;
+    std::array<double, 3> weights{};  // of its corners
+    double gap_mm = 0.0;              // to the capsule's surface; below 0 within it
+    Vec3 normal = Vec3::Zero();       // from the axis to the triangle, of length 1; 0 on the axis
+    Vec3 on_axis_mm = Vec3::Zero();
+};
+
+// All triangles with a gap below reach_mm, by their number.
+std::vector<NearTriangle> near_capsule(const Capsule& capsule, const SurfacePatches& surface,
+                                       std::span<const Vec3> positions_mm, double reach_mm);
+
+// The share of the straight motion of all vertices from `from_mm` to `to_mm` on which every
+// triangle keeps the gap >= 0 that `kept` returns for its gap at the beginning; none below 0 is
+// asked for. 1 where nothing is in the way.
+double free_share(const Capsule& capsule, const SurfacePatches& surface,
+                  std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                  const std::function<double(double gap_mm)>& kept);
+
+// How far the capsule goes along `motion_mm` past a surface that stands still, straight until a gap
+// falls to keep_mm > 0.
+Vec3 approach(const Capsule& capsule, const SurfacePatches& surface,
+              std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
+
+// Where the capsule comes to when it is led by `motion_mm` along a surface that stands still: it
+// goes straight until a gap falls to keep_mm > 0, then slides along what stopped it. What is nearer
+// from the beginning comes no nearer.
+Vec3 slide(const Capsule& capsule, const SurfacePatches& surface,
+           std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
+
+}  // namespace hepatica
