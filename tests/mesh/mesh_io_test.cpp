@@ -2,6 +2,11 @@
 #include "core/mesh/mesh_io.h"
 
 #include <gtest/gtest.h>
+#include <vtkCellType.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <filesystem>
 #include <fstream>
@@ -59,6 +64,23 @@ TEST_F(MeshIo, RefusesAVertexBeyondTenMetresByValue) {
     } catch (const InputError& error) {
         EXPECT_NE(error.problem().find("3e+09"), std::string::npos) << error.what();
     }
+}
+
+// Four corners may be a quadrangle: the file says of which kind its cells are.
+TEST_F(MeshIo, RefusesFourCornersThatAreNoTetrahedron) {
+    Job job;
+    write_vtu(folder_ / "mesh.vtu", tetrahedralize(test::random_tree(1, 1), {}, job));
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName((folder_ / "mesh.vtu").c_str());
+    reader->Update();
+    vtkNew<vtkUnstructuredGrid> quadrangles;
+    quadrangles->SetPoints(reader->GetOutput()->GetPoints());
+    quadrangles->SetCells(VTK_QUAD, reader->GetOutput()->GetCells());
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    writer->SetFileName((folder_ / "mesh.vtu").c_str());
+    writer->SetInputData(quadrangles);
+    ASSERT_NE(writer->Write(), 0);
+    EXPECT_THROW(read_vtu(folder_ / "mesh.vtu"), InputError);
 }
 
 TEST_F(MeshIo, LeavesNothingWhereItCannotWrite) {

@@ -83,6 +83,9 @@ TEST(VtkFile, IsRefusedByWhatItSaysOfItself) {
              {R"(format="ascii">2 2 2)", R"(format="appended" offset="9">)", "an offset of \"9\""},
              {R"(byte_order)", R"(compressor="vtkLZMADataCompressor" byte_order)", "LZMA"},
              {R"(type="PolyData")", R"(type="ImageData")", "type \"ImageData\""},
+             {"</PolyData>", R"(<Piece NumberOfPoints="1"></Piece></PolyData>)", "several pieces"},
+             {R"(NumberOfPoints="3")", R"(NumberOfPoints="0")", "no points"},
+             {R"(Name="offsets")", R"(Name="ends")", "which points its Lines have"},
              {"</VTKFile>", "", "damaged"}}) {
         const auto file = file_with(from, to);
         try {
