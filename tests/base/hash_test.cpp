@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace hepatica {
 namespace {
@@ -41,6 +45,18 @@ TEST(Hash, TellsEverySingleBitFlipAndTrailingZeroApart) {
         seen.insert(hash_of(flipped));
     }
     EXPECT_EQ(seen.size(), text.size() * 8 + 2);
+}
+
+TEST(Hash, OfAFileIsThatOfItsBytes) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "hash.bin";
+    for (const std::size_t size : {0u, 1u, 65'536u, 200'000u}) {
+        std::string text(size, ' ');
+        for (std::size_t i = 0; i < size; ++i) text[i] = static_cast<char>(i % 251);
+        std::ofstream(file, std::ios::binary) << text;
+        EXPECT_EQ(hash_of_file(file), hash_of(text)) << size;
+    }
+    std::filesystem::remove(file);
+    EXPECT_THROW(hash_of_file(file), InputError);
 }
 
 TEST(Hash, HexHasSixteenDigits) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace hepatica {
@@ -18,6 +21,25 @@ TEST(Parallel, VisitsEveryIndexOnce) {
         });
         EXPECT_EQ(visits, std::vector<int>(count, 1));
     }
+}
+
+// Sums are the same for any number of threads because their blocks are.
+TEST(Parallel, CutsTheRangeIntoBlocksOfTheSizeAskedFor) {
+    using Blocks = std::vector<std::pair<std::size_t, std::size_t>>;
+    const auto blocks_of = [](std::size_t count) {
+        std::mutex mutex;
+        Blocks blocks;
+        parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
+            const std::lock_guard lock(mutex);
+            blocks.emplace_back(begin, end);
+        });
+        std::ranges::sort(blocks);
+        return blocks;
+    };
+    EXPECT_EQ(blocks_of(0), Blocks{});
+    EXPECT_EQ(blocks_of(63), (Blocks{{0, 63}}));
+    EXPECT_EQ(blocks_of(64), (Blocks{{0, 64}}));
+    EXPECT_EQ(blocks_of(129), (Blocks{{0, 64}, {64, 128}, {128, 129}}));
 }
 
 TEST(Parallel, SumsToTheSameBitsForAnyNumberOfThreads) {
