@@ -123,6 +123,8 @@ TEST(Embolization, TheFlowGoesWhereNoBeadsAre) {
     EXPECT_EQ(result.lodged_in_segment[1], 1);
     EXPECT_EQ(result.passed, 199);
     EXPECT_NEAR(result.lodged_at_mm[1], 10.0 * (0.8 - 0.175) / (0.8 - 0.15), 1e-12);
+    EXPECT_EQ(result.series.front().open_outlets, 2);
+    EXPECT_EQ(result.series.back().open_outlets, 1);
     EXPECT_EQ(result.end.volume_flow_mm3_s[1], 0.0);
     EXPECT_GT(result.end.volume_flow_mm3_s[2], before.volume_flow_mm3_s[2]);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -197,6 +198,28 @@ TEST(Injection, SamplesLieOneIntervalApartAndEndAtTheEnd) {
     ASSERT_EQ(injection.series.size(), expected_s.size());
     for (std::size_t k = 0; k < expected_s.size(); ++k)
         EXPECT_NEAR(injection.series[k].time_s, expected_s[k], 1e-12);
+}
+
+// The time in which what flows in would fill the tree is that of a plug: volume over volume flow.
+TEST(Injection, SamplesLieAHundredthOfTheFillingTimeApartUnlessAskedFor) {
+    VesselTree tree;
+    tree.nodes = {{Vec3::Zero(), 1.5}, {Vec3(0, 0, 40), 1.5}};
+    VesselSegment tube;
+    tube.proximal_node = 0;
+    tube.distal_node = 1;
+    for (int i = 0; i <= 8; ++i) {
+        tube.points_mm.emplace_back(0, 0, 5.0 * i);
+        tube.radii_mm.push_back(1.5);
+    }
+    tree.segments = {tube};
+    Job job;
+    const InjectionResult injection = inject(tree, {}, job);
+    ASSERT_EQ(injection.begin.inlet_flow_mm3_s.size(), 1u);
+    const double filling_s =
+        std::numbers::pi * 1.5 * 1.5 * 40.0 / injection.begin.inlet_flow_mm3_s[0];
+    ASSERT_GT(injection.series.size(), 2u);
+    EXPECT_NEAR(injection.series[1].time_s, filling_s / 100.0, 1e-12 * filling_s);
+    EXPECT_NEAR(injection.series[2].time_s, filling_s / 50.0, 1e-12 * filling_s);
 }
 
 TEST(Injection, RefusesNonsenseAndStopsWhenAsked) {
