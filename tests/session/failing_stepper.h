@@ -27,6 +27,9 @@ class FailingStepper final : public Stepper {
         meet("set_gravity");
         stepper_->set_gravity(gravity_mm_per_s2);
     }
+    void set_tool(const std::optional<Tool>& tool) override { stepper_->set_tool(tool); }
+    void lead_tool(const Vec3& target_mm) override { stepper_->lead_tool(target_mm); }
+    const std::optional<Tool>& tool() const override { return stepper_->tool(); }
     bool set_options(const StepperOptions& options) override {
         return stepper_->set_options(options);
     }

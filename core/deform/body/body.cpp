@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/deform/elements/small_matrix_eigen.h"
+#include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
 namespace {
@@ -190,6 +191,13 @@ void add_hexahedra(const BodyDescription& d, Body& body) {
     body.groups.push_back(std::move(group));
 }
 
+std::vector<std::array<int, 3>> surface_of_elements(const BodyDescription& d) {
+    TetMesh mesh = d.mesh;
+    const auto cut = cut_into_tetrahedra(d.hexahedra);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), cut.begin(), cut.end());
+    return boundary_triangles(mesh);
+}
+
 double mean_edge(const Body& body) {
     double sum = 0.0;
     std::size_t count = 0;
@@ -226,6 +234,7 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     }
     body.damping = rayleigh_of(description.material);
     body.mean_edge_mm = mean_edge(body);
+    if (description.touchable) body.surface = surface_of_elements(description);
     return body;
 }
 

@@ -32,6 +32,7 @@ struct BodyDescription {
     // Pull of the surrounding tissue back to the place at rest, per volume: Pa/mm2. 0: none.
     double tether_pa_per_mm2 = 0.0;
     CoarseSkeleton skeleton;  // may be empty
+    bool touchable = false;   // tools may touch it; without it nothing is built for them
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.
@@ -69,6 +70,8 @@ struct Body {
     std::vector<double> tether_un_per_mm;
     std::vector<ElementGroup> groups;
     RayleighDamping damping;
+    std::vector<std::array<int, 3>>
+        surface;                // counter-clockwise from outside; empty: not touchable
     double mean_edge_mm = 0.0;  // of the elements at rest: the yardstick of tolerances
 
     int node_count() const { return static_cast<int>(rest_positions_mm.size()); }

@@ -92,7 +92,7 @@ void GrabSprings::add_product(std::span<const Vec3> positions_mm, double factor,
         });
 }
 
-void GrabSprings::mark_held(std::span<char> held) const {
+void GrabSprings::mark_held(std::span<const Vec3>, std::span<char> held) const {
     for (const Grab& grab : grabs_)
         for (const int v : grab.vertices)
             if (v >= 0) held[v] = 1;

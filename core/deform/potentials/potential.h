@@ -4,9 +4,11 @@
 // One virtual call a step and potential; loops over nodes lie inside.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/base/vector.h"
+#include "core/deform/body/body_state.h"
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/step/energy_ledger.h"
 
@@ -47,13 +49,32 @@ class Potential {
                              std::span<const Vec3> d, const BlockMatrix& pattern,
                              std::span<Vec3> product) const = 0;
 
-    // Sets held[i] for the nodes that it ties to a place, so that the body's momentum is not its
-    // own. Weight ties none.
-    virtual void mark_held(std::span<char> /*held*/) const {}
+    // Sets held[i] for the nodes that it ties to a place where they are, so that the body's
+    // momentum is not its own. Weight ties none.
+    virtual void mark_held(std::span<const Vec3> /*positions_mm*/, std::span<char> /*held*/) const {
+    }
 
     // Where it joins nodes of several pieces: joined[piece] of all of them becomes the least.
     virtual void join_pieces(std::span<const int> /*piece_of_node*/,
                              std::span<int> /*joined*/) const {}
+
+    // A step of dt_s begins at the state `start`, or the part of one that is left; until end_step()
+    // a potential may depend on it. Outside of a step nothing does. Nodes with held[i] != 0 stay
+    // where they are, and their stiffness may be left out; `held` stays there until the end.
+    virtual void begin_step(const BodyState& /*start*/, double /*dt_s*/,
+                            std::span<const std::uint8_t> /*held*/) {}
+    virtual void end_step() {}
+
+    // The share of the straight motion of all nodes on which nothing passes through anything, with
+    // room to spare; and the share of it after which something touches that did not. 1: all of it.
+    virtual double free_share(std::span<const Vec3> /*from_mm*/,
+                              std::span<const Vec3> /*to_mm*/) const {
+        return 1.0;
+    }
+    virtual double share_until_touch(std::span<const Vec3> /*from_mm*/,
+                                     std::span<const Vec3> /*to_mm*/) const {
+        return 1.0;
+    }
 
     // Writes `energy_nj` (with the start of the step as reference) into its term of the ledger.
     virtual void book(double energy_nj, EnergyLedger& ledger) const = 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/potential_list.h"
 
+#include <algorithm>
+
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
 #include "core/deform/potentials/tether.h"
+#include "core/deform/potentials/tool_contact.h"
+#include "core/deform/potentials/tool_friction.h"
 #include "core/deform/stepper/stepper_input.h"
 
 namespace hepatica {
@@ -16,6 +20,13 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
     all_.push_back(std::move(gravity));
     all_.push_back(std::make_unique<Tether>(body));
     all_.push_back(std::move(grabs));
+    if (body.surface.empty()) return;
+    auto contact = std::make_unique<ToolContact>(body);
+    auto friction = std::make_unique<ToolFriction>(body, *contact);
+    contact_ = contact.get();
+    friction_ = friction.get();
+    all_.push_back(std::move(contact));
+    all_.push_back(std::move(friction));
 }
 
 PotentialList::~PotentialList() = default;
@@ -28,6 +39,69 @@ void PotentialList::set_grabs(std::span<const Grab> grabs) {
 void PotentialList::set_gravity(const Vec3& gravity_mm_per_s2) {
     validate_gravity(gravity_mm_per_s2);
     gravity_->set(gravity_mm_per_s2);
+}
+
+void PotentialList::set_tool(const std::optional<Tool>& tool) {
+    if (tool) validate_tool(*tool, contact_ != nullptr);
+    if (contact_ != nullptr) contact_->set(tool);
+}
+
+const std::optional<Tool>& PotentialList::tool() const {
+    static const std::optional<Tool> none;
+    return contact_ != nullptr ? contact_->tool() : none;
+}
+
+bool PotentialList::lead_tool(std::span<const Vec3> positions_mm, double share, double dt_s) {
+    return tool() && contact_->lead(positions_mm, share, dt_s);
+}
+
+std::vector<int> PotentialList::vertices_near_tool(std::span<const Vec3> positions_mm) const {
+    return tool() ? contact_->vertices_near_way(positions_mm) : std::vector<int>{};
+}
+
+bool PotentialList::free_of_tool(std::span<const Vec3> positions_mm) const {
+    return contact_ == nullptr || contact_->free(positions_mm);
+}
+
+ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm) const {
+    ToolLoad load;
+    if (!tool()) return load;
+    const auto add = [&](const Vec3& at_mm, const Vec3& on_body_un) {
+        load.force_un -= on_body_un;
+        load.torque_un_mm -= (at_mm - tool()->shape.centre_mm).cross(on_body_un);
+    };
+    for (const PadContact& contact : contact_->contacts(positions_mm)) {
+        add(contact.at_mm, contact.force_un * contact.normal);
+        ++load.contacts;
+    }
+    load.least_gap_mm = contact_->least_gap_mm(positions_mm);
+    for (const auto& point : friction_->point_forces(positions_mm))
+        add(point.at_mm, point.force_un);
+    return load;
+}
+
+void PotentialList::begin_step(const BodyState& start, double dt_s,
+                               std::span<const std::uint8_t> held) const {
+    for (const auto& potential : all_) potential->begin_step(start, dt_s, held);
+}
+
+void PotentialList::end_step() const {
+    for (const auto& potential : all_) potential->end_step();
+}
+
+double PotentialList::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
+    double share = 1.0;
+    for (const auto& potential : all_)
+        share = std::min(share, potential->free_share(from_mm, to_mm));
+    return share;
+}
+
+double PotentialList::share_until_touch(std::span<const Vec3> from_mm,
+                                        std::span<const Vec3> to_mm) const {
+    double share = 1.0;
+    for (const auto& potential : all_)
+        share = std::min(share, potential->share_until_touch(from_mm, to_mm));
+    return share;
 }
 
 const std::vector<Grab>& PotentialList::grabs() const {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The potentials that act on one body: weight, the surrounding tissue and the tools' grabs; each
-// function is the sum over them in this order.
+// The potentials that act on one body: weight, the surrounding tissue, the hand's grabs and, where
+// the body may be touched, a tool's contact and friction; each function is the sum over them in
+// this order.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,11 +13,14 @@
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/grab.h"
 #include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/tool.h"
 
 namespace hepatica {
 
 class Gravity;
 class GrabSprings;
+class ToolContact;
+class ToolFriction;
 
 // Keeps a reference to the body. Not thread-safe.
 class PotentialList {
@@ -28,10 +33,28 @@ class PotentialList {
     // Both throw as stepper_input.h says, and then keep what they had.
     void set_grabs(std::span<const Grab> grabs);
     void set_gravity(const Vec3& gravity_mm_per_s2);
+    // Also where the body may not be touched.
+    void set_tool(const std::optional<Tool>& tool);
     const std::vector<Grab>& grabs() const;
+    const std::optional<Tool>& tool() const;
     const Vec3& gravity_mm_per_s2() const;
 
+    // See ToolContact; without a tool nothing moves, and everything is free.
+    bool lead_tool(std::span<const Vec3> positions_mm, double share, double dt_s);
+    // The vertices of all patches that the tool may come near on its way to its target.
+    std::vector<int> vertices_near_tool(std::span<const Vec3> positions_mm) const;
+    bool free_of_tool(std::span<const Vec3> positions_mm) const;
+    // Friction is there until end_step().
+    ToolLoad tool_load(std::span<const Vec3> positions_mm) const;
+
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
+
+    // What the potentials keep of a step while it is made; all of it is gone with end_step().
+    void begin_step(const BodyState& start, double dt_s, std::span<const std::uint8_t> held) const;
+    void end_step() const;
+    // The least over all, as in Potential.
+    double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
+    double share_until_touch(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
 
     // Sums over all, as in Potential.
     double energy(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm) const;
@@ -48,6 +71,8 @@ class PotentialList {
     std::vector<std::unique_ptr<Potential>> all_;
     Gravity* gravity_;
     GrabSprings* grabs_;
+    ToolContact* contact_ = nullptr;  // of a body that may be touched
+    ToolFriction* friction_ = nullptr;
     std::size_t nodes_;
 };
 

@@ -52,7 +52,7 @@ void Tether::add_product(std::span<const Vec3>, double factor, std::span<const V
     });
 }
 
-void Tether::mark_held(std::span<char> held) const {
+void Tether::mark_held(std::span<const Vec3>, std::span<char> held) const {
     for (std::size_t i = 0; any_ && i < held.size(); ++i)
         if (body_.tether_un_per_mm[i] > 0.0) held[i] = 1;
 }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/step/backward_euler.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
+
+#include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
 namespace {
 
 constexpr int most_halvings = 4;
+constexpr int most_impacts = 3;
+constexpr double least_part = 0.05;  // of what is left of a step
 
 }  // namespace
 
@@ -39,8 +45,31 @@ double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
 }
 
 StepReport BackwardEuler::advance(BodyState& state, double dt_s, const PotentialList& potentials) {
-    return advance_in_parts(state, dt_s, potentials, settings_.line_search ? most_halvings : 0,
-                            settings_.iterations + settings_.extra_solves);
+    const int halvings = settings_.line_search ? most_halvings : 0;
+    std::optional<StepReport> report;
+    double left_s = dt_s;
+    int solves_left = settings_.iterations + settings_.extra_solves;
+    for (int impacts_left = potentials.tool() ? most_impacts : 0;; --impacts_left) {
+        double part_s = left_s;
+        if (impacts_left > 0 && solves_left >= 2)
+            part_s *= std::max(least_part, share_until_touch(state, left_s, potentials));
+        const bool last = part_s >= left_s;
+        const StepReport part = advance_in_parts(state, part_s, potentials, halvings,
+                                                 last ? solves_left : (solves_left + 1) / 2);
+        report = report ? in_sequence(*report, part) : part;
+        if (last) return *report;
+        solves_left -= part.linear_solves;
+        left_s -= part_s;
+    }
+}
+
+double BackwardEuler::share_until_touch(const BodyState& state, double dt_s,
+                                        const PotentialList& potentials) const {
+    std::vector<Vec3> ahead(state.positions_mm.size());
+    for_each_node(ahead.size(), [&](std::size_t i) {
+        ahead[i] = state.positions_mm[i] + dt_s * state.velocities_mm_per_s[i];
+    });
+    return potentials.share_until_touch(state.positions_mm, ahead);
 }
 
 void BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
@@ -65,6 +94,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     else if (!forces_known_)
         potential_.evaluate_forces(state.positions_mm);
     energies_known_ = forces_known_ = true;
+    potentials.begin_step(state, dt_s, potential_.live().held());
     StepReport report;
     report.dt_s = dt_s;
     StepUnderway step{.potentials = potentials,
@@ -100,6 +130,8 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     if (settings_.line_search) limit_energy(step, velocities, report);
     state.velocities_mm_per_s = std::move(velocities);
     state.positions_mm = std::move(step.positions);
+    report.tool = potentials.tool_load(state.positions_mm);
+    report.tool.impulse_un_s = dt_s * report.tool.force_un;
     return report;
 }
 

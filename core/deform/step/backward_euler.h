@@ -29,7 +29,9 @@ class BackwardEuler {
     // incremental potential is tried again in halves, and those again, as far as
     // iterations + extra_solves linear solves reach; where they end, the shortened step stands
     // or the body is stopped. Energy is never made (but as published) and positions stay finite;
-    // the report says what was done.
+    // the report says what was done. Where the body flies against a tool, the step is cut where it
+    // touches, into four parts at most, which share the solves. What potentials keep of a step is
+    // there until their end_step().
     StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials);
 
     // From the next step on. One iterate and more of them need another tangent each: another
@@ -62,6 +64,8 @@ class BackwardEuler {
     }
 
   private:
+    double share_until_touch(const BodyState& state, double dt_s,
+                             const PotentialList& potentials) const;
     StepReport advance_in_parts(BodyState& state, double dt_s, const PotentialList& potentials,
                                 int halvings_left, int most_solves);
     void limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities, StepReport& report);

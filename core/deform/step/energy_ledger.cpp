@@ -6,7 +6,7 @@
 namespace hepatica {
 
 double stored_energy(const EnergyLedger& ledger) {
-    return ledger.kinetic + ledger.elastic + ledger.grab + ledger.tether;
+    return ledger.kinetic + ledger.elastic + ledger.grab + ledger.tether + ledger.contact;
 }
 
 double work_put_in(const EnergyLedger& ledger) {
@@ -14,9 +14,9 @@ double work_put_in(const EnergyLedger& ledger) {
 }
 
 double explained_change(const EnergyLedger& ledger) {
-    return work_put_in(ledger) - ledger.damping_loss - ledger.integrator_loss -
-           ledger.nonlinear_loss - ledger.limiter_loss - ledger.inversion_recovery_loss +
-           ledger.solver_work;
+    return work_put_in(ledger) - ledger.damping_loss - ledger.friction_loss -
+           ledger.integrator_loss - ledger.nonlinear_loss - ledger.limiter_loss -
+           ledger.inversion_recovery_loss + ledger.solver_work;
 }
 
 EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) {
@@ -24,6 +24,7 @@ EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) 
     sum.gravity_work += first.gravity_work;
     sum.tool_work += first.tool_work;
     sum.damping_loss += first.damping_loss;
+    sum.friction_loss += first.friction_loss;
     sum.integrator_loss += first.integrator_loss;
     sum.nonlinear_loss += first.nonlinear_loss;
     sum.limiter_loss += first.limiter_loss;
@@ -35,9 +36,10 @@ EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) 
 
 double energy_handled(const EnergyLedger& ledger) {
     return stored_energy(ledger) + std::abs(ledger.gravity_work) + std::abs(ledger.tool_work) +
-           std::abs(ledger.damping_loss) + std::abs(ledger.integrator_loss) +
-           std::abs(ledger.nonlinear_loss) + std::abs(ledger.limiter_loss) +
-           std::abs(ledger.inversion_recovery_loss) + std::abs(ledger.solver_work);
+           std::abs(ledger.damping_loss) + std::abs(ledger.friction_loss) +
+           std::abs(ledger.integrator_loss) + std::abs(ledger.nonlinear_loss) +
+           std::abs(ledger.limiter_loss) + std::abs(ledger.inversion_recovery_loss) +
+           std::abs(ledger.solver_work);
 }
 
 double relative_imbalance(const EnergyLedger& ledger) {

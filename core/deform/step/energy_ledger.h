@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The energy ledger of a step, and over several. What a body has gained must equal what was put in
 // less what was lost:
-//   change of (kinetic + elastic + grab + tether) = gravity_work + tool_work - damping_loss -
-//   integrator_loss - nonlinear_loss - limiter_loss - inversion_recovery_loss + solver_work +
-//   imbalance.
+//   change of (kinetic + elastic + grab + tether + contact) = gravity_work + tool_work -
+//   damping_loss - friction_loss - integrator_loss - nonlinear_loss - limiter_loss -
+//   inversion_recovery_loss + solver_work + imbalance.
 // Of these nonlinear_loss alone depends on whether forces are the gradients of the energies. In an
 // audited step (StepperOptions::audit) it is computed from forces alone, and a force that is not
 // shows up as imbalance. Otherwise it is taken from the energies, and the imbalance says that the
@@ -18,9 +18,11 @@ struct EnergyLedger {
     double elastic = 0.0;
     double grab = 0.0;             // stored in grab springs
     double tether = 0.0;           // stored in the springs of the surrounding tissue
+    double contact = 0.0;          // stored in the pads of tools
     double gravity_work = 0.0;     // done on the body during the step
     double tool_work = 0.0;        // done by moving targets during the step
     double damping_loss = 0.0;     // >= 0
+    double friction_loss = 0.0;    // >= 0
     double integrator_loss = 0.0;  // of backward Euler in a body of constant stiffness:
                                    // (|change of velocity|_M^2 + |motion|_K^2) / 2, >= 0
     double nonlinear_loss = 0.0;   // of forces that change otherwise along the step than its
@@ -34,7 +36,7 @@ struct EnergyLedger {
     double imbalance = 0.0;                // what does not add up; 0 but for rounding
 };
 
-// kinetic + elastic + grab + tether [nJ].
+// kinetic + elastic + grab + tether + contact [nJ].
 double stored_energy(const EnergyLedger& ledger);
 // gravity_work + tool_work [nJ].
 double work_put_in(const EnergyLedger& ledger);

@@ -11,6 +11,11 @@ namespace {
 
 constexpr double rounding = 1e-9;  // an excess below this share of the energies means nothing
 
+// What friction takes in a step is still there for the tool's motion to give.
+double kept_energy(const EnergyLedger& ledger) {
+    return stored_energy(ledger) + ledger.friction_loss;
+}
+
 double scale_without(double energy, double kinetic) {
     return kinetic > 0.0 ? std::sqrt(std::max(0.0, kinetic - energy) / kinetic) : 1.0;
 }
@@ -117,7 +122,7 @@ std::vector<EnergyLimiter::Balance> EnergyLimiter::balance(
 }
 
 void EnergyLimiter::begin(const StepUnderway& step, const Assembly& assembly) {
-    before_ = pieces() == 1 ? std::vector<Balance>{{stored_energy(step.before), 0.0}}
+    before_ = pieces() == 1 ? std::vector<Balance>{{kept_energy(step.before), 0.0}}
                             : balance(step, step.start.positions_mm, step.start.velocities_mm_per_s,
                                       assembly);
 }
@@ -128,7 +133,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
                                             std::vector<Vec3>& velocities_mm_per_s) const {
     const std::vector<Balance> now =
         pieces() == 1
-            ? std::vector<Balance>{{stored_energy(after) - after.gravity_work, after.kinetic}}
+            ? std::vector<Balance>{{kept_energy(after) - after.gravity_work, after.kinetic}}
             : balance(step, step.positions, velocities_mm_per_s, assembly);
     std::vector<int> joined(nodes_.size());
     std::iota(joined.begin(), joined.end(), 0);
@@ -146,7 +151,8 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
         // At rest the energies are rounding errors, of either sign.
         if (!(kinetic > 0.0) || !(excess > rounding * size)) continue;
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
-        for (const auto& potential : step.potentials.all()) potential->mark_held(marked);
+        for (const auto& potential : step.potentials.all())
+            potential->mark_held(step.positions, marked);
         std::vector<int> nodes;
         for (int p = first; p < pieces(); ++p)
             if (joined[p] == first) nodes.insert(nodes.end(), nodes_[p].begin(), nodes_[p].end());

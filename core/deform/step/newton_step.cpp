@@ -14,6 +14,9 @@ namespace {
 
 constexpr double armijo = 1e-4;  // of the predicted decrease must come true
 constexpr double shortest_step_length = 1e-3;
+// Where a tool may be met on the way: what rests on its pad is pressed into it by far less than it
+// would fall in a step, so that a direction from just above it goes much too far.
+constexpr double shortest_onto_tool = 1e-7;
 constexpr double at_rest = 1e-9;    // a move in mean edges that is rounding errors alone
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
 
@@ -87,7 +90,12 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     }
     std::ranges::fill(change_, Vec3::Zero());
     const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
-    if (solver_->made_from_latest()) made_from_ = origin_of(step);
+    if (solver_->made_from_latest()) {
+        made_from_ = origin_of(step);
+        made_with_.reset();
+        if (step.potentials.tool())
+            made_with_ = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
+    }
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;
     report.linear_residual = solved.relative_residual;
@@ -114,7 +122,7 @@ MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
 }
 
 // Assembles the potential's matrix as the step that `origin` is of did.
-void NewtonStep::assemble_again(const MatrixOrigin& origin) {
+void NewtonStep::assemble_again(const MatrixOrigin& origin, const std::optional<ToolOrigin>& with) {
     validate_time_step(origin.dt_s);
     const std::size_t nodes = body_.rest_positions_mm.size();
     validate_state(origin.first_mm, origin.first_mm, nodes);
@@ -127,6 +135,11 @@ void NewtonStep::assemble_again(const MatrixOrigin& origin) {
                          "Make the stepper of the body that it was taken of");
     PotentialList potentials(body_);
     potentials.set_grabs(origin.grabs);
+    if (with) {
+        validate_state(with->start_mm, with->start_mm, nodes);
+        potentials.set_tool(with->tool);
+        potentials.begin_step({with->start_mm, {}}, origin.dt_s, origin.held);
+    }
     VelocityError error;
     error.set(origin.velocity_error);
     const BodyState start{origin.first_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
@@ -157,7 +170,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         if (origin) potential_.freeze(held);
         potential_.forget_matrix();
     };
-    if (origin) assemble_again(*origin);
+    if (origin) assemble_again(*origin, checkpoint.tool);
     const std::vector<Vec3> none;
     const bool first = !origin || origin->iterate_mm.empty();
     try {
@@ -170,6 +183,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
     }
     back_to_present();
     made_from_ = origin;
+    made_with_ = checkpoint.tool;
 }
 
 // While the slots are those of the start.
@@ -228,12 +242,21 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
     return false;
 }
 
+// How much of the direction may be taken so that nothing passes through a tool.
+double NewtonStep::free_length(const StepUnderway& step) const {
+    std::vector<Vec3> whole(step.positions.size());
+    for_each_node(whole.size(),
+                  [&](std::size_t i) { whole[i] = step.positions[i] + step.dt_s * direction_[i]; });
+    return all_finite(whole) ? step.potentials.free_share(step.positions, whole) : 1.0;
+}
+
 // False where no step length along the direction lowers the potential; the iterate is then as
 // before.
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
     damping_before_ = step.damping_force;
-    for (double length = 1.0; length > shortest_step_length; length *= 0.5)
+    const double shortest = step.potentials.tool() ? shortest_onto_tool : shortest_step_length;
+    for (double length = free_length(step); length > shortest; length *= 0.5)
         if (try_step_length(step, length, slope)) {
             step.step_length = length;
             step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
@@ -306,7 +329,8 @@ void NewtonStep::predict(StepUnderway& step) {
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * velocity[i];
     });
     step.predicted = true;
-    if (all_finite(step.positions)) {
+    if (all_finite(step.positions) &&
+        step.potentials.free_share(step.start.positions_mm, step.positions) == 1.0) {
         potential_.evaluate(step.positions);
         step.value = potential_.value(step);
         if (step.value <= step.standing) return;
@@ -350,7 +374,7 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
             break;
         }
         if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
-        if (settings_.iterations == 1 && !step.predicted)
+        if (settings_.iterations == 1 && (!step.predicted || step.potentials.tool()))
             most = step.step_length < 1.0 ? std::min(1 + rescue_iterates, most_solves) : 1;
         if (step.iterate + 1 >= most) break;
     }

@@ -51,12 +51,12 @@ class NewtonStep {
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit
     // and leaves the potential at other positions; it throws InputError where the checkpoint does
     // not fit the body or the solver.
-    SolverCheckpoint checkpoint() const { return {made_from_, solver_->memory()}; }
+    SolverCheckpoint checkpoint() const { return {made_from_, solver_->memory(), made_with_}; }
     void restore(const SolverCheckpoint& checkpoint);
 
   private:
     MatrixOrigin origin_of(const StepUnderway& step) const;
-    void assemble_again(const MatrixOrigin& origin);
+    void assemble_again(const MatrixOrigin& origin, const std::optional<ToolOrigin>& with);
     void predict(StepUnderway& step);
     void stay_at_start(StepUnderway& step);
     bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
@@ -68,6 +68,7 @@ class NewtonStep {
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
     void solve(const StepUnderway& step, StepReport& report);
     void keep_linearised_work(StepUnderway& step);
+    double free_length(const StepUnderway& step) const;
     bool search_line(StepUnderway& step);
     bool try_step_length(StepUnderway& step, double step_length, double slope);
     double longest_move_mm(const StepUnderway& step) const;
@@ -78,6 +79,7 @@ class NewtonStep {
     NewtonSettings settings_;
     VelocityError velocity_error_;
     std::optional<MatrixOrigin> made_from_;  // see LinearSolver::made_from_latest
+    std::optional<ToolOrigin> made_with_;    // of the same matrix
     std::vector<Vec3> first_mm_;             // where the first iterate's matrix was made
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction

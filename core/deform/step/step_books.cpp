@@ -53,8 +53,11 @@ void StepBooks::book(StepUnderway& step, NewtonStep& newton, bool audit, StepRep
     });
     ledger.integrator_loss = inertial_loss + 0.5 * (start_work - end_work);
     const double gained = stored_energy(ledger) - stored_energy(step.before);
+    // A tool that moved has given what friction would take of a body that stays where it is.
+    ledger.tool_work = step.before.friction_loss;
     // Work of elements and potentials on the way: by their energies, or by their forces.
-    double path_work = ledger.gravity_work - (gained - (ledger.kinetic - step.before.kinetic));
+    double path_work = ledger.gravity_work - (ledger.friction_loss - step.before.friction_loss) -
+                       (gained - (ledger.kinetic - step.before.kinetic));
     if (audit) {
         if (!path_work_) path_work_ = std::make_unique<PathWork>(potential_.assembly());
         const double size = stored_energy(step.before) + energy_handled(ledger);

@@ -18,6 +18,7 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     both.shortened = first.shortened || second.shortened;
     if (both.message.empty()) both.message = first.message;
     both.energy = in_sequence(first.energy, second.energy);
+    both.tool.impulse_un_s += first.tool.impulse_un_s;
     both.audit_gap_nj += first.audit_gap_nj;
     both.audit_error_nj += first.audit_error_nj;
     return both;

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/deform/potentials/tool.h"
 #include "core/deform/step/energy_ledger.h"
 
 namespace hepatica {
@@ -23,6 +24,7 @@ struct StepReport {
     bool asleep = false;     // nothing moved: the step was skipped
     std::string message;     // why degraded, in words
     EnergyLedger energy;
+    ToolLoad tool;  // at the end of the step; of a sleeping body that of its last
     // Of an audited step: what its energies have lost more than its forces have worked on the way,
     // which is part of the ledger's imbalance; and how exactly that work is known.
     double audit_gap_nj = 0.0;

@@ -54,6 +54,18 @@ class CpuBackEnd final : public StepBackEnd {
         potentials_.set_gravity(gravity_mm_per_s2);
     }
 
+    void set_tool(const std::optional<Tool>& tool) override { potentials_.set_tool(tool); }
+    const std::optional<Tool>& tool() const override { return potentials_.tool(); }
+    void lead_tool(double share, double dt_s) override {
+        potentials_.lead_tool(state_.positions_mm, share, dt_s);
+    }
+    std::vector<int> vertices_near_tool() const override {
+        return potentials_.vertices_near_tool(state_.positions_mm);
+    }
+    bool free_of_tool(std::span<const Vec3> positions_mm) const override {
+        return potentials_.free_of_tool(positions_mm);
+    }
+
     bool set_options(const StepperOptions& options) override {
         if (options.model != options_.model || options.order != options_.order ||
             options.solver != options_.solver ||
@@ -68,7 +80,9 @@ class CpuBackEnd final : public StepBackEnd {
     int live_elements() const override { return integrator_.live().live_elements(); }
 
     StepReport advance(double dt_s) override {
-        return integrator_.advance(state_, dt_s, potentials_);
+        const StepReport report = integrator_.advance(state_, dt_s, potentials_);
+        potentials_.end_step();
+        return report;
     }
 
     bool recover_from_inversion(StepReport& report) override;
@@ -83,17 +97,13 @@ class CpuBackEnd final : public StepBackEnd {
     }
 
     EnergyLedger energies() const override {
-        EnergyLedger now;
+        EnergyLedger now = outside_energies();
         now.kinetic = kinetic_energy();
         now.elastic = integrator_.elastic_energy(state_.positions_mm);
-        potentials_.book(state_.positions_mm, state_.positions_mm, now);
         return now;
     }
-    double grab_energy() const override {
-        EnergyLedger now;
-        potentials_.book(state_.positions_mm, state_.positions_mm, now);
-        return now.grab;
-    }
+    double grab_energy() const override { return outside_energies().grab; }
+    double contact_energy() const override { return outside_energies().contact; }
     double kinetic_energy() const override {
         return hepatica::kinetic_energy(body_, state_.velocities_mm_per_s);
     }
@@ -102,6 +112,13 @@ class CpuBackEnd final : public StepBackEnd {
     void restore(const SolverCheckpoint& checkpoint) override { integrator_.restore(checkpoint); }
 
   private:
+    // Of the potentials.
+    EnergyLedger outside_energies() const {
+        EnergyLedger now;
+        potentials_.book(state_.positions_mm, state_.positions_mm, now);
+        return now;
+    }
+
     StepperOptions options_;
     Body body_;
     PotentialList potentials_;
@@ -115,7 +132,7 @@ bool CpuBackEnd::recover_from_inversion(StepReport& report) {
         return integrator_.potential_energy(x, potentials_);
     };
     const auto recovered = recovery_.recover(state_.positions_mm, energy);
-    if (!recovered) return false;
+    if (!recovered || potentials_.free_share(state_.positions_mm, *recovered) < 1.0) return false;
     EnergyLedger& ledger = report.energy;
     ledger.inversion_recovery_loss =
         ledger.kinetic + energy(state_.positions_mm) - energy(*recovered);
@@ -124,6 +141,7 @@ bool CpuBackEnd::recover_from_inversion(StepReport& report) {
     ledger.gravity_work += after.gravity_work;
     ledger.grab = after.grab;
     ledger.tether = after.tether;
+    ledger.contact = after.contact;
     state_.positions_mm = *recovered;
     std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
     ledger.kinetic = 0.0;

@@ -124,6 +124,51 @@ void GovernedStepper::set_grabs(std::span<const Grab> grabs) {
     if (region_->hold(held)) change_region();
 }
 
+void GovernedStepper::set_tool(const std::optional<Tool>& tool) {
+    if (!tool && !back_end_->tool()) return;
+    if (tool) validate_tool(*tool, !back_end_->body().surface.empty());
+    const std::optional<Tool> previous = back_end_->tool();
+    const double before = back_end_->contact_energy();
+    back_end_->set_tool(tool);
+    if (!back_end_->free_of_tool(back_end_->state().positions_mm)) {
+        back_end_->set_tool(previous);
+        throw InputError("would stand in the body", "the tool", "Put it beside the vessels");
+    }
+    const double after = back_end_->contact_energy();
+    tool_work_ += after - before;
+    resting_.contact = after;
+    tool_load_ = {};
+    tool_led_ = tool.has_value();
+    wake();
+    // What leaned on the one before is no longer held.
+    if (!region_ || !previous) return;
+    region_->wake_all();
+    change_region();
+}
+
+void GovernedStepper::lead_tool(const Vec3& target_mm) {
+    if (!tool()) return;
+    Tool led = *tool();
+    led.target_mm = target_mm;
+    validate_tool(led, true);
+    back_end_->set_tool(led);
+    tool_led_ = true;
+    wake();
+}
+
+void GovernedStepper::wake_near_tool() {
+    if (region_ && region_->wake(back_end_->vertices_near_tool())) change_region();
+}
+
+// The body stands still meanwhile; what that takes from the tool is its work.
+void GovernedStepper::lead_tool_for(double dt_s, double share) {
+    const double before = back_end_->contact_energy();
+    back_end_->lead_tool(share, dt_s);
+    const double after = back_end_->contact_energy();
+    tool_work_ += after - before;
+    resting_.contact = after;
+}
+
 void GovernedStepper::set_gravity(const Vec3& gravity_mm_per_s2) {
     validate_gravity(gravity_mm_per_s2);
     if (gravity_mm_per_s2 == gravity_mm_per_s2_) return;
@@ -143,6 +188,7 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
         other->set_gravity(gravity_mm_per_s2_);
         other->set_grabs(grabs_);
         other->set_state(back_end_->state());
+        other->set_tool(back_end_->tool());
         if (region_) other->freeze(frozen_nodes());
         back_end_ = std::move(other);
     }
@@ -167,23 +213,32 @@ EnergyLedger GovernedStepper::energies() const {
 StepReport GovernedStepper::step(double dt_s) {
     validate_time_step(dt_s);
     StepReport report;
-    if (asleep()) {
+    if (tool_led_) wake_near_tool();
+    const bool sleeps = asleep();
+    if (sleeps) {
+        if (tool_led_) lead_tool_for(dt_s, 1.0);
         report.dt_s = dt_s;
-        report.asleep = true;
+        report.asleep = !tool_led_;
         report.energy.kinetic = resting_.kinetic;
         report.energy.elastic = resting_.elastic;
         report.energy.grab = resting_.grab;
         report.energy.tether = resting_.tether;
+        report.energy.contact = resting_.contact;
+        report.tool = tool_load_;
     } else {
+        const double part_s = dt_s / options_.substeps;
         for (int s = 0; s < options_.substeps; ++s) {
-            const StepReport part = back_end_->advance(dt_s / options_.substeps);
+            if (tool()) lead_tool_for(part_s, 1.0 / (options_.substeps - s));
+            const StepReport part = back_end_->advance(part_s);
             report = s == 0 ? part : in_sequence(report, part);
         }
     }
     report.energy.tool_work += std::exchange(tool_work_, 0.0);
     const double lost_before = std::exchange(lost_, 0.0);
-    if (!report.asleep) {
+    tool_led_ = tool() && tool()->velocity_mm_per_s().norm() >= slow_mm_per_s();
+    if (!sleeps) {
         look_for_inversion(dt_s, report);
+        tool_load_ = report.tool;
         resting_ = report.energy;
         watch(dt_s, report);
     }
@@ -191,11 +246,15 @@ StepReport GovernedStepper::step(double dt_s) {
     return report;
 }
 
+double GovernedStepper::slow_mm_per_s() const {
+    return sleep_speed_edges_per_s * back_end_->body().mean_edge_mm;
+}
+
 // The kinetic energy of nodes that freeze after this step is booked in this step's report.
 void GovernedStepper::watch(double dt_s, StepReport& report) {
     if (!region_) {
-        const double slow = sleep_speed_edges_per_s * back_end_->body().mean_edge_mm;
-        still_s_ = fastest(back_end_->state()) < slow ? still_s_ + dt_s : 0.0;
+        const bool still = !tool_led_ && fastest(back_end_->state()) < slow_mm_per_s();
+        still_s_ = still ? still_s_ + dt_s : 0.0;
         return;
     }
     if (!region_->watch(positions_mm(), velocities_mm_per_s(), dt_s)) return;
@@ -235,6 +294,8 @@ void GovernedStepper::set_state(std::span<const Vec3> positions_mm,
     }
     for (std::size_t i = 0; i < nodes(); ++i)
         if (body.fixed[i]) state.velocities_mm_per_s[i].setZero();
+    if (!back_end_->free_of_tool(state.positions_mm))
+        throw InputError("puts the body into the tool", "the state", "Take the tool away first");
     back_end_->set_state(state);
     tool_work_ = 0.0;
     lost_ = 0.0;
@@ -259,11 +320,12 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
                            .solver = back_end_->checkpoint(),
                            .region = {}};
     if (region_) kept.region = region_->checkpoint();
+    if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
     return kept;
 }
 
 void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
-    validate_checkpoint(checkpoint, nodes());
+    validate_checkpoint(checkpoint, nodes(), !back_end_->body().surface.empty());
     if (checkpoint.region.has_value() != region_.has_value())
         throw InputError(checkpoint.region ? "is of a stepper that computes a part"
                                            : "is of a stepper that computes the whole body",
@@ -274,6 +336,10 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     // Nothing below throws, so the restored state is complete.
     region_ = std::move(region);
     back_end_->set_state(checkpoint.nodes);
+    const std::optional<ToolCheckpoint>& tool = checkpoint.tool;
+    back_end_->set_tool(tool ? std::optional(tool->tool) : std::nullopt);
+    tool_led_ = tool && tool->led;
+    tool_load_ = tool ? tool->last_load : ToolLoad{};
     back_end_->set_grabs(checkpoint.grabs);
     back_end_->set_gravity(checkpoint.gravity_mm_per_s2);
     if (region_) back_end_->freeze(frozen_nodes());
@@ -288,6 +354,7 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     resting_.elastic = checkpoint.last_elastic;
     resting_.grab = checkpoint.last_grab;
     resting_.tether = checkpoint.last_tether;
+    resting_.contact = tool ? tool->last_contact : 0.0;
 }
 
 LiveStepper::Extent GovernedStepper::extent() const {

@@ -27,6 +27,9 @@ class GovernedStepper final : public LiveStepper {
 
     void set_grabs(std::span<const Grab> grabs) override;
     void set_gravity(const Vec3& gravity_mm_per_s2) override;
+    void set_tool(const std::optional<Tool>& tool) override;
+    void lead_tool(const Vec3& target_mm) override;
+    const std::optional<Tool>& tool() const override { return back_end_->tool(); }
     bool set_options(const StepperOptions& options) override;
     StepReport step(double dt_s) override;
     std::span<const Vec3> positions_mm() const override;
@@ -44,6 +47,9 @@ class GovernedStepper final : public LiveStepper {
     void wake();
     std::vector<std::uint8_t> frozen_nodes() const;
     void change_region();
+    double slow_mm_per_s() const;
+    void wake_near_tool();
+    void lead_tool_for(double dt_s, double share);
     void watch(double dt_s, StepReport& report);
     void look_for_inversion(double dt_s, StepReport& report);
     std::size_t nodes() const { return back_end_->body().rest_positions_mm.size(); }
@@ -55,7 +61,9 @@ class GovernedStepper final : public LiveStepper {
     std::optional<LiveRegion> region_;
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
-    double tool_work_ = 0.0;  // of the grabs since the last step [nJ]
+    bool tool_led_ = false;   // the tool is on its way
+    ToolLoad tool_load_;      // of the last step
+    double tool_work_ = 0.0;  // of grabs and tool since the last step [nJ]
     double lost_ = 0.0;       // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
     double settled_s_ = 0.0;  // the same for the threshold of the search for inverted elements

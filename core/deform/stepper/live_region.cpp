@@ -103,6 +103,14 @@ void LiveRegion::refer_to(std::span<const Vec3> positions_mm,
     }
 }
 
+bool LiveRegion::wake(std::span<const int> vertices) {
+    std::vector<int> nodes;
+    for (const int v : vertices) nodes.push_back(node_of_[v]);
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return wake_around(nodes);
+}
+
 bool LiveRegion::watch(std::span<const Vec3> positions_mm,
                        std::span<const Vec3> velocities_mm_per_s, double dt_s) {
     std::vector<int> waking;

@@ -39,6 +39,8 @@ class LiveRegion {
     // Wakes the nodes around these vertices and keeps them live until the next call. Returns
     // whether any node woke.
     bool hold(std::span<const int> vertices);
+    // Wakes the surroundings of these vertices, once. Returns whether anything woke.
+    bool wake(std::span<const int> vertices);
     // Takes the positions and velocities of all vertices after a step. Returns whether the region
     // changed: it grows at once, and shrinks when a quarter of its nodes has been still for
     // still_s.

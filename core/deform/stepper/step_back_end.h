@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/potentials/grab.h"
+#include "core/deform/potentials/tool.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/deform/stepper/stepper_options.h"
@@ -29,6 +31,14 @@ class StepBackEnd {
     // Take effect in the next step. The caller has checked the values.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
+    virtual void set_tool(const std::optional<Tool>& tool) = 0;
+    virtual const std::optional<Tool>& tool() const = 0;
+    // Leads the tool over dt_s by `share` of the way to its target, past a body that stands still.
+    virtual void lead_tool(double share, double dt_s) = 0;
+    // The vertices that are near a tool on its way to its target.
+    virtual std::vector<int> vertices_near_tool() const = 0;
+    // Whether no part of the body is in the tool when its nodes are at these places.
+    virtual bool free_of_tool(std::span<const Vec3> positions_mm) const = 0;
     // Returns false, and changes nothing, where these options need another back end.
     virtual bool set_options(const StepperOptions& options) = 0;
     // Freezes exactly the nodes with frozen[i] != 0, in place and with velocity 0.
@@ -49,10 +59,12 @@ class StepBackEnd {
     // Replaces the velocities only.
     virtual void set_velocities(const std::vector<Vec3>& velocities_mm_per_s) = 0;
 
-    // Kinetic, elastic, grab and tether energy of the present state; all other terms are 0.
+    // Kinetic, elastic, grab, tether and contact energy of the present state; all other terms are
+    // 0.
     virtual EnergyLedger energies() const = 0;
     // Parts of energies() alone [nJ].
     virtual double grab_energy() const = 0;
+    virtual double contact_energy() const = 0;
     virtual double kinetic_energy() const = 0;
 
     // What the linear solver carries from one step to the next. restore() throws InputError, and

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/potentials/grab.h"
+#include "core/deform/potentials/tool.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/stepper/stepper_options.h"
 
@@ -28,6 +30,15 @@ class Stepper {
     virtual void set_grabs(std::span<const Grab> grabs) = 0;
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
 
+    // Puts a tool beside the body, in the place of one that is there, or takes it away. Throws
+    // where it would stand in the body.
+    virtual void set_tool(const std::optional<Tool>& tool) = 0;
+    // Where its centre is to go in the next step, as far as what it meets lets it. Without a tool
+    // it does nothing.
+    virtual void lead_tool(const Vec3& target_mm) = 0;
+    // Where it is now.
+    virtual const std::optional<Tool>& tool() const = 0;
+
     // Returns false, and changes nothing, where these options need a new stepper, to which the
     // caller then gives the state. Throws InputError where the options are not valid.
     virtual bool set_options(const StepperOptions& options) = 0;
@@ -39,15 +50,15 @@ class Stepper {
     virtual std::span<const Vec3> positions_mm() const = 0;
     virtual std::span<const Vec3> velocities_mm_per_s() const = 0;
 
-    // Kinetic, elastic, grab and tether energy of the present state, and the tool_work that the
-    // next step will report; all other terms are 0.
+    // Kinetic, elastic, grab, tether and contact energy of the present state, and the tool_work
+    // that the next step will report; all other terms are 0.
     virtual EnergyLedger energies() const = 0;
 
     // The state of every node: the vertices, then, in quadratic bodies, the middles of the edges.
     virtual BodyState state() const = 0;
 
     // Replaces the state. Takes one finite value per node as in state(), or one per vertex; edge
-    // middles are then put halfway between their vertices.
+    // middles are then put halfway between their vertices. A tool must not stand in the body there.
     virtual void set_state(std::span<const Vec3> positions_mm,
                            std::span<const Vec3> velocities_mm_per_s) = 0;
 

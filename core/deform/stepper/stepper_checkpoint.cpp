@@ -30,6 +30,47 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
+    value.pressure_pa;
+}
+{
+    visit(value.shape.centre_mm);
+    visit(value.shape.half_axis_mm);
+    visit(value.shape.radius_mm);
+    visit(value.target_mm);
+    visit(value.led_by_mm);
+    visit(value.led_over_s);
+    visit(value.pad_mm);
+    visit(value.pressure_pa);
+    visit(value.friction);
+    visit(value.force_limit_un);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.start_mm;
+}
+{
+    fields(visit, value.tool);
+    visit(value.start_mm);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.last_load;
+}
+{
+    fields(visit, value.tool);
+    visit(value.led);
+    visit(value.last_load.force_un);
+    visit(value.last_load.torque_un_mm);
+    visit(value.last_load.impulse_un_s);
+    visit(value.last_load.contacts);
+    visit(value.last_load.least_gap_mm);
+    visit(value.last_contact);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
     value.iterate_mm;
 }
 {
@@ -73,6 +114,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);
+    visit.behind_all(value.tool, value.solver.tool);
 }
 
 // Gives the bytes of every field to a sink.
@@ -82,6 +124,7 @@ class Writer {
     explicit Writer(Sink& sink) : sink_(sink) {}
 
     void operator()(double value) { put(&value, sizeof value); }
+    void operator()(bool value) { (*this)(value ? 1 : 0); }
     void operator()(int value) {
         const auto wide = static_cast<std::int64_t>(value);
         put(&wide, sizeof wide);
@@ -99,6 +142,11 @@ class Writer {
     void operator()(const std::optional<Record>& value) {
         put_length(value ? 1 : 0);
         if (value) put_record(*value);
+    }
+    void behind_all(const auto& first, const auto& second) {
+        if (!first && !second) return;
+        (*this)(first);
+        (*this)(second);
     }
 
   private:
@@ -139,6 +187,12 @@ class Reader {
         value = static_cast<int>(wide);
         if (value != wide) refuse("holds an index of " + std::to_string(wide));
     }
+    void operator()(bool& value) {
+        int number = 0;
+        (*this)(number);
+        if (number != 0 && number != 1) refuse("has a switch that is neither on nor off");
+        value = number == 1;
+    }
     void operator()(Vec3& value) {
         take(value.data(), sizeof value);
         require_finite(value.allFinite());
@@ -160,6 +214,12 @@ class Reader {
     template <class Record>
     void operator()(std::optional<Record>& value) {
         if (take_flag()) take_record(value.emplace());
+    }
+    void behind_all(auto& first, auto& second) {
+        if (rest_.empty()) return;
+        (*this)(first);
+        (*this)(second);
+        if (!first && !second) refuse("goes on after its end");
     }
 
     void expect_end() const {

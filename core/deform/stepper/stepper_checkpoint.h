@@ -15,6 +15,7 @@
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/body/material.h"
+#include "core/deform/potentials/tool.h"
 #include "core/deform/stepper/stepper.h"
 
 namespace hepatica {
@@ -30,10 +31,17 @@ struct MatrixOrigin {
     RayleighDamping velocity_error;  // E of eq. (11)
 };
 
+// What a tool had to do with that matrix.
+struct ToolOrigin {
+    Tool tool;
+    std::vector<Vec3> start_mm;  // where the step began
+};
+
 // What a linear solver carries from one step to the next.
 struct SolverCheckpoint {
     std::optional<MatrixOrigin> made_from;  // of its factor or preconditioner, where it has one
     std::vector<double> memory;             // see LinearSolver::memory
+    std::optional<ToolOrigin> tool{};       // none where the matrix knew no tool
 };
 
 // The live part of the tree, with one entry per skeleton node.
@@ -42,6 +50,14 @@ struct RegionCheckpoint {
     std::vector<double> still_s;
     std::vector<int> held;  // skeleton nodes
     std::vector<Vec3> reference_mm;
+};
+
+// A tool beside the body.
+struct ToolCheckpoint {
+    Tool tool;
+    bool led = false;           // it is on its way
+    ToolLoad last_load;         // of the last step
+    double last_contact = 0.0;  // of the last step [nJ]
 };
 
 struct StepperCheckpoint {
@@ -58,14 +74,16 @@ struct StepperCheckpoint {
     double last_tether = 0.0;
     SolverCheckpoint solver;
     std::optional<RegionCheckpoint> region;  // of a stepper with a live region
+    std::optional<ToolCheckpoint> tool{};    // where there is a tool
 };
 
-// Hash of every field.
+// Hash of every field. Without a tool it is the hash of the others alone.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
 // "hepatica checkpoint 2\n", then the fields in the order above, little-endian: numbers as 8 bytes
 // (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
-// their length; an optional field after a length of 0 or 1.
+// their length; an optional field after a length of 0 or 1. The two optional
+// fields of tools stand behind all others, and not at all where there is neither.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number

@@ -76,6 +76,28 @@ void validate_grabs(std::span<const Grab> grabs, std::size_t nodes) {
     for (std::size_t i = 0; i < grabs.size(); ++i) validate_grab(grabs[i], nodes, i);
 }
 
+void validate_tool(const Tool& tool, bool touchable) {
+    const auto require = [](bool good, const std::string& problem) {
+        if (!good) throw InputError(problem, "the tool", "Give another value");
+    };
+    if (!touchable)
+        throw InputError("has nothing to touch", "the tool",
+                         "Name tools among the contacts of the scene");
+    require(tool.shape.centre_mm.allFinite() && tool.shape.half_axis_mm.allFinite(),
+            "is at a place that is not finite");
+    require(tool.target_mm.allFinite() && tool.led_by_mm.allFinite() && tool.led_over_s > 0.0,
+            "has a target that is not finite");
+    const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
+    require(positive(tool.shape.radius_mm),
+            "has a radius of " + std::to_string(tool.shape.radius_mm) + " mm");
+    require(positive(tool.pad_mm), "has a pad of " + std::to_string(tool.pad_mm) + " mm");
+    require(positive(tool.pressure_pa), "has a pad of " + std::to_string(tool.pressure_pa) + " Pa");
+    require(tool.friction >= 0.0 && std::isfinite(tool.friction),
+            "has a friction of " + std::to_string(tool.friction));
+    require(positive(tool.force_limit_un),
+            "has a force limit of " + std::to_string(tool.force_limit_un) + " uN");
+}
+
 void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                     std::size_t expected) {
     const auto check = [&](std::span<const Vec3> values, const std::string& name) {
@@ -92,10 +114,12 @@ void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> ve
     check(velocities_mm_per_s, "velocity");
 }
 
-void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes) {
+void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes, bool touchable) {
     validate_state(checkpoint.nodes.positions_mm, checkpoint.nodes.velocities_mm_per_s, nodes);
     validate_grabs(checkpoint.grabs, nodes);
     validate_gravity(checkpoint.gravity_mm_per_s2);
+    if (checkpoint.tool) validate_tool(checkpoint.tool->tool, touchable);
+    if (checkpoint.solver.tool) validate_tool(checkpoint.solver.tool->tool, touchable);
 }
 
 }  // namespace hepatica

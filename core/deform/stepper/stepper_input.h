@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/vector.h"
+#include "core/deform/potentials/tool.h"
 #include "core/deform/stepper/stepper.h"
 
 namespace hepatica {
@@ -24,11 +25,15 @@ void validate_gravity(const Vec3& gravity_mm_per_s2);
 // target, stiffness and force limit finite and greater than 0.
 void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 
+// A finite tool with a radius, pad, pressure and force limit greater than 0 and a friction of 0 or
+// more, beside a body that may be touched.
+void validate_tool(const Tool& tool, bool touchable);
+
 // As many positions and velocities as expected, all finite.
 void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                     std::size_t expected);
 
-// State, grabs and gravity of the checkpoint pass the three checks above.
-void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes);
+// State, grabs, gravity and tools of the checkpoint pass the checks above.
+void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes, bool touchable);
 
 }  // namespace hepatica

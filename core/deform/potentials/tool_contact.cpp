@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/potentials/tool_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/deform/potentials/point_stiffness.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double least_share = 0.1;      // of a gap, that a motion leaves
+constexpr double led_until = 0.5;        // of the pad
+constexpr double deepest = 1.0 - 1e-12;  // of the pad, for forces where the gap has closed
+constexpr int halvings_to_limit = 12;
+constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
+constexpr double most_stretch = 1.5;  // of the surface, for which that holds
+constexpr int most_cuts = 32;         // of a triangle's edge
+
+}  // namespace
+
+ToolContact::ToolContact(const Body& body) : surface_(body.surface) {
+    for (const auto& triangle : surface_.triangles()) {
+        const Triangle x = corners_of(triangle, body.rest_positions_mm);
+        area_mm2_.push_back(0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm());
+        longest_edge_mm_.push_back(
+            std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()}));
+    }
+}
+
+// The corners of n^2 equal triangles into which it is cut; each of those gives a third of its area
+// to each of its corners. A point of a triangle of edges s is at most s / sqrt(3) from a corner,
+// and the ball bulges there by s^2 / (6 R).
+void ToolContact::add_points_of(int triangle, const Capsule& tool,
+                                std::span<const Vec3> positions_mm,
+                                std::vector<PadContact>& found) const {
+    const double pad = tool_->pad_mm, edge = longest_edge_mm_[triangle];
+    const double apart = std::sqrt(6.0 * dip_of_pad * pad * tool.radius_mm) / most_stretch;
+    const int n = std::clamp(static_cast<int>(std::ceil(edge / apart)), 1, most_cuts);
+    const double dip =
+        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * tool.radius_mm));
+    const Triangle corners = corners_of(surface_.triangles()[triangle], positions_mm);
+    const Segment axis = tool.axis();
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j) {
+            const double v = static_cast<double>(i) / n, w = static_cast<double>(j) / n;
+            const std::array<double, 3> weights{static_cast<double>(n - i - j) / n, v, w};
+            const Vec3 point = point_at(corners, weights);
+            const PointSegment on = closest(point, axis);
+            const double distance = std::sqrt(on.squared_mm2);
+            const double gap = distance - tool.radius_mm - dip;
+            if (!(gap < pad)) continue;
+            const int on_borders = (i == 0) + (j == 0) + (i + j == n);
+            const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
+            const double strength =
+                share / (3.0 * n * n) * area_mm2_[triangle] * tool_->pressure_pa;
+            const double pressed = std::min(1.0 - gap / pad, deepest), left = 1.0 - pressed;
+            const double energy = gap > 0.0 ? strength * pad * (-pressed - std::log1p(-pressed))
+                                            : std::numeric_limits<double>::infinity();
+            const Vec3 normal = (point - point_at(axis, on.along)) / distance;
+            found.push_back({triangle, weights, normal, point, strength * pressed / left,
+                             strength / (pad * left * left), energy});
+        }
+}
+
+std::vector<PadContact> ToolContact::contacts_at(const Vec3& centre_mm,
+                                                 std::span<const Vec3> positions_mm) const {
+    std::vector<PadContact> found;
+    Capsule there = tool_->shape;
+    there.centre_mm = centre_mm;
+    Box box;
+    for (const Vec3& end : there.axis()) box.add(end);
+    box.grow(there.radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
+    for (const int t : surface_.triangles_in(box, positions_mm))
+        add_points_of(t, there, positions_mm, found);
+    return found;
+}
+
+std::vector<PadContact> ToolContact::contacts(std::span<const Vec3> positions_mm) const {
+    return tool_ ? contacts_at(tool_->shape.centre_mm, positions_mm) : std::vector<PadContact>{};
+}
+
+std::vector<PadContact> ToolContact::contacts_before_led(std::span<const Vec3> positions_mm) const {
+    return tool_ ? contacts_at(tool_->shape.centre_mm - tool_->led_by_mm, positions_mm)
+                 : std::vector<PadContact>{};
+}
+
+double ToolContact::least_gap_mm(std::span<const Vec3> positions_mm) const {
+    double least = std::numeric_limits<double>::max();
+    if (!tool_) return least;
+    for (const NearTriangle& near :
+         near_capsule(tool_->shape, surface_, positions_mm, (1.0 + dip_of_pad) * tool_->pad_mm))
+        least = std::min(least, near.gap_mm);
+    return least;
+}
+
+bool ToolContact::free(std::span<const Vec3> positions_mm) const {
+    return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
+}
+
+// Of the pad on the tool.
+Vec3 ToolContact::force_at(const Vec3& centre_mm, std::span<const Vec3> positions_mm) const {
+    Vec3 force = Vec3::Zero();
+    for (const PadContact& contact : contacts_at(centre_mm, positions_mm))
+        force -= contact.force_un * contact.normal;
+    return force;
+}
+
+std::vector<int> ToolContact::vertices_near_way(std::span<const Vec3> positions_mm) const {
+    Box way;
+    for (const Vec3& centre : {tool_->shape.centre_mm, tool_->target_mm}) {
+        way.add(centre - tool_->shape.half_axis_mm);
+        way.add(centre + tool_->shape.half_axis_mm);
+    }
+    way.grow(tool_->shape.radius_mm + 2.0 * tool_->pad_mm);
+    std::vector<int> near;
+    for (std::size_t p = 0; p < surface_.size(); ++p) {
+        if (!surface_.box(p, positions_mm).meets(way)) continue;
+        const auto vertices = surface_.vertices_of(p);
+        near.insert(near.end(), vertices.begin(), vertices.end());
+    }
+    return near;
+}
+
+bool ToolContact::lead(std::span<const Vec3> positions_mm, double share, double dt_s) {
+    const Vec3 begin = tool_->shape.centre_mm;
+    Vec3 gone = slide(tool_->shape, surface_, positions_mm, share * (tool_->target_mm - begin),
+                      led_until * tool_->pad_mm);
+    const auto too_strong = [&](const Vec3& centre) {
+        return force_at(centre, positions_mm).norm() > tool_->force_limit_un;
+    };
+    if (too_strong(begin + gone) && gone.dot(force_at(begin + gone, positions_mm)) < 0.0) {
+        double low = 0.0, high = 1.0;
+        for (int i = 0; i < halvings_to_limit; ++i) {
+            const double middle = 0.5 * (low + high);
+            (too_strong(begin + middle * gone) ? high : low) = middle;
+        }
+        gone *= low;
+    }
+    tool_->shape.centre_mm = begin + gone;
+    tool_->led_by_mm = gone;
+    tool_->led_over_s = dt_s;
+    return !gone.isZero(0.0);
+}
+
+double ToolContact::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
+    double sum = 0.0;
+    for (const PadContact& contact : contacts(positions_mm)) sum += contact.energy_nj;
+    return sum;
+}
+
+void ToolContact::add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3>,
+                                      std::span<const int> piece_of_node,
+                                      std::span<double> energy_nj) const {
+    for (const PadContact& contact : contacts(positions_mm))
+        energy_nj[piece_of_node[nodes_of(contact)[0]]] += contact.energy_nj;
+}
+
+void ToolContact::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const {
+    for (const PadContact& contact : contacts(positions_mm))
+        for (int a = 0; a < 3; ++a)
+            forces_un[nodes_of(contact)[a]] +=
+                contact.weights[a] * contact.force_un * contact.normal;
+}
+
+void ToolContact::add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                                BlockMatrix& matrix) const {
+    for (const PadContact& contact : contacts(positions_mm)) {
+        const Mat3 along =
+            contact.stiffness_un_per_mm * contact.normal * contact.normal.transpose();
+        add_point_stiffness(nodes_of(contact), contact.weights, factor * along, held_, matrix);
+    }
+}
+
+void ToolContact::add_product(std::span<const Vec3> positions_mm, double factor,
+                              std::span<const Vec3> d, const BlockMatrix&,
+                              std::span<Vec3> product) const {
+    for (const PadContact& contact : contacts(positions_mm)) {
+        const Mat3 along =
+            contact.stiffness_un_per_mm * contact.normal * contact.normal.transpose();
+        add_point_product(nodes_of(contact), contact.weights, factor * along, d, product);
+    }
+}
+
+void ToolContact::mark_held(std::span<const Vec3> positions_mm, std::span<char> held) const {
+    for (const PadContact& contact : contacts(positions_mm))
+        for (const int v : nodes_of(contact)) held[v] = 1;
+}
+
+double ToolContact::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
+    if (!tool_) return 1.0;
+    return hepatica::free_share(tool_->shape, surface_, from_mm, to_mm, [&](double gap_mm) {
+        return least_share * std::min(gap_mm, tool_->pad_mm);
+    });
+}
+
+double ToolContact::share_until_touch(std::span<const Vec3> from_mm,
+                                      std::span<const Vec3> to_mm) const {
+    if (!tool_) return 1.0;
+    return hepatica::free_share(tool_->shape, surface_, from_mm, to_mm, [&](double gap_mm) {
+        return gap_mm > tool_->pad_mm ? led_until * tool_->pad_mm : -1.0;
+    });
+}
+
+}  // namespace hepatica
