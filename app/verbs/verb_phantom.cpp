@@ -10,6 +10,7 @@
 #include "core/image/volume_writer.h"
 #include "core/phantom/phantom.h"
 #include "core/tree/files/tree_io.h"
+#include "core/tree/files/tree_json.h"
 
 namespace hepatica {
 
@@ -84,6 +85,7 @@ Json make(Options options, Job& job) {
             {"truth_tree", (options.out / "truth_tree.vtp").string()},
             {"truth_mask", (options.out / "truth_mask.nii.gz").string()},
             {"liver_mask", (options.out / "liver.nii.gz").string()},
+            {"contacts_mm", json_of(phantom.contacts_mm)},
             {"segments", phantom.tree.segments.size()},
             {"length_mm", length_mm(phantom.tree)}};
 }
@@ -111,6 +113,12 @@ void add_phantom(CommandLine& line) {
         ->capture_default_str();
     verb.add_option("--contrast-hu", phantom.contrast_hu,
                     "Vessels above parenchyma, 1 to 1000 [HU]")
+        ->capture_default_str();
+    verb.add_option(
+        "--hepatic-contrast-hu", phantom.hepatic_contrast_hu,
+        "Hepatic veins above parenchyma, 0 to 1000; else 0.85 of the portal vein's [HU]");
+    verb.add_option("--touch", phantom.touching,
+                    "Places at which the two systems touch, 0 to 20; needs --systems 2")
         ->capture_default_str();
     verb.add_option("--format", options->formats, "dicom, nifti or both")
         ->delimiter(',')

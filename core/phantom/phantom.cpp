@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom_body.h"
 #include "core/phantom/phantom_centrelines.h"
+#include "core/phantom/phantom_contacts.h"
 #include "core/phantom/phantom_growth.h"
 #include "core/phantom/phantom_scan.h"
 
@@ -39,6 +40,11 @@ void validate(const PhantomOptions& options) {
     require_range("phantom parenchyma in HU", options.parenchyma_hu, -100.0, 300.0);
     require_range("--contrast-hu", options.contrast_hu, 0.0, 1000.0);
     require_range("--noise-hu", options.noise_hu, 0.0, 500.0);
+    require_range("--touch", options.touching, 0, 20);
+    if (options.touching > 0 && options.systems < 2)
+        throw InputError("one system has no other to touch", "--touch", "Ask for --systems 2");
+    if (options.hepatic_contrast_hu)
+        require_range("--hepatic-contrast-hu", *options.hepatic_contrast_hu, 0.0, 1000.0);
     require_range("phantom point spread in mm", options.point_spread_sigma_mm, 0.0, 5.0);
 }
 
@@ -96,6 +102,16 @@ VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, 
     return tree;
 }
 
+std::vector<Vec3> touch(VesselTree& tree, const PhantomOptions& options) {
+    if (options.touching == 0) return {};
+    std::vector<Vec3> places = bend_to_touch(tree, options.touching, scrambled(options.seed));
+    if (static_cast<int>(places.size()) < options.touching)
+        throw InputError("the systems of this seed can be made to touch in " +
+                             std::to_string(places.size()) + " places only",
+                         "--touch", "Ask for fewer, or for more --generations");
+    return places;
+}
+
 void scale_tree(VesselTree& tree, double scale) {
     for (VesselNode& node : tree.nodes) {
         node.position_mm *= scale;
@@ -115,7 +131,9 @@ Phantom make_phantom(const PhantomOptions& options, Job& job) {
     const PhantomBody body(options.seed, options.parenchyma_hu);
     Phantom phantom;
     phantom.tree = grow_systems(body, options, view.scale, job);
+    phantom.contacts_mm = touch(phantom.tree, options);
     scale_tree(phantom.tree, view.scale);
+    for (Vec3& place : phantom.contacts_mm) place *= view.scale;
     phantom.vessels = lumen_share(phantom.tree, view.grid, std::nullopt, job);
     for (std::uint8_t& voxel : phantom.vessels.voxels) voxel = voxel >= 32 ? 1 : 0;
     scan(phantom, body, options, view.scale, job);

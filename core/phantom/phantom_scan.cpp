@@ -114,9 +114,12 @@ class SliceSampler {
 };
 
 float clean_voxel(const PhantomOptions& options, double base_hu, int portal, int hepatic) {
-    // Hepatic veins enhance a little less in the portal phase.
+    // What two lumens both claim belongs to the one that fills more of the voxel.
+    (hepatic > portal ? portal : hepatic) =
+        std::min(std::min(portal, hepatic), 64 - std::max(portal, hepatic));
     const double portal_hu = options.parenchyma_hu + options.contrast_hu;
-    const double hepatic_hu = options.parenchyma_hu + 0.85 * options.contrast_hu;
+    const double hepatic_hu =
+        options.parenchyma_hu + options.hepatic_contrast_hu.value_or(0.85 * options.contrast_hu);
     const double tissue = std::max(0, 64 - portal - hepatic) / 64.0;
     return static_cast<float>(base_hu * tissue + portal_hu * portal / 64.0 +
                               hepatic_hu * hepatic / 64.0);

@@ -320,6 +320,54 @@ TEST(SystemScores, ClassesOfRadiiSumToTheWhole) {
     EXPECT_NEAR(s.systems[1].by_radius[3].length_recall.value(), 17.0 / 45.0, 0.03);
 }
 
+// The case's voxels are half as large and end at y = 40 mm, in the middle of both lumens.
+TEST(SystemScores, AMaskOnAGridOfItsOwnIsComparedInSpace) {
+    const VesselTree tree = directed(two_systems());
+    const Mask whole = labels(tree);
+    Mask fine;
+    fine.grid = whole.grid;
+    for (int& n : fine.grid.dims) n *= 2;
+    fine.grid.dims[1] = 2 * (15 + 40);
+    fine.grid.spacing_mm /= 2.0;
+    fine.grid.origin_mm -= Vec3::Constant(0.25);
+    fine.voxels.resize(fine.grid.count());
+    double ours = 0.0, theirs = 0.0;
+    for (std::size_t i = 0; i < fine.voxels.size(); ++i) {
+        const auto [x, y, z] = fine.grid.index_of(i);
+        fine.voxels[i] = whole.at(x / 2, y / 2, z / 2);
+    }
+    for (std::size_t i = 0; i < whole.voxels.size(); ++i) {
+        if (whole.voxels[i] != static_cast<int>(hepatic)) continue;
+        theirs += 1.0;
+        ours += whole.grid.index_of(i)[1] < 15 + 40;
+    }
+    Job job;
+    const SystemScores s = judge_systems(tree, fine, truths(), nullptr, nullptr, {}, job);
+    EXPECT_NEAR(s.systems[1].dice.value(), 2.0 * ours / (ours + theirs), 1e-9);
+}
+
+// A seed in the trunk lies on its axis, as far from its end as was asked for.
+TEST(KnownSystems, NameAPointInEachTrunk) {
+    Job job;
+    const KnownSystems known(truths(true), nullptr, nullptr, {}, job);
+    ASSERT_EQ(known.all().size(), 2u);
+    EXPECT_LT((*known.point_in_trunk(known.all()[0], 8.0) - Vec3(0, 8, 0)).norm(), 0.6);
+    EXPECT_LT((*known.point_in_trunk(known.all()[1], 8.0) - Vec3(24, 52, 0)).norm(), 0.6);
+}
+
+// A cuboid of 2 x 2 voxels on the wall of a tube is no branch.
+TEST(CentrelinesOfAMask, HaveNoSpurs) {
+    VesselGraph graph;
+    graph.nodes = {{Vec3(0, 0, 0), 4.0}, {Vec3(0, 60, 0), 4.0}};
+    graph.links = {straight_link(graph, 0, 1, 4, 4, portal)};
+    Mask tube = lumen(directed(graph), portal);
+    for (int y = 40; y < 42; ++y)
+        for (int x = 33; x < 36; ++x)
+            for (int z = 14; z < 16; ++z) tube.at(x, y, z) = 1;
+    Job job;
+    EXPECT_EQ(centrelines_of(tube, job).segments.size(), 1u);
+}
+
 TEST(SystemScores, WhatCannotBeJudgedIsRefused) {
     Job job;
     const VesselTree tree = directed(two_systems());

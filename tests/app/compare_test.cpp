@@ -81,8 +81,8 @@ class CompareSystems : public test::Tour {
     static void SetUpTestSuite() {
         std::filesystem::remove_all(folder());
         std::filesystem::create_directories(folder());
-        answer({"phantom", path("p"), "--seed", "2", "--systems", "2", "--dims", "128,128,96",
-                "--spacing", "1.6,1.6,1.7", "--format", "nifti"});
+        answer({"phantom", path("p"), "--seed", "2", "--systems", "2", "--touch", "3", "--dims",
+                "128,128,96", "--spacing", "1.6,1.6,1.7", "--format", "nifti"});
         answer({"reconstruct", path("p/ct.nii.gz"), "--vessel-mask", path("p/truth_mask.nii.gz"),
                 "--vessel-label", "1=portal", "--vessel-label", "2=hepatic", "--out", path("p.hep"),
                 "--tetrahedra", "3000"});
