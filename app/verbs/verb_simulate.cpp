@@ -46,6 +46,9 @@ struct Play {
     std::string degraded_because;  // of the first such step
     int setting_changes = 0;
     Json velocity_error_fit;  // null unless asked for
+    int contacts_max = 0;     // triangles that touch a tool
+    double penetration_max_mm = 0.0;
+    double tool_force_max_un = 0.0;
     bool finite = true;
 };
 
@@ -91,6 +94,10 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
             std::max(result.linear_iterations_max, step.deform.linear_iterations);
         result.degraded_steps += step.deform.degraded ? 1 : 0;
         if (result.degraded_because.empty()) result.degraded_because = step.deform.message;
+        const ToolLoad& tool = step.deform.tool;
+        result.contacts_max = std::max(result.contacts_max, tool.contacts);
+        result.penetration_max_mm = std::max(result.penetration_max_mm, -tool.least_gap_mm);
+        result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
         const std::string& used = session.frame().statistics.setting;
@@ -141,6 +148,7 @@ Json run(const Options& options, Job& job) {
     session.update_frame();
     const FrameStatistics& statistics = session.frame().statistics;
     const bool moves = session.world().deform() != nullptr;
+    const bool touches = spec.contact && spec.contact->tools;
     const bool known = moves && statistics.expected_error > 0.0;
     return {{"script", script.name},
             {"steps", played.times.steps()},
@@ -162,7 +170,10 @@ Json run(const Options& options, Job& job) {
             {"setting", moves ? Json(statistics.setting) : Json(nullptr)},
             {"setting_changes", played.setting_changes},
             {"velocity_error_fit", played.velocity_error_fit},
-            {"contacts_max", nullptr},
+            {"contacts_max", touches ? Json(played.contacts_max) : Json(nullptr)},
+            {"rows_max", touches ? Json(3 * played.contacts_max) : Json(nullptr)},
+            {"penetration_max_mm", touches ? Json(played.penetration_max_mm) : Json(nullptr)},
+            {"tool_force_max_un", touches ? Json(played.tool_force_max_un) : Json(nullptr)},
             {"joints_broken", nullptr},
             {"vertices_split", nullptr},
             {"entropy", nullptr},

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/contact/capsule.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
@@ -40,10 +41,35 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
     return resample(polylines);
 }
 
+// Its pad is a tenth of its radius, within bounds, and gives way like tissue twice as stiff as the
+// vessels; it is as strong as a hand on a vessel of its own radius.
+Tool tool_of(const ToolChoice& choice, double modulus_pa) {
+    const auto require = [](bool good, const std::string& problem, const std::string& remedy) {
+        if (!good) throw InputError(problem, "the tool", remedy);
+    };
+    require(choice.kind == "sphere" || choice.kind == "capsule", "is a \"" + choice.kind + "\"",
+            "Choose sphere or capsule");
+    require(choice.radius_mm >= 0.1 && choice.radius_mm <= 100.0,
+            "has a radius of " + std::to_string(choice.radius_mm) + " mm", "Give 0.1 to 100 mm");
+    require(choice.length_mm >= 0.0 && choice.length_mm <= 1000.0,
+            "has a length of " + std::to_string(choice.length_mm) + " mm", "Give 0 to 1000 mm");
+    require(choice.direction.allFinite() && choice.direction.norm() > 0.0, "has no direction",
+            "Give three finite numbers that are not all 0");
+    Tool tool;
+    tool.shape.radius_mm = choice.radius_mm;
+    if (choice.kind == "capsule")
+        tool.shape.half_axis_mm = 0.5 * choice.length_mm * choice.direction.normalized();
+    tool.pad_mm = std::clamp(0.1 * choice.radius_mm, 0.1, 0.5);
+    tool.pressure_pa = 2.0 * modulus_pa;
+    tool.friction = 0.2;
+    tool.force_limit_un = hand_strain * modulus_pa * M_PI * choice.radius_mm * choice.radius_mm;
+    return tool;
+}
+
 }  // namespace
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
-                       const LiveRegionOptions& live_region, DeformBackEnd back_end)
+                       const LiveRegionOptions& live_region, DeformBackEnd back_end, bool touchable)
     : region_(live_region),
       back_end_(std::move(back_end)),
       wall_mm_(spec.wall_mm),
@@ -54,6 +80,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     setting_ = spec.setting ? *spec.setting : dial_of(patient).at(spec.quality).options;
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
+    body_.touchable = touchable;
     body_.material = material_named(spec.material);
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
     body_.skeleton = skeleton_of(patient.tree);
@@ -99,6 +126,7 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     stepper->set_gravity(gravity_mm_per_s2_);
     give_state(*stepper, state());
     stepper->set_grabs(springs_of(hold_));
+    stepper->set_tool(stepper_->tool());
     // Nothing throws from here on.
     body_ = std::move(body);
     setting_ = setting;
@@ -176,6 +204,26 @@ std::vector<Grab> DeformPart::springs_of(const std::optional<Hold>& hold) {
 void DeformPart::set_hold(std::optional<Hold> hold) {
     stepper_->set_grabs(springs_of(hold));
     hold_ = std::move(hold);
+}
+
+void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
+    Tool tool = tool_of(choice, body_.material.young_modulus_pa);
+    if (!towards_mm.allFinite())
+        throw InputError("is not finite", "the place of the tool", "Give finite numbers");
+    const Vec3 direction = choice.direction.normalized();
+    const Vec3 there = towards_mm - tool.shape.half_axis_mm - tool.shape.radius_mm * direction;
+    // From outside: nothing of a plausible body is that far away.
+    Box box;
+    for (const Vec3& x : positions_mm()) box.add(x);
+    box.add(there);
+    const Vec3 way = (box.high - box.low).norm() * direction;
+    tool.shape.centre_mm =
+        there - way - 2.0 * (tool.shape.half_axis_mm + tool.shape.radius_mm * direction);
+    const SurfacePatches surface(boundary_triangles(body_.mesh));
+    tool.shape.centre_mm +=
+        approach(tool.shape, surface, positions_mm(), there - tool.shape.centre_mm, tool.pad_mm);
+    tool.target_mm = tool.shape.centre_mm;
+    stepper_->set_tool(tool);
 }
 
 std::optional<GrabView> DeformPart::grab_view() const {

@@ -29,6 +29,14 @@ struct DeformSettings {
     StepperOptions stepper;
 };
 
+// A tool as a person names it.
+struct ToolChoice {
+    std::string kind = "sphere";     // sphere or capsule
+    double radius_mm = 3.0;          // 0.1 to 100
+    double length_mm = 0.0;          // of a capsule, between the middles of its ends, 0 to 1000
+    Vec3 direction = Vec3::UnitZ();  // in which it comes; a capsule points that way
+};
+
 // The hand, closed around some vertices.
 struct Hold {
     std::vector<int> vertices;
@@ -53,10 +61,11 @@ class DeformPart {
 
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
-    // Another region is for measurements: nothing freezes where still_radii_per_s is 0.
+    // Another region is for measurements: nothing freezes where still_radii_per_s is 0. Tools may
+    // be had where it is touchable.
     DeformPart(const PatientCase& patient, const DeformSpec& spec,
                const LiveRegionOptions& live_region = region,
-               DeformBackEnd back_end = cpu_back_end());
+               DeformBackEnd back_end = cpu_back_end(), bool touchable = false);
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within
@@ -65,6 +74,15 @@ class DeformPart {
     void grab_vertex(int vertex);  // throws InputError if there is no such vertex
     void move_grab(const Vec3& target_mm);
     void release();
+    // A tool comes in its direction towards a point, from outside, until it is about to touch
+    // something or has its tip there. Takes the place of one that is there. Throws InputError
+    // where the scene has none, for values out of range, and where there is no room.
+    void add_tool(const ToolChoice& choice, const Vec3& towards_mm);
+    // Where its centre is led to from the next step on. Without a tool it does nothing.
+    void lead_tool(const Vec3& target_mm) { stepper_->lead_tool(target_mm); }
+    void remove_tool() { stepper_->set_tool(std::nullopt); }
+    const std::optional<Tool>& tool() const { return stepper_->tool(); }
+
     bool holding() const { return hold_.has_value(); }
     std::optional<GrabView> grab_view() const;
 

@@ -107,6 +107,20 @@ FlowSpec flow_from(const Json& json) {
     return spec;
 }
 
+// Vessels among each other, and obstacles, are refused until they are there.
+ContactSpec contact_from(const Json& json) {
+    ContactSpec spec;
+    Fields fields(json, "contact");
+    fields.read("tools", spec.tools);
+    for (const char* later : {"self", "obstacles"}) {
+        bool wanted = false;
+        fields.read(later, wanted);
+        if (wanted) fields.refuse("is not there yet", later);
+    }
+    fields.refuse_unknown();
+    return spec;
+}
+
 }  // namespace
 
 void validate_wall(double wall_mm) {
@@ -136,6 +150,7 @@ Json to_json(const SceneSpec& spec) {
         if (error.alpha_per_s != 0.0 || error.beta_s != 0.0)
             json["deform"]["velocity_error"] = {error.alpha_per_s, error.beta_s};
     }
+    if (spec.contact) json["contact"] = {{"tools", spec.contact->tools}};
     if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
     return json;
 }
@@ -145,14 +160,18 @@ SceneSpec scene_from_json(const Json& json) {
     Fields fields(json, "scene");
     fields.read("name", spec.name);
     fields.read_number("dt_s", spec.dt_s, 1e-4, 1.0);
-    Json deform, flow;
+    Json deform, flow, contact;
     fields.read("deform", deform);
+    fields.read("contact", contact);
     fields.read("flow", flow);
     fields.refuse_unknown();
     spec.deform.reset();
     spec.flow.reset();
     if (!deform.is_null()) spec.deform = deform_from(deform);
     if (!flow.is_null()) spec.flow = flow_from(flow);
+    if (!contact.is_null()) spec.contact = contact_from(contact);
+    if (spec.contact && !spec.deform)
+        fields.refuse("needs deform: only what moves is touched", "contact");
     if (!spec.deform && !spec.flow)
         fields.refuse("names no part; name deform, flow or both", "deform, flow");
     return spec;

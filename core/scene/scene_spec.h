@@ -38,11 +38,17 @@ struct FlowSpec {
     double drug_speed = 1.0;  // drug seconds per simulated second
 };
 
+// What may touch what. Needs "deform".
+struct ContactSpec {
+    bool tools = true;  // a tool and the vessels
+};
+
 struct SceneSpec {
     std::string name = "scene";
     std::optional<DeformSpec> deform = DeformSpec{};
     std::optional<FlowSpec> flow = FlowSpec{};
-    double dt_s = 1.0 / 60.0;  // 1e-4 to 1
+    std::optional<ContactSpec> contact{};  // none: nothing is built for it
+    double dt_s = 1.0 / 60.0;              // 1e-4 to 1
 };
 
 // Throws InputError unless the thickness is 0 (solid) or from thinnest_wall_mm to thickest_wall_mm.
@@ -50,7 +56,7 @@ constexpr double thinnest_wall_mm = 0.01;
 constexpr double thickest_wall_mm = 100.0;
 void validate_wall(double wall_mm);
 
-// Both parts, with their defaults: what the window opens a case with.
+// Body and flow, with their defaults: what the window opens a case with.
 SceneSpec default_scene();
 
 nlohmann::ordered_json to_json(const SceneSpec& spec);

@@ -51,7 +51,7 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
             deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
-                                                   back_end);
+                                                   back_end, spec_.contact && spec_.contact->tools);
         }));
     job.advance(0.8);
     if (spec_.flow)
@@ -94,6 +94,7 @@ StepReport World::step() {
 void World::reset() {
     if (deform_) {
         deform_->release();
+        deform_->remove_tool();
         const std::vector<Vec3>& rest = deform_->rest_positions_mm();
         deform_->set_state({rest, std::vector<Vec3>(rest.size(), Vec3::Zero())});
     }

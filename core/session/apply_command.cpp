@@ -34,6 +34,14 @@ struct Session::Apply {
     void operator()(const MoveGrab& c) const { deform().move_grab(c.target_mm); }
     void operator()(const ReleaseGrab&) const { deform().release(); }
 
+    // The tool.
+    void operator()(const AddTool& c) const {
+        deform().add_tool({c.kind, c.radius_mm, c.length_mm, c.direction}, c.point_mm);
+    }
+    void operator()(const MoveTool& c) const;
+    void operator()(const ShiftTool& c) const;
+    void operator()(const RemoveTool&) const { deform().remove_tool(); }
+
     // The drug.
     void operator()(const InjectDrug& c) const {
         Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
@@ -62,6 +70,19 @@ struct Session::Apply {
     void operator()(const ResetWorld&) const;
     void operator()(const RestoreSnapshot&) const;
 };
+
+void Session::Apply::operator()(const MoveTool& c) const {
+    if (!(c.share >= 0.0 && c.share <= 1.0))
+        throw InputError("is " + std::to_string(c.share), "the share of the tool's way",
+                         "Choose a value from 0 to 1");
+    if (!deform().tool()) return;
+    const Vec3 led = deform().tool()->target_mm;
+    deform().lead_tool(c.share == 1.0 ? c.target_mm : Vec3(led + c.share * (c.target_mm - led)));
+}
+
+void Session::Apply::operator()(const ShiftTool& c) const {
+    if (deform().tool()) deform().lead_tool(deform().tool()->target_mm + c.by_mm);
+}
 
 // An injection that cannot flow is found only while it is computed. By then the world has changed:
 // it no longer waits for the computation. So the command counts as applied, not as refused.
@@ -109,7 +130,7 @@ void Session::Apply::operator()(const ResetWorld&) const {
 
 void Session::Apply::operator()(const RestoreSnapshot&) const {
     const bool holding = world.deform() != nullptr && world.deform()->holding();
-    session.take_back(!holding);
+    session.take_back(!holding, world.deform() != nullptr && !world.deform()->tool());
     session.paused_ = false;
     session.forget_divergence();
 }

@@ -33,6 +33,25 @@ void fields(MoveGrab& c, Visitor& v) {
 template <class Visitor>
 void fields(ReleaseGrab&, Visitor&) {}
 template <class Visitor>
+void fields(AddTool& c, Visitor& v) {
+    v("kind", c.kind);
+    v("radius_mm", c.radius_mm);
+    v("length_mm", c.length_mm);
+    v("direction", c.direction);
+    v("point_mm", c.point_mm);
+}
+template <class Visitor>
+void fields(MoveTool& c, Visitor& v) {
+    v("target_mm", c.target_mm);
+    v("share", c.share);
+}
+template <class Visitor>
+void fields(ShiftTool& c, Visitor& v) {
+    v("by_mm", c.by_mm);
+}
+template <class Visitor>
+void fields(RemoveTool&, Visitor&) {}
+template <class Visitor>
 void fields(InjectDrug& c, Visitor& v) {
     v("point_mm", c.point_mm);
     v("mass_flow_g_s", c.mass_flow_g_s);
@@ -96,7 +115,8 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "inject_drug",    "remove_drug", "play_drug",        "set_drug_time",
     "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
     "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
-    "use_setting",    "set_wall",    "finish_injection"};
+    "use_setting",    "set_wall",    "finish_injection", "add_tool",
+    "move_tool",      "shift_tool",  "remove_tool"};
 
 struct Writer {
     Json& json;

@@ -29,6 +29,27 @@ struct MoveGrab {
 };
 struct ReleaseGrab {};
 
+// A tool comes towards the point from outside, until it is about to touch something. Replaces a
+// tool that is there. See ToolChoice.
+struct AddTool {
+    std::string kind = "sphere";  // sphere or capsule
+    double radius_mm = 3.0;
+    double length_mm = 0.0;
+    Vec3 direction = Vec3::UnitZ();
+    Vec3 point_mm = Vec3::Zero();
+};
+// Where the tool's centre is led: a share of the way from where it is led now to the target.
+// Without a tool this and the next do nothing.
+struct MoveTool {
+    Vec3 target_mm = Vec3::Zero();
+    double share = 1.0;  // 0 to 1
+};
+// It is led that much further than now.
+struct ShiftTool {
+    Vec3 by_mm = Vec3::Zero();
+};
+struct RemoveTool {};
+
 // Injects at the point of the deformed tree nearest to point_mm. An earlier injection is replaced;
 // the drug's clock starts at zero and runs. The injection of a drug that does not flow like blood
 // is computed on another thread, and shown by FinishInjection.
@@ -89,13 +110,15 @@ struct SetPaused {
 // Returns to the rest shape, without grab and drug. Steps are counted on.
 struct ResetWorld {};
 // Returns to the last good state, at most a second old, and goes on from there. Settings made since
-// then are kept, and a grab released since then stays released.
+// then are kept, a grab released since then stays released, and a tool removed since then stays
+// away.
 struct RestoreSnapshot {};
 
-using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
-                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
-                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
-                             UseSetting, SetWall, FinishInjection>;
+using Command =
+    std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
+                 SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
+                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
+                 FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

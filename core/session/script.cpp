@@ -60,6 +60,16 @@ Command command_of(const std::string& name, Json action, Command defaults) {
     return command_from_json(json);
 }
 
+// {"do": "tool", "tool": "sphere", ...}: the rest are the command's own keys.
+Command tool_of(Json action) {
+    const auto kind = action.find("tool");
+    if (kind == action.end() || (*kind != "sphere" && *kind != "capsule"))
+        refuse(R"(needs a "tool" that is "sphere" or "capsule")");
+    action["kind"] = *kind;
+    action.erase("tool");
+    return command_of("add_tool", action, AddTool{});
+}
+
 ScriptAction action_from(const Json& json) {
     if (!json.is_object()) refuse("is not an object");
     ScriptAction action;
@@ -76,6 +86,16 @@ ScriptAction action_from(const Json& json) {
     } else if (action.what == "inject") {
         action.place = place_of(json);
         action.command = command_of("inject_drug", json, InjectDrug{});
+    } else if (action.what == "tool") {
+        action.place = place_of(json);
+        action.command = tool_of(json);
+    } else if (action.what == "move_tool") {
+        if (json.contains("to_mm") == json.contains("by_mm")) refuse("needs either to_mm or by_mm");
+        if (json.contains("to_mm"))
+            action.to_mm = vector_of(json, "to_mm");
+        else
+            action.by_mm = vector_of(json, "by_mm");
+        action.over_s = number(json, "over_s", 0.0);
     } else if (action.what == "release") {
         action.command = ReleaseGrab{};
     } else {
@@ -183,6 +203,19 @@ std::vector<std::vector<Command>> schedule(const Script& script, const VesselTre
                 add(first + i - 1, MoveGrab{hand + static_cast<double>(i) /
                                                        static_cast<double>(moves) * action.by_mm});
             hand += action.by_mm;
+        } else if (action.what == "tool") {
+            AddTool tool = std::get<AddTool>(*action.command);
+            tool.point_mm = resolve(action.place, tree);
+            add(first, tool);
+        } else if (action.what == "move_tool") {
+            const long moves = std::max(1L, step_at(action.over_s));
+            for (long i = 0; i < moves; ++i) {
+                const auto left = static_cast<double>(moves - i);
+                if (action.to_mm)
+                    add(first + i, MoveTool{*action.to_mm, 1.0 / left});
+                else
+                    add(first + i, ShiftTool{action.by_mm / static_cast<double>(moves)});
+            }
         } else if (action.what == "inject") {
             InjectDrug injection = std::get<InjectDrug>(*action.command);
             injection.point_mm = resolve(action.place, tree);

@@ -24,11 +24,13 @@ struct ScriptPlace {
 
 struct ScriptAction {
     double at_s = 0.0;
-    std::string what;           // grab, move, release, inject, or the name of a plain command
-    ScriptPlace place{};        // of grab and inject
-    Vec3 by_mm = Vec3::Zero();  // of move: displacement from the hand's present position
-    double over_s = 0.0;        // of move: duration, at constant speed
-    std::optional<Command> command{};  // of a plain command, or of inject with its settings
+    // grab, move, release, inject, tool, move_tool, or the name of a plain command
+    std::string what;
+    ScriptPlace place{};          // of grab, inject and tool
+    Vec3 by_mm = Vec3::Zero();    // of move and move_tool: displacement from the present target
+    std::optional<Vec3> to_mm{};  // of move_tool, instead of by_mm
+    double over_s = 0.0;          // of both: duration, at constant speed
+    std::optional<Command> command{};  // of a plain command, or of inject and tool with settings
 };
 
 struct Script {
@@ -42,6 +44,10 @@ struct Script {
 //    {"at_s": 0.2, "do": "grab", "where": {"point_mm": [1, 2, 3]}},
 //    {"at_s": 0.2, "do": "move", "by_mm": [20, 0, 0], "over_s": 1},
 //    {"at_s": 2,   "do": "release"},
+//    {"at_s": 2.5, "do": "tool", "tool": "capsule", "radius_mm": 2, "length_mm": 20,
+//     "direction": [0, 0, -1], "where": {"share_of_longest_path": 0.5}},
+//    {"at_s": 2.5, "do": "move_tool", "by_mm": [0, 0, -10], "over_s": 1},   (or "to_mm")
+//    {"at_s": 4,   "do": "remove_tool"},
 //    {"at_s": 3,   "do": "set_gravity", "gravity_mm_per_s2": [0, 9806.65, 0]}]}
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);

@@ -176,7 +176,7 @@ void Session::restore(const Keyframe& keyframe) {
 void Session::guard_state() {
     ++played_steps_;
     if (world_->deform() != nullptr && !world_->deform()->plausible()) {
-        take_back(true);
+        take_back(true, true);
         paused_ = true;
         diverged_ = true;
         message_ =
@@ -188,7 +188,7 @@ void Session::guard_state() {
     }
 }
 
-void Session::take_back(bool open_hand) {
+void Session::take_back(bool open_hand, bool without_tool) {
     DeformPart* deform = world_->deform();
     FlowPart* flow = world_->flow();
     std::optional<DeformSettings> chosen;
@@ -198,6 +198,7 @@ void Session::take_back(bool open_hand) {
     if (flow != nullptr) flow->set_speed(drug_speed);
     if (deform == nullptr) return;
     if (open_hand) deform->release();
+    if (without_tool) deform->remove_tool();
     deform->use(*chosen);
 }
 
@@ -226,10 +227,11 @@ void Session::stop_after(const char* what, const char* remedy) noexcept {
 }
 
 void Session::recover() {
-    take_back(true);
+    take_back(true, true);
     failed_ = false;
     recorded_.keyframe.reset();
     if (world_->deform() != nullptr) recorded_.commands.emplace_back(ReleaseGrab{});
+    if (world_->spec().contact) recorded_.commands.emplace_back(RemoveTool{});
     recorded_.commands.emplace_back(RestoreSnapshot{});
     recorded_.commands.emplace_back(SetPaused{true});
 }

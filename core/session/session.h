@@ -124,8 +124,8 @@ class Session {
     void shielded(const Work& work) noexcept;
     void stop_after(const char* what, const char* remedy) noexcept;
     // Returns to the last good state but keeps the present settings. A grab of that state is taken
-    // again unless open_hand.
-    void take_back(bool open_hand);
+    // again unless open_hand; a tool comes back unless without_tool.
+    void take_back(bool open_hand, bool without_tool);
     // After an error: returns to the last good state and records that.
     void recover();
     void keep_step(SessionStep& step);

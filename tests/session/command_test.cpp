@@ -38,7 +38,11 @@ std::vector<Command> one_of_each() {
             SetAutomaticQuality{false},
             UseSetting{},
             SetWall{odd},
-            FinishInjection{}};
+            FinishInjection{},
+            AddTool{"capsule", odd, 12.0, Vec3(0, odd, 1), Vec3(1, 2, odd)},
+            MoveTool{Vec3(odd, 2, 3), odd},
+            ShiftTool{Vec3(1, odd, 3)},
+            RemoveTool{}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tool in a session: it comes beside a vessel, pushes it, and is part of everything that is kept
+// and played again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/world.h"
+#include "core/session/recording_file.h"
+#include "core/session/replay.h"
+#include "core/session/script.h"
+#include "tests/session/new_session.h"
+#include "tests/session/recorded.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using test::keep_recording;
+using test::middle_of;
+using test::new_session;
+using test::play;
+using test::small_patient;
+using testing::HasSubstr;
+
+SceneSpec touchable() {
+    SceneSpec spec = default_scene();
+    spec.flow.reset();
+    spec.contact = ContactSpec{};
+    return spec;
+}
+
+AddTool ball() {
+    return {.radius_mm = 2.0,
+            .direction = Vec3(0, 0, -1),
+            .point_mm = middle_of(small_patient()->tree, 1)};
+}
+
+// A second and a half in which a ball comes from above, pushes down and stays.
+SessionStep push(Session& session) {
+    session.post(ball());
+    for (int i = 0; i < 40; ++i) {
+        session.post(ShiftTool{Vec3(0.02, 0, -0.15)});
+        session.step();
+    }
+    return play(session, 50);
+}
+
+TEST(ToolSession, AToolComesBesideTheVesselAndPushesIt) {
+    const auto session = new_session(touchable());
+    session->post(ball());
+    session->step();
+    const DeformPart& deform = *session->world().deform();
+    ASSERT_TRUE(deform.tool());
+    EXPECT_EQ(session->frame().statistics.message, "");
+    const Vec3 begin = deform.tool()->shape.centre_mm;
+    EXPECT_GT(begin.z(), ball().point_mm.z());  // it comes from where its direction points away
+    EXPECT_NEAR((begin - ball().point_mm).head<2>().norm(), 0.0, 1e-9);
+    const SessionStep last = push(*session);
+    EXPECT_GT(last.deform.tool.contacts, 0);
+    EXPECT_GT(last.deform.tool.force_un.z(), 0.0);
+    EXPECT_GT(last.deform.tool.least_gap_mm, 0.0);
+    session->post(RemoveTool{});
+    EXPECT_EQ(session->step().deform.tool.contacts, 0);
+    EXPECT_FALSE(deform.tool());
+}
+
+TEST(ToolSession, TheRecordingPlaysAgainFromItsStartAndFromItsKeyframes) {
+    const auto session = new_session(touchable());
+    const auto recording = keep_recording(*session);
+    play(*session, 560);
+    push(*session);  // over the keyframe at 600
+    session->post(MoveTool{middle_of(small_patient()->tree, 1) + Vec3(0, 0, -4), 0.5});
+    play(*session, 20);
+    session->post(RestoreSnapshot{});
+    play(*session, 20);
+    session->post(ResetWorld{});
+    play(*session, 3);
+    const fs::path file = fs::path(testing::TempDir()) / "tool.hrec";
+    write_recording(file, *recording);
+    const Recording read = read_recording(file);
+    Job job;
+    for (const std::uint64_t from : {0u, 620u}) {
+        const ReplayResult again = replay(read, small_patient(), job, from);
+        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
+        EXPECT_EQ(again.state_hash, session->state_hash());
+        EXPECT_EQ(again.began_at > 0, from > 0);
+    }
+}
+
+TEST(ToolSession, TheHashIsOfTheToolToo) {
+    const auto session = new_session(touchable());
+    const std::uint64_t without = session->state_hash();
+    session->post(SetPaused{true});
+    session->post(ball());
+    session->step();
+    const std::uint64_t with = session->state_hash();
+    session->post(ShiftTool{Vec3(0, 0, -0.1)});
+    session->step();
+    EXPECT_NE(with, without);
+    EXPECT_NE(session->state_hash(), with);
+}
+
+TEST(ToolSession, AToolThatHasGoneStaysAwayAndAResetTakesItAway) {
+    const auto session = new_session(touchable());
+    push(*session);
+    session->post(RestoreSnapshot{});
+    session->step();
+    EXPECT_TRUE(session->world().deform()->tool());
+    session->post(RemoveTool{});
+    session->step();
+    session->post(RestoreSnapshot{});
+    session->step();
+    EXPECT_FALSE(session->world().deform()->tool());
+    session->post(ball());
+    session->post(ResetWorld{});
+    session->step();
+    EXPECT_FALSE(session->world().deform()->tool());
+}
+
+TEST(ToolSession, OtherSettingsKeepTheTool) {
+    const auto session = new_session(touchable());
+    push(*session);
+    const Vec3 centre = session->world().deform()->tool()->shape.centre_mm;
+    session->post(SetTether{25.0});
+    session->post(UseSetting{{.newton_iterations = 3}});
+    session->step();
+    ASSERT_TRUE(session->world().deform()->tool());
+    EXPECT_LT((session->world().deform()->tool()->shape.centre_mm - centre).norm(), 1.0);
+}
+
+TEST(ToolSession, WhatIsOutOfRangeIsNamed) {
+    const auto message_of = [](const SceneSpec& spec, const Command& command) {
+        const auto session = new_session(spec);
+        const std::uint64_t before = session->state_hash();
+        session->post(command);
+        session->post(SetPaused{true});
+        session->step();
+        session->post(SetPaused{false});
+        session->update_frame();
+        EXPECT_FALSE(session->world().deform()->tool());
+        EXPECT_NE(session->state_hash(), before);  // paused alone
+        return session->frame().statistics.message;
+    };
+    const auto with = [](auto change) {
+        AddTool tool = ball();
+        change(tool);
+        return Command(tool);
+    };
+    EXPECT_THAT(message_of(default_scene(), ball()), HasSubstr("contacts of the scene"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.kind = "hook"; })), HasSubstr("hook"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.radius_mm = 0.0; })),
+                HasSubstr("radius"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.length_mm = -1.0; })),
+                HasSubstr("length"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.direction.setZero(); })),
+                HasSubstr("direction"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.point_mm.x() = NAN; })),
+                HasSubstr("not finite"));
+}
+
+TEST(ToolSession, ASceneNamesItsContacts) {
+    const SceneSpec all = scene_from_json(Json::parse(R"({"deform": {}, "contact": {}})"));
+    ASSERT_TRUE(all.contact);
+    EXPECT_TRUE(all.contact->tools);
+    EXPECT_EQ(to_json(all)["contact"]["tools"], true);
+    EXPECT_FALSE(scene_from_json(Json::parse(R"({"deform": {}})")).contact);
+    EXPECT_FALSE(default_scene().contact);
+    EXPECT_FALSE(scene_from_json(Json::parse(R"({"deform": {}, "contact": {"tools": false}})"))
+                     .contact->tools);
+    for (const char* text :
+         {R"({"deform": {}, "contact": {"self": true}})", R"({"flow": {}, "contact": {}})",
+          R"({"deform": {}, "contact": {"obstacles": true}})",
+          R"({"deform": {}, "contact": {"tool": true}})", R"({"deform": {}, "contact": 1})"})
+        EXPECT_THROW(scene_from_json(Json::parse(text)), InputError) << text;
+}
+
+TEST(ToolSession, AScriptLeadsATool) {
+    const fs::path file = fs::path(testing::TempDir()) / "tool.json";
+    std::ofstream(file) << R"({"scene": {"deform": {}, "contact": {"tools": true}}, "actions": [
+        {"at_s": 0, "do": "tool", "tool": "capsule", "radius_mm": 1.5, "length_mm": 10,
+         "direction": [0, 0, -1], "where": {"point_mm": [1, 2, 3]}},
+        {"at_s": 0.2, "do": "move_tool", "by_mm": [0, 0, -3], "over_s": 0.3},
+        {"at_s": 0.6, "do": "move_tool", "to_mm": [5, 6, 7], "over_s": 0.2},
+        {"at_s": 0.9, "do": "remove_tool"}]})";
+    const auto commands = schedule(read_script(file), small_patient()->tree, 0.1, 12);
+    const AddTool tool = std::get<AddTool>(commands[0][0]);
+    EXPECT_EQ(tool.kind, "capsule");
+    EXPECT_EQ(tool.radius_mm, 1.5);
+    EXPECT_EQ(tool.length_mm, 10.0);
+    EXPECT_EQ(tool.direction, Vec3(0, 0, -1));
+    EXPECT_EQ(tool.point_mm, Vec3(1, 2, 3));
+    for (int i = 2; i < 5; ++i)
+        EXPECT_NEAR(std::get<ShiftTool>(commands[i][0]).by_mm.z(), -1.0, 1e-12);
+    // Half of the way, then what is left.
+    EXPECT_EQ(std::get<MoveTool>(commands[6][0]).share, 0.5);
+    EXPECT_EQ(std::get<MoveTool>(commands[7][0]).share, 1.0);
+    EXPECT_EQ(std::get<MoveTool>(commands[7][0]).target_mm, Vec3(5, 6, 7));
+    EXPECT_TRUE(std::holds_alternative<RemoveTool>(commands[9][0]));
+    for (const char* action :
+         {R"({"do": "tool", "tool": "hook", "where": {"point_mm": [1, 2, 3]}})",
+          R"({"do": "tool", "tool": "sphere"})", R"({"do": "move_tool"})",
+          R"({"do": "move_tool", "by_mm": [1, 2, 3], "to_mm": [1, 2, 3]})"}) {
+        std::ofstream(file) << R"({"actions": [)" << action << "]}";
+        EXPECT_THROW(read_script(file), InputError) << action;
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
