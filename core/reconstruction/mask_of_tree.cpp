@@ -4,13 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/image/morphology.h"
+#include "core/segmentation/vessel_systems.h"
 
 namespace hepatica {
 
 namespace {
+
+std::optional<std::size_t> voxel_at(const Grid& grid, const Vec3& point) {
+    const Vec3 index = grid.to_index(point);
+    const auto x = static_cast<int>(std::lround(index.x()));
+    const auto y = static_cast<int>(std::lround(index.y()));
+    const auto z = static_cast<int>(std::lround(index.z()));
+    if (!grid.contains(x, y, z)) return std::nullopt;
+    return grid.offset(x, y, z);
+}
 
 using Votes = std::map<VascularSystem, int>;
 
@@ -19,14 +30,20 @@ std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     std::vector<Votes> votes(pieces.sizes.size() + 1);
     const Grid& grid = pieces.labels.grid;
     for (const VesselSegment& segment : tree.segments)
-        for (const Vec3& point : segment.points_mm) {
-            const Vec3 index = grid.to_index(point);
-            const auto x = static_cast<int>(std::lround(index.x()));
-            const auto y = static_cast<int>(std::lround(index.y()));
-            const auto z = static_cast<int>(std::lround(index.z()));
-            if (grid.contains(x, y, z)) ++votes[pieces.labels.at(x, y, z)][segment.system];
-        }
+        for (const Vec3& point : segment.points_mm)
+            if (const auto voxel = voxel_at(grid, point))
+                ++votes[pieces.labels.voxels[*voxel]][segment.system];
     return votes;
+}
+
+// Points of the tree that lie in the mask: those of a bridge do not.
+std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tree) {
+    std::vector<VesselSeed> seeds;
+    for (const VesselSegment& segment : tree.segments)
+        for (const Vec3& point : segment.points_mm)
+            if (const auto voxel = voxel_at(mask.grid, point); voxel && mask.voxels[*voxel] != 0)
+                seeds.push_back({point, segment.system});
+    return seeds;
 }
 
 VascularSystem most_voted(const Votes& votes) {
@@ -35,24 +52,18 @@ VascularSystem most_voted(const Votes& votes) {
 
 }  // namespace
 
-bool follow_tree(Mask& mask, const VesselTree& tree, bool only_tree) {
+void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job) {
+    if (anew) mask = label_systems(mask, centreline_seeds(mask, tree), job);
     constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
     Mask open(mask.grid);
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) open.voxels[i] = mask.voxels[i] == unknown;
     const Components pieces = connected_components(open, Connectivity::all26);
     const std::vector<Votes> votes = votes_of(pieces, tree);
-    bool removed = false;
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
         const std::uint32_t piece = pieces.labels.voxels[i];
-        if (piece == 0) continue;
-        if (!votes[piece].empty()) {
+        if (piece != 0 && !votes[piece].empty())
             mask.voxels[i] = static_cast<std::uint8_t>(most_voted(votes[piece]));
-        } else if (only_tree) {
-            mask.voxels[i] = 0;
-            removed = true;
-        }
     }
-    return removed;
 }
 
 }  // namespace hepatica

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voxels that follow the tree: what no seed reached may have been joined to a system by a bridge,
-// or left out.
+// Voxels that follow the tree: systems are told apart on its segments, or a bridge joined a piece
+// to one.
 #pragma once
 
+#include "core/base/job.h"
 #include "core/image/volume.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
-// Gives each 26-connected piece of voxels of an unknown system the system that most centreline
-// points of the tree in it have. Pieces without any centreline become background where `only_tree`
-// is set. Returns whether a voxel became background.
-bool follow_tree(Mask& mask, const VesselTree& tree, bool only_tree);
+// Gives voxels the system of the tree: where `anew` is set every voxel that of the centreline that
+// is nearest along the vessels (vessel_systems.h); then each 26-connected piece of voxels of an
+// unknown system the one that most centreline points in it have. Pieces without any centreline
+// stay unknown. Throws Cancelled.
+void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job);
 
 }  // namespace hepatica

@@ -15,7 +15,6 @@
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
 #include "core/segmentation/gaussian_refinement.h"
-#include "core/segmentation/vessel_systems.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
@@ -75,10 +74,6 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
         read_given_vessels(*options.vessel_mask, options.vessel_labels, ct_grid, warnings, job);
     job.begin_stage("Smoothing the vessels");
     anatomy.vessels = refine(mask, options.refinement_recursions, job);
-    if (!options.seeds.empty()) {
-        job.begin_stage("Telling the systems apart");
-        anatomy.vessels = label_systems(anatomy.vessels, options.seeds, job);
-    }
     return anatomy;
 }
 
@@ -104,22 +99,6 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
     return anatomy;
 }
 
-// Portal and hepatic veins that touch make loops, which a tree of one system has none of.
-void warn_of_loops(const VesselTree& tree, std::vector<std::string>& warnings) {
-    const auto loops = std::ranges::count_if(
-        tree.segments, [](const VesselSegment& segment) { return segment.closes_loop; });
-    const bool one_system = std::ranges::all_of(tree.segments, [&](const VesselSegment& segment) {
-        return segment.system == tree.segments.front().system;
-    });
-    if (loops == 0 || !one_system) return;
-    warnings.push_back(
-        "The vessels are one system with " + std::to_string(loops) +
-        (loops == 1 ? " loop" : " loops") +
-        ", made where branches touch or where portal and hepatic veins do. If both veins are in "
-        "it, tell them apart by a seed inside each, --seed-mm X,Y,Z,portal and --seed-mm "
-        "X,Y,Z,hepatic; other loops can be cut: hepatica-cli edit.");
-}
-
 void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,
                       std::vector<std::string>& warnings) {
     const auto say = [&](const RemovedPieces& pieces, const std::string& why) {
@@ -133,30 +112,42 @@ void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& optio
     say(extraction.too_short, "pieces shorter than " +
                                   std::to_string(std::lround(options.minimum_component_mm)) +
                                   " mm that nothing joins are often noise");
-    say(extraction.unseeded, "no seed is connected with them, not even over a gap");
 }
 
-// Fills tree and bridges of the case, and takes what is left out of a seeded tree out of its
-// voxels.
+// Whether somebody has said already which voxels belong to which system.
+bool has_systems(const Mask& vessels) {
+    return std::ranges::any_of(vessels.voxels, [](std::uint8_t v) {
+        return v != 0 && v != static_cast<std::uint8_t>(VascularSystem::unknown);
+    });
+}
+
+Eigen::AlignedBox3d liver_box(const Mask& organs) {
+    Eigen::AlignedBox3d box;
+    const IndexBox voxels = bounding_box(organs);
+    if (voxels.empty()) return box;
+    const auto& [begin, end] = voxels;
+    box.extend(organs.grid.to_mm(begin[0], begin[1], begin[2]));
+    box.extend(organs.grid.to_mm(end[0] - 1, end[1] - 1, end[2] - 1));
+    return box;
+}
+
+// Fills tree and bridges of the case; its voxels take the systems of the tree.
 void build_tree(const ReconstructOptions& options, const Volume& ct, Reconstruction& result,
                 std::vector<std::string>& warnings, Job& job) {
     PatientCase& patient = result.patient;
     TreeOptions tree_options;
     tree_options.seeds = options.seeds;
-    // What somebody drew is a vessel; what was found without a seed may be anything.
-    tree_options.only_seeded = !options.seeds.empty() && !options.vessel_mask;
+    tree_options.find_systems = !options.seeds.empty() || !has_systems(patient.mask);
+    tree_options.liver_mm = liver_box(patient.organs);
     tree_options.bridging.confidence = options.bridge_confidence;
+    job.begin_stage("Extracting the tree");
     TreeExtraction extraction =
         extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
     warn_of_left_out(extraction, tree_options, warnings);
     patient.tree = std::move(extraction.tree);
     patient.corrections.bridges = std::move(extraction.bridges);
-    if (!follow_tree(patient.mask, patient.tree, tree_options.only_seeded)) return;
-    for (std::size_t i = 0; i < patient.mask.voxels.size(); ++i)
-        if (patient.mask.voxels[i] == 0) patient.skeleton.voxels[i] = 0;
-    result.mask = counts_of(patient.mask);
-    result.skeleton = counts_of(patient.skeleton);
-    result.crowded_points = crowded_point_count(patient.skeleton);
+    job.begin_stage("Telling the systems apart");
+    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job);
 }
 
 // `warnings` holds what was found so far, also where it throws.
@@ -185,12 +176,10 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     result.skeleton = counts_of(patient.skeleton);
     result.crowded_points = crowded_point_count(patient.skeleton);
 
-    job.begin_stage("Extracting the tree");
     build_tree(options, ct, result, warnings, job);
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
-    warn_of_loops(patient.tree, warnings);
 
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options.mesh, job, &warnings);
@@ -204,11 +193,11 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 }  // namespace
 
 int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 4;
-    constexpr int given_mask = 2, segmentation = 6, telling_systems_apart = 1;
+    constexpr int reading = 1, from_skeleton_to_mesh = 5;
+    constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     return reading + (options.vessel_mask ? given_liver + given_mask : segmentation) +
-           (options.seeds.empty() ? 0 : telling_systems_apart) + from_skeleton_to_mesh;
+           from_skeleton_to_mesh;
 }
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {

@@ -170,13 +170,8 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     job.begin_stage("Refining the surface");
     result.mask = refine(detection.vessels, options.refinement_recursions, job);
     result.centreline = std::move(detection.centreline);
-    if (!options.seeds.empty()) {
-        job.begin_stage("Telling the systems apart");
-        result.mask = label_systems(result.mask, options.seeds, job);
-    } else {
-        for (std::uint8_t& voxel : result.mask.voxels)
-            if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
-    }
+    for (std::uint8_t& voxel : result.mask.voxels)
+        if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
     result.components =
         static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
     result.liver = std::move(frame.liver);

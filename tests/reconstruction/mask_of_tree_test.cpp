@@ -36,17 +36,22 @@ class MaskOfTree : public testing::Test {
 };
 
 TEST_F(MaskOfTree, WhatABridgeJoinedTakesItsSystem) {
-    EXPECT_FALSE(follow_tree(mask_, tree_, false));
+    Job job;
+    follow_tree(mask_, tree_, false, job);
     EXPECT_EQ(mask_.at(1, 20, 1), 1);
     EXPECT_EQ(mask_.at(5, 20, 1), 2);
     EXPECT_EQ(mask_.at(9, 20, 1), 255);
 }
 
-TEST_F(MaskOfTree, WhatIsNotInASeededTreeGoes) {
-    EXPECT_TRUE(follow_tree(mask_, tree_, true));
+// The systems in the mask were wrong or unknown: each voxel follows the centreline in it.
+TEST_F(MaskOfTree, AnewEveryVoxelFollowsItsCentreline) {
+    for (std::uint8_t& voxel : mask_.voxels)
+        if (voxel == 1) voxel = 3;
+    Job job;
+    follow_tree(mask_, tree_, true, job);
     EXPECT_EQ(mask_.at(1, 20, 1), 1);
     EXPECT_EQ(mask_.at(5, 20, 1), 2);
-    EXPECT_EQ(mask_.at(9, 20, 1), 0);
+    EXPECT_EQ(mask_.at(9, 20, 1), 255);
 }
 
 }  // namespace

@@ -77,10 +77,4 @@ RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
     });
 }
 
-RemovedPieces remove_unseeded_components(VesselGraph& graph, const std::vector<VesselSeed>& seeds) {
-    return remove_components(graph, seeds, [](const Component& component, bool) {
-        return !component.seeded && !component.named;
-    });
-}
-
 }  // namespace hepatica

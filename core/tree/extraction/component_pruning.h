@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removes the pieces of a graph that are noise by their length or that no seed is connected with,
-// and says how much that was.
+// Removes the pieces of a graph that are noise by their length, and says how much that was.
 #pragma once
 
 #include <vector>
@@ -19,8 +18,5 @@ struct RemovedPieces {
 // those that lie nearest to a seed, and, where there are seeds, those of a known system.
 RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
                                       const std::vector<VesselSeed>& seeds = {});
-
-// Removes components of an unknown system that lie nearest to no seed.
-RemovedPieces remove_unseeded_components(VesselGraph& graph, const std::vector<VesselSeed>& seeds);
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "core/tree/extraction/tree_extraction.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "core/base/error.h"
@@ -11,6 +12,7 @@
 #include "core/tree/extraction/spur_pruning.h"
 #include "core/tree/extraction/system_assignment.h"
 #include "core/tree/extraction/vessel_graph.h"
+#include "core/tree/systems/loop_opening.h"
 
 namespace hepatica {
 
@@ -40,6 +42,31 @@ void add(RemovedPieces& sum, const RemovedPieces& more) {
     sum.length_mm += more.length_mm;
 }
 
+std::vector<RootWish> wishes_of(const TreeOptions& options, const VesselGraph& graph) {
+    std::vector<RootWish> wishes;
+    for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
+    return wishes;
+}
+
+// The first wish of a component counts: a person's before anatomy's.
+std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& graph,
+                                 const AnatomicalAnchors& anchors) {
+    std::vector<RootWish> wishes = wishes_of(options, graph);
+    std::ranges::copy(anatomical_roots(graph, anchors), std::back_inserter(wishes));
+    return wishes;
+}
+
+void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& options,
+                        TreeExtraction& result) {
+    result.systems = tell_systems_apart(graph, ct, {options.seeds, options.liver_mm});
+    const AnatomicalAnchors& anchors = result.systems->anchors;
+    result.tree = directed(graph, all_wishes(options, graph, anchors));
+    OpenedLoops opened = open_loops(result.tree);
+    result.opened_loops = opened.count;
+    if (opened.count > 0)
+        result.tree = directed(opened.graph, all_wishes(options, opened.graph, anchors));
+}
+
 }  // namespace
 
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
@@ -57,13 +84,13 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     measure_lumen(graph, lumen, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
     result.bridges = bridge_gaps(graph, lumen, ct, options.bridging,
                                  [&](double share) { job.advance(0.8 + 0.15 * share); });
-    assign_systems(graph, vessels);
-    if (options.only_seeded) add(result.unseeded, remove_unseeded_components(graph, options.seeds));
+    if (!options.find_systems) assign_systems(graph, vessels);
     add(result.too_short,
         remove_short_components(graph, options.minimum_component_mm, options.seeds));
-    std::vector<RootWish> wishes;
-    for (const Vec3& position : options.roots_mm) wishes.push_back(nearest_end(graph, position));
-    result.tree = directed(std::move(graph), wishes);
+    if (options.find_systems)
+        grow_found_systems(std::move(graph), ct, options, result);
+    else
+        result.tree = directed(graph, wishes_of(options, graph));
     BridgedPoints bridged;
     for (const Bridge& bridge : result.bridges)
         if (bridge.built) bridged.add(bridge.path_mm);

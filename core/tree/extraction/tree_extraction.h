@@ -3,22 +3,27 @@
 // centrelines, sub-voxel radii, parents, Strahler orders and systems.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
 #include "core/tree/extraction/component_pruning.h"
 #include "core/tree/extraction/gap_bridging.h"
+#include "core/tree/systems/tell_systems_apart.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
 struct TreeOptions {
-    // Components with a seed in them are kept however short they are. Systems come from the mask
-    // (system_assignment.h).
+    // Components with a seed in them are kept however short they are.
     std::vector<VesselSeed> seeds;
-    // Leaves out the components that hold no seed and no known system, once gaps have been bridged.
-    bool only_seeded = false;
+    // Tells the systems apart by anatomy and seeds (tell_systems_apart.h), opens loops and begins
+    // each system where anatomy has it. Otherwise systems come from the mask
+    // (system_assignment.h).
+    bool find_systems = false;
+    Eigen::AlignedBox3d liver_mm;  // for find_systems; empty: not known
     // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
     // position. A component without one begins at its widest end.
     std::vector<Vec3> roots_mm;
@@ -37,7 +42,8 @@ struct TreeExtraction {
     VesselTree tree;
     std::vector<Bridge> bridges;  // built and offered ones, best first
     RemovedPieces too_short;      // left out, before and after gaps were bridged
-    RemovedPieces unseeded;       // left out because of `only_seeded`
+    std::optional<SystemsFound> systems;  // where they were looked for
+    int opened_loops = 0;
 };
 
 // Both masks lie on one grid; `vessels` holds numbers of systems (vascular_system.h). Radii are

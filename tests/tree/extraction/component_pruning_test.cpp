@@ -43,21 +43,9 @@ TEST(ComponentPruning, WhatASeedLiesInIsNeverTooShort) {
     EXPECT_NEAR(length_mm(graph.links[0]), 5.0, 1e-9);
 }
 
-TEST(ComponentPruning, OnlyWhatHoldsASeedOrASystemStays) {
-    VesselGraph graph = three_pieces();
-    graph.links[2].system = VascularSystem::hepatic;
-    const RemovedPieces removed = remove_unseeded_components(graph, {{Vec3(1, 2, 0)}});
-    EXPECT_EQ(removed.count, 1);
-    EXPECT_NEAR(removed.length_mm, 12.0, 1e-9);
-    ASSERT_EQ(graph.links.size(), 2u);
-    EXPECT_NEAR(length_mm(graph.links[0]), 5.0, 1e-9);
-    EXPECT_NEAR(length_mm(graph.links[1]), 8.0, 1e-9);
-}
-
 TEST(ComponentPruning, OfNothingTakesNothing) {
     VesselGraph graph;
     EXPECT_EQ(remove_short_components(graph, 6.0, {{Vec3(0, 0, 0)}}).count, 0);
-    EXPECT_EQ(remove_unseeded_components(graph, {}).count, 0);
 }
 
 }  // namespace

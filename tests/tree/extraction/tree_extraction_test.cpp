@@ -217,13 +217,12 @@ TEST(TreeExtraction, AShortPieceStaysWhereASeedLiesInIt) {
     }
     Job job;
     const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
-    const auto extracted = [&](const std::vector<VesselSeed>& seeds, bool only_seeded) {
+    const auto extracted = [&](const std::vector<VesselSeed>& seeds) {
         TreeOptions options;
         options.seeds = seeds;
-        options.only_seeded = only_seeded;
         return extract_tree_and_bridges(skeleton, mask, nullptr, options, job);
     };
-    const TreeExtraction without = extracted({}, false);
+    const TreeExtraction without = extracted({});
     EXPECT_EQ(roots(without.tree).size(), 1u);
     EXPECT_EQ(without.too_short.count, 1);
     EXPECT_NEAR(without.too_short.length_mm, 10.0, 4.0);
@@ -231,16 +230,10 @@ TEST(TreeExtraction, AShortPieceStaysWhereASeedLiesInIt) {
     EXPECT_EQ(without.tree.segments.at(0).system_confidence, 1.0);
 
     const VesselSeed in_short{Vec3(50, 15, 10)}, in_long{Vec3(10, 30, 10), VascularSystem::portal};
-    const TreeExtraction both = extracted({in_long, in_short}, true);
+    const TreeExtraction both = extracted({in_long, in_short});
     EXPECT_EQ(roots(both.tree).size(), 2u);
     EXPECT_EQ(both.too_short.count, 0);
-    EXPECT_EQ(both.unseeded.count, 0);
     EXPECT_EQ(both.tree.segments.at(1).system, VascularSystem::unknown);
-
-    const TreeExtraction one = extracted({in_long}, true);
-    EXPECT_EQ(roots(one.tree).size(), 1u);
-    EXPECT_EQ(one.unseeded.count, 1);
-    EXPECT_EQ(one.too_short.count, 0);
 }
 
 TEST(TreeExtraction, NothingBecomesAnEmptyTree) {

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/systems/tell_systems_apart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+#include "core/tree/systems/labelled_graph.h"
+#include "core/tree/systems/potts_labelling.h"
+#include "core/tree/systems/system_evidence.h"
+#include "core/tree/systems/vessel_pieces.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double brightness_weight = 0.6;   // pieces of one branch are not independent
+constexpr double most_brightness = 1.5;     // log odds of 5 mm
+constexpr double reference_mm = 5.0;
+constexpr double certain = 1e4;             // log odds of a seed
+constexpr int portal_label = 0, hepatic_label = 1, artery_label = 2;
+constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::hepatic,
+                                      VascularSystem::artery};
+
+// By how much two systems must explain the vessels better than one, in log odds.
+constexpr double least_gain = 8.0;
+
+constexpr int draws = 16;
+constexpr double draw_deviation = 0.5;      // of the logarithm of each weight
+constexpr double draw_anchor_mm = 8.0;
+
+std::optional<int> label_of(VascularSystem system) {
+    for (std::size_t i = 0; i < label_systems_of.size(); ++i)
+        if (label_systems_of[i] == system) return static_cast<int>(i);
+    return std::nullopt;
+}
+
+// Normal deviates from a fixed seed, the same on every machine.
+class Noise {
+  public:
+    double operator()() {
+        double sum = 0.0;  // of twelve uniform numbers: near enough to normal
+        for (int k = 0; k < 12; ++k) sum += static_cast<double>(engine_() >> 11) * 0x1p-53;
+        return sum - 6.0;
+    }
+
+  private:
+    std::mt19937_64 engine_{20120417};
+};
+
+struct Labelling {
+    std::vector<int> labels;
+    double gain = 0.0;  // over one system for all, by the evidence other than brightness
+    double brightness_difference = 0.0;
+};
+
+class Search {
+  public:
+    Search(const PieceGraph& graph, const SystemSearch& search)
+        : graph_(graph), seed_label_(graph.pieces.size(), -1) {
+        for (const VesselSeed& seed : search.seeds) place(seed);
+    }
+
+    int labels() const { return has_artery_ ? 3 : 2; }
+    bool has_seed(int label) const { return std::ranges::count(seed_label_, label) > 0; }
+
+    Labelling solve(const AnatomicalAnchors& anchors, Noise* noise) const {
+        PottsProblem problem;
+        problem.labels = labels();
+        problem.ties = ties(noise);
+        const std::vector<double> evidence = evidence_for_hepatic(graph_, anchors);
+        set_costs(problem, evidence, noise);
+        Labelling found;
+        found.labels = least_energy_labels(problem);
+        found.gain = gain(problem, found.labels);
+        return with_brightness(problem, found);
+    }
+
+  private:
+    void place(const VesselSeed& seed) {
+        const std::optional<int> label = label_of(seed.system);
+        if (!label || graph_.pieces.empty()) return;
+        const auto nearest = std::ranges::min_element(graph_.pieces, {}, [&](const VesselPiece& p) {
+            return (p.centre_mm - seed.position_mm).norm() - p.radius_mm;
+        });
+        seed_label_[nearest - graph_.pieces.begin()] = *label;
+        has_artery_ = has_artery_ || *label == artery_label;
+    }
+
+    static double perturbed(double value, Noise* noise) {
+        return noise == nullptr ? value : value * std::exp(draw_deviation * (*noise)());
+    }
+
+    std::vector<Tie> ties(Noise* noise) const {
+        std::vector<Tie> found;
+        for (const auto& [a, b] : graph_.passages)
+            found.push_back(
+                {a, b, perturbed(tie_of_passage(graph_.pieces[a], graph_.pieces[b]), noise)});
+        for (const std::vector<ForkArm>& arms : graph_.forks) {
+            const std::vector<double> strengths = ties_of_fork(arms);
+            std::size_t next = 0;
+            for (std::size_t i = 1; i < arms.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j) {
+                    const double strength = perturbed(strengths[next++], noise);
+                    if (arms[i].piece != arms[j].piece)
+                        found.push_back({arms[i].piece, arms[j].piece, strength});
+                }
+        }
+        return found;
+    }
+
+    void set_costs(PottsProblem& problem, const std::vector<double>& evidence,
+                   Noise* noise) const {
+        // An artery runs with the portal vein and is thin; only its seeds call for it.
+        constexpr double artery_per_mm = 0.1;
+        for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
+            const double odds = perturbed(evidence[i], noise);
+            std::vector<double> cost{0.5 * odds, -0.5 * odds};
+            if (has_artery_)
+                cost.push_back(0.5 * odds + artery_per_mm * graph_.pieces[i].length_mm);
+            if (seed_label_[i] >= 0)
+                for (int label = 0; label < labels(); ++label)
+                    if (label != seed_label_[i]) cost[label] += certain;
+            problem.costs.push_back(std::move(cost));
+        }
+    }
+
+    double gain(const PottsProblem& problem, const std::vector<int>& labels) const {
+        double one = std::numeric_limits<double>::infinity();
+        for (int label = 0; label < problem.labels; ++label)
+            one = std::min(one,
+                           energy_of(problem, std::vector<int>(graph_.pieces.size(), label)));
+        return one - energy_of(problem, labels);
+    }
+
+    // The systems differ a little in brightness, in a way that is only known once they are told
+    // apart: their means are estimated and used in turn.
+    Labelling with_brightness(PottsProblem problem, Labelling found) const {
+        constexpr int rounds = 6;
+        constexpr double least_difference = 0.1;
+        const std::vector<std::vector<double>> costs = problem.costs;
+        for (int round = 0; round < rounds; ++round) {
+            std::array<double, 2> sum{0.0, 0.0}, length{0.0, 0.0};
+            for_veins(found.labels, [&](const VesselPiece& piece, int label) {
+                sum[label] += piece.length_mm * piece.brightness;
+                length[label] += piece.length_mm;
+            });
+            if (std::min(length[0], length[1]) < 5.0 * reference_mm) return found;
+            const std::array<double, 2> mean{sum[0] / length[0], sum[1] / length[1]};
+            double squares = 0.0;
+            for_veins(found.labels, [&](const VesselPiece& piece, int label) {
+                const double off = piece.brightness - mean[label];
+                squares += piece.length_mm * off * off;
+            });
+            const double variance = squares / (length[0] + length[1]);
+            if (variance <= 0.0) return found;
+            found.brightness_difference = (mean[1] - mean[0]) / std::sqrt(variance);
+            if (std::abs(found.brightness_difference) <= least_difference) return found;
+            for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
+                const VesselPiece& piece = graph_.pieces[i];
+                const double p = piece.brightness - mean[0], h = piece.brightness - mean[1];
+                const double odds =
+                    brightness_weight * piece.length_mm / reference_mm *
+                    std::clamp((p * p - h * h) / (2.0 * variance), -most_brightness,
+                               most_brightness);
+                problem.costs[i][portal_label] = costs[i][portal_label] + 0.5 * odds;
+                problem.costs[i][hepatic_label] = costs[i][hepatic_label] - 0.5 * odds;
+            }
+            std::vector<int> next = least_energy_labels(problem);
+            if (next == found.labels) return found;
+            found.labels = std::move(next);
+        }
+        return found;
+    }
+
+    template <class Visit>
+    void for_veins(const std::vector<int>& labels, const Visit& visit) const {
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            if (labels[i] <= hepatic_label) visit(graph_.pieces[i], labels[i]);
+    }
+
+    const PieceGraph& graph_;
+    std::vector<int> seed_label_;  // -1: none
+    bool has_artery_ = false;
+};
+
+Eigen::AlignedBox3d box_of(const VesselGraph& graph) {
+    Eigen::AlignedBox3d box;
+    for (const VesselNode& node : graph.nodes) box.extend(node.position_mm);
+    return box;
+}
+
+// Shares of draws in which each piece had its label.
+std::vector<double> confidences(const Search& search, const AnatomicalAnchors& anchors,
+                                const std::vector<int>& labels) {
+    std::vector<double> share(labels.size(), 0.0);
+    Noise noise;
+    for (int draw = 0; draw < draws; ++draw) {
+        AnatomicalAnchors moved = anchors;
+        for (int axis = 0; axis < 3; ++axis) {
+            moved.hilum_mm[axis] += draw_anchor_mm * noise();
+            moved.confluence_mm[axis] += draw_anchor_mm * noise();
+        }
+        const Labelling other = search.solve(moved, &noise);
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            if (other.labels[i] == labels[i]) share[i] += 1.0 / draws;
+    }
+    return share;
+}
+
+}  // namespace
+
+SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search) {
+    SystemsFound found;
+    const PieceGraph pieces = pieces_of(graph, ct);
+    if (pieces.pieces.empty()) return found;
+    found.anchors = find_anchors(pieces.pieces,
+                                 search.liver_mm.isEmpty() ? box_of(graph) : search.liver_mm);
+    const Search cut(pieces, search);
+    const Labelling best = cut.solve(found.anchors, nullptr);
+    found.brightness_difference = best.brightness_difference;
+    std::vector<PieceSystem> systems(pieces.pieces.size());
+    const int seeded = static_cast<int>(cut.has_seed(portal_label)) +
+                       static_cast<int>(cut.has_seed(hepatic_label)) +
+                       static_cast<int>(cut.has_seed(artery_label));
+    if (seeded < 2 && best.gain < least_gain) {
+        VascularSystem only = VascularSystem::unknown;
+        for (std::size_t i = 0; i < label_systems_of.size(); ++i)
+            if (cut.has_seed(static_cast<int>(i))) only = label_systems_of[i];
+        std::ranges::fill(systems, PieceSystem{only, seeded > 0 ? 1.0 : 0.0});
+    } else {
+        const std::vector<double> confidence = confidences(cut, found.anchors, best.labels);
+        for (std::size_t i = 0; i < systems.size(); ++i)
+            systems[i] = {label_systems_of[best.labels[i]], confidence[i]};
+    }
+    graph = labelled_graph(graph, pieces, systems);
+    return found;
+}
+
+std::vector<RootWish> anatomical_roots(const VesselGraph& graph,
+                                       const AnatomicalAnchors& anchors) {
+    constexpr double mm_per_radius = 3.0;  // that far a wider end may lie from the anchor
+    const auto at_node = links_of_nodes(graph);
+    const std::vector<int> component = component_of_nodes(graph);
+    std::map<int, std::pair<double, RootWish>> best;
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+        if (at_node[n].size() != 1) continue;
+        const VesselLink& link = graph.links[at_node[n].front()];
+        if (link.system == VascularSystem::unknown) continue;
+        const Vec3& anchor =
+            link.system == VascularSystem::hepatic ? anchors.confluence_mm : anchors.hilum_mm;
+        double radius = 0.0;
+        for (const double r : link.radii_mm) radius += r / static_cast<double>(link.radii_mm.size());
+        const double away =
+            (graph.nodes[n].position_mm - anchor).norm() - mm_per_radius * radius;
+        const auto [entry, is_new] = best.try_emplace(
+            component[n], away, RootWish{static_cast<int>(n), link.system});
+        if (!is_new && away < entry->second.first)
+            entry->second = {away, {static_cast<int>(n), link.system}};
+    }
+    std::vector<RootWish> wishes;
+    for (const auto& [id, wish] : best) wishes.push_back(wish.second);
+    return wishes;
+}
+
+}  // namespace hepatica
