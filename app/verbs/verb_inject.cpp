@@ -83,7 +83,12 @@ Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& 
         answer["drug"]["phase"] = options.fluid.second().name;
         answer["drug"]["phase_source"] = options.fluid.second().source;
     }
+    const VascularSystem system = tree.segments[tip.segment].system;
     answer["tip"] = {{"segment", tip.segment},
+                     {"system", name_of(system)},
+                     {"why", options.at_mm.empty()
+                                 ? "no place was given: the root of the " + title_of(system)
+                                 : "the place that was given"},
                      {"arclength_mm", tip.arclength_mm},
                      {"distance_mm", tip.distance_mm},
                      {"wedged", options.injection.wedged}};

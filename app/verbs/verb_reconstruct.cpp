@@ -11,6 +11,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/patient/doubts_json.h"
 #include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
@@ -131,6 +132,7 @@ Json run(Options options, Job& job) {
     answer["tree"] = to_json(made.patient.tree);
     answer["bridges"] = to_json(made.patient.corrections.bridges);
     answer["mesh"] = to_json(made.patient.mesh);
+    answer["doubts"] = json_of(*made.patient.doubts);
     answer["warnings"] = made.warnings;
     return answer;
 }

@@ -123,19 +123,43 @@ Fluid drug_of(const InjectionOptions& options) {
     return drug;
 }
 
+namespace {
+
+// Blood, and what is injected into it, reaches the liver through arteries and the portal vein.
+int entry_rank(VascularSystem system) {
+    switch (system) {
+        case VascularSystem::artery:
+            return 0;
+        case VascularSystem::portal:
+            return 1;
+        case VascularSystem::unknown:
+            return 2;
+        case VascularSystem::hepatic:
+            return 3;
+    }
+    return 4;
+}
+
+}  // namespace
+
 TreePoint main_root(const VesselTree& tree) {
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "injection",
                          "Reconstruct the patient first");
     std::vector<double> volume(tree.segments.size(), 0.0);
     const FlowNetwork network = network_of(tree);
+    const auto better = [&](int i, int than) {
+        const int rank = entry_rank(tree.segments[i].system);
+        const int other = entry_rank(tree.segments[than].system);
+        return rank != other ? rank < other : volume[i] >= volume[than];
+    };
     int best = -1;
     for (std::size_t i = tree.segments.size(); i-- > 0;) {
         volume[i] += volume_mm3(network, static_cast<int>(i));
         const int parent = tree.segments[i].parent;
         if (parent >= 0)
             volume[parent] += volume[i];
-        else if (!tree.segments[i].closes_loop && (best < 0 || volume[i] >= volume[best]))
+        else if (!tree.segments[i].closes_loop && (best < 0 || better(static_cast<int>(i), best)))
             best = static_cast<int>(i);
     }
     return {std::max(best, 0), 0.0, 0.0};

@@ -96,8 +96,9 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);
 
-// Where the injection goes if nobody chose a place: the beginning of the root segment whose system
-// holds the most blood. Throws InputError if the tree is empty.
+// Where the injection goes if nobody chose a place: the beginning of an artery where there is one,
+// else of the portal vein, of vessels of an unknown system, of hepatic veins, in this order; of
+// several pieces that which holds the most blood. Throws InputError if the tree is empty.
 TreePoint main_root(const VesselTree& tree);
 
 // Mass flow of a tree's segment at the end, g/s from proximal to distal: of the stretch that

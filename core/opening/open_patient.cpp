@@ -139,6 +139,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));
         opened.folder = path;
+        if (const auto& doubts = opened.patient->doubts) opened.warnings = sentences(*doubts);
     } else if (is_tree_file(path)) {
         job.begin_stage("Reading the tree");
         opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));

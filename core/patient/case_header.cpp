@@ -9,6 +9,7 @@
 #include "core/base/hash.h"
 #include "core/base/json_number.h"
 #include "core/base/sha256.h"
+#include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
 #include "core/tree/files/tree_json.h"
 
@@ -63,6 +64,7 @@ CaseHeader header_from(const Json& json, int version) {
         return header;
     }
     header.source.name = json.value("name", "");
+    if (json.contains("doubts")) header.doubts = doubts_from(json.at("doubts"));
     header.source.image_sha256 = source.at("image_sha256").get<std::string>();
     header.source.parameters_json = json.at("parameters").dump();
     header.digests = json.at("sha256").get<std::map<std::string, std::string>>();
@@ -118,6 +120,7 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
                       {"grid", to_json(patient.source.image_grid)}};
     json["parameters"] = Json::parse(patient.source.parameters_json);
     json["tree"] = to_json(patient.tree);
+    if (patient.doubts) json["doubts"] = json_of(*patient.doubts);
     for (const char* name :
          {mask, skeleton, organs, tree, swc, surface, mesh, corrections, extracted})
         if (fs::exists(folder / name)) json["sha256"][name] = sha256_of_file(folder / name);

@@ -29,6 +29,7 @@ inline constexpr const char* dial = "dial.json";
 struct CaseHeader {
     int version = 0;
     CaseSource source;
+    std::optional<Doubts> doubts;
     std::map<std::string, std::string> digests;  // of each file: SHA-256; format 1: another hash
 };
 

@@ -91,6 +91,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     PatientCase patient;
     const CaseHeader header = read_case_header(folder);
     patient.source = header.source;
+    patient.doubts = header.doubts;
     for (const char* name : {case_file::tree, case_file::surface, case_file::mesh})
         check_case_file(folder, header, name);
     patient.tree = read_tree_vtp(folder / case_file::tree, in_case);

@@ -10,11 +10,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/patient/doubts.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/vessel_tree.h"
@@ -52,6 +54,8 @@ struct PatientCase {
     TriangleMesh surface;  // boundary of `mesh`
     TetMesh mesh;
     Corrections corrections;
+    // Of the reconstruction, before anything was corrected; none in cases of older programs.
+    std::optional<Doubts> doubts;
     // The dial as measured on this mesh, one JSON object (see core/scene/measured_dial.h); empty
     // where it was not measured. Kept in dial.json, which may be removed.
     std::string dial_json;

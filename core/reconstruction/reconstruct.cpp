@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/base/error.h"
@@ -47,8 +48,9 @@ void require_vessels(const Mask& mask, const std::string& place) {
 
 // What the image shows or somebody drew, before it becomes a tree.
 struct Anatomy {
-    Mask vessels;  // numbers of systems
-    Mask organs;   // organ_label; empty where no liver was given or found
+    Mask vessels;                 // numbers of systems
+    Mask organs;                  // organ_label; empty where no liver was given or found
+    ContrastStatistics contrast;  // zero where the vessels were given
 };
 
 // The liver as a case keeps it, cut to what it fills.
@@ -95,6 +97,7 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
     warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     require_vessels(found.mask, options.ct.string());
     anatomy.vessels = std::move(found.mask);
+    anatomy.contrast = found.statistics;
     if (!segmentation.liver) anatomy.organs = organs_of(found.liver);
     return anatomy;
 }
@@ -145,6 +148,8 @@ void build_tree(const ReconstructOptions& options, const Volume& ct, Reconstruct
         extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
     warn_of_left_out(extraction, tree_options, warnings);
     patient.tree = std::move(extraction.tree);
+    patient.doubts = doubts_of(patient.tree);
+    patient.doubts->opened_loops = extraction.opened_loops;
     patient.corrections.bridges = std::move(extraction.bridges);
     job.begin_stage("Telling the systems apart");
     follow_tree(patient.mask, patient.tree, tree_options.find_systems, job);
@@ -177,9 +182,13 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     result.crowded_points = crowded_point_count(patient.skeleton);
 
     build_tree(options, ct, result, warnings, job);
+    patient.doubts->contrast_hu = anatomy.contrast.contrast_hu();
+    patient.doubts->noise_hu = anatomy.contrast.noise_hu;
+    patient.doubts->coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+    std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
 
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options.mesh, job, &warnings);

@@ -37,7 +37,6 @@ constexpr double kept_branch_mm = 4.0;
 // Below this contrast, in deviations of the noise, a radius is not measured any better than an
 // outline.
 constexpr double measurable_contrast = 4.5;
-constexpr double dim_contrast = 3.5;  // below this, thin branches drown
 
 std::string rounded(double value, int decimals = 0) {
     std::string text = std::to_string(value);
@@ -156,11 +155,6 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
                          tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
     require_contrast(result.statistics, inner, tissue.interior, options.window_hu);
-    if (result.statistics.contrast_hu() < dim_contrast * tissue.noise_hu)
-        result.warnings.push_back(
-            "The vessels rise " + rounded(result.statistics.contrast_hu()) +
-            " HU above the liver, where the noise is " + rounded(tissue.noise_hu) +
-            " HU: most thin branches are missing, and some that are found may be noise.");
 
     job.begin_stage("Drawing thin vessels");
     if (options.method == SegmentationMethod::coherent &&

@@ -249,7 +249,7 @@ TEST(Injection, RefusesNonsenseAndStopsWhenAsked) {
     EXPECT_THROW(inject(tree, {}, job), Cancelled);
 }
 
-TEST(Injection, BeginsInTheLargestSystem) {
+TEST(Injection, BeginsInAnArteryElseThePortalVeinAndInItsLargestPiece) {
     VesselTree tree = make_tree(69, 1);
     const VesselTree larger = make_tree(70, 3);
     const int nodes = static_cast<int>(tree.nodes.size());
@@ -259,10 +259,23 @@ TEST(Injection, BeginsInTheLargestSystem) {
         s.proximal_node += nodes;
         s.distal_node += nodes;
         if (s.parent >= 0) s.parent += segments;
-        s.system = VascularSystem::hepatic;
+        s.system = tree.segments.front().system;
         tree.segments.push_back(s);
     }
     EXPECT_EQ(main_root(tree).segment, segments);
+    const auto entry = [&](VascularSystem smaller, VascularSystem larger_one) {
+        VesselTree named = tree;
+        for (int i = 0; i < std::ssize(named.segments); ++i)
+            named.segments[i].system = i < segments ? smaller : larger_one;
+        return main_root(named).segment;
+    };
+    using enum VascularSystem;
+    EXPECT_EQ(entry(portal, hepatic), 0);
+    EXPECT_EQ(entry(artery, portal), 0);
+    EXPECT_EQ(entry(unknown, hepatic), 0);
+    EXPECT_EQ(entry(portal, unknown), 0);
+    EXPECT_EQ(entry(portal, artery), segments);
+    EXPECT_EQ(entry(hepatic, hepatic), segments);
     Job job;
     const InjectionResult injection = inject(tree, {}, job);
     EXPECT_TRUE(std::isinf(first_arrival_s(injection, 0)));

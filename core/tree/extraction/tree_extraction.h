@@ -40,8 +40,8 @@ struct TreeOptions {
 
 struct TreeExtraction {
     VesselTree tree;
-    std::vector<Bridge> bridges;  // built and offered ones, best first
-    RemovedPieces too_short;      // left out, before and after gaps were bridged
+    std::vector<Bridge> bridges;          // built and offered ones, best first
+    RemovedPieces too_short;              // left out, before and after gaps were bridged
     std::optional<SystemsFound> systems;  // where they were looked for
     int opened_loops = 0;
 };

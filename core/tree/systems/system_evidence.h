@@ -17,8 +17,7 @@ namespace hepatica {
 // * of the two ways from a fork along the vessels, to the hilum and to the confluence, the one
 //   that a parent of the fork would take is right (by Dijkstra's algorithm over length / radius^2
 //   and a toll for each bend).
-std::vector<double> evidence_for_hepatic(const PieceGraph& graph,
-                                         const AnatomicalAnchors& anchors);
+std::vector<double> evidence_for_hepatic(const PieceGraph& graph, const AnatomicalAnchors& anchors);
 
 // How much a cut between two arms of one fork costs, in the same log odds: straight ways between
 // vessels of the same brightness cost most. In the order (1,0), (2,0), (2,1), (3,0) ...

@@ -17,10 +17,10 @@ namespace hepatica {
 
 namespace {
 
-constexpr double brightness_weight = 0.6;   // pieces of one branch are not independent
-constexpr double most_brightness = 1.5;     // log odds of 5 mm
+constexpr double brightness_weight = 0.6;  // pieces of one branch are not independent
+constexpr double most_brightness = 1.5;    // log odds of 5 mm
 constexpr double reference_mm = 5.0;
-constexpr double certain = 1e4;             // log odds of a seed
+constexpr double certain = 1e4;  // log odds of a seed
 constexpr int portal_label = 0, hepatic_label = 1, artery_label = 2;
 constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::hepatic,
                                       VascularSystem::artery};
@@ -29,7 +29,7 @@ constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::he
 constexpr double least_gain = 8.0;
 
 constexpr int draws = 16;
-constexpr double draw_deviation = 0.5;      // of the logarithm of each weight
+constexpr double draw_deviation = 0.5;  // of the logarithm of each weight
 constexpr double draw_anchor_mm = 8.0;
 
 std::optional<int> label_of(VascularSystem system) {
@@ -53,19 +53,25 @@ class Noise {
 
 struct Labelling {
     std::vector<int> labels;
-    double gain = 0.0;  // over one system for all, by the evidence other than brightness
+    double gain = 0.0;  // over one system for all
     double brightness_difference = 0.0;
 };
 
 class Search {
   public:
-    Search(const PieceGraph& graph, const SystemSearch& search)
+    Search(const PieceGraph& graph, const std::vector<VesselSeed>& seeds)
         : graph_(graph), seed_label_(graph.pieces.size(), -1) {
-        for (const VesselSeed& seed : search.seeds) place(seed);
+        for (const VesselSeed& seed : seeds) place(seed);
     }
 
     int labels() const { return has_artery_ ? 3 : 2; }
-    bool has_seed(int label) const { return std::ranges::count(seed_label_, label) > 0; }
+    std::vector<VascularSystem> seeded_systems() const {
+        std::vector<VascularSystem> systems;
+        for (std::size_t i = 0; i < label_systems_of.size(); ++i)
+            if (std::ranges::count(seed_label_, static_cast<int>(i)) > 0)
+                systems.push_back(label_systems_of[i]);
+        return systems;
+    }
 
     Labelling solve(const AnatomicalAnchors& anchors, Noise* noise) const {
         PottsProblem problem;
@@ -75,8 +81,9 @@ class Search {
         set_costs(problem, evidence, noise);
         Labelling found;
         found.labels = least_energy_labels(problem);
-        found.gain = gain(problem, found.labels);
-        return with_brightness(problem, found);
+        found = with_brightness(problem, found);
+        found.gain = gain(problem, found.labels) + gain_in_brightness(found.labels);
+        return found;
     }
 
   private:
@@ -112,8 +119,7 @@ class Search {
         return found;
     }
 
-    void set_costs(PottsProblem& problem, const std::vector<double>& evidence,
-                   Noise* noise) const {
+    void set_costs(PottsProblem& problem, const std::vector<double>& evidence, Noise* noise) const {
         // An artery runs with the portal vein and is thin; only its seeds call for it.
         constexpr double artery_per_mm = 0.1;
         for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
@@ -131,9 +137,42 @@ class Search {
     double gain(const PottsProblem& problem, const std::vector<int>& labels) const {
         double one = std::numeric_limits<double>::infinity();
         for (int label = 0; label < problem.labels; ++label)
-            one = std::min(one,
-                           energy_of(problem, std::vector<int>(graph_.pieces.size(), label)));
+            one = std::min(one, energy_of(problem, std::vector<int>(graph_.pieces.size(), label)));
         return one - energy_of(problem, labels);
+    }
+
+    struct BrightnessModel {
+        std::array<double, 2> mean{0.0, 0.0};
+        double variance = 0.0;        // about the means
+        double whole_variance = 0.0;  // about one mean for both
+        double length_mm = 0.0;
+    };
+
+    // None where one of the veins is too short or brightness says nothing.
+    std::optional<BrightnessModel> brightness_of(const std::vector<int>& labels) const {
+        std::array<double, 2> sum{0.0, 0.0}, length{0.0, 0.0};
+        double squares = 0.0;
+        for_veins(labels, [&](const VesselPiece& piece, int label) {
+            sum[label] += piece.length_mm * piece.brightness;
+            squares += piece.length_mm * piece.brightness * piece.brightness;
+            length[label] += piece.length_mm;
+        });
+        if (std::min(length[0], length[1]) < 5.0 * reference_mm) return std::nullopt;
+        BrightnessModel model{
+            {sum[0] / length[0], sum[1] / length[1]}, 0.0, 0.0, length[0] + length[1]};
+        const double mean = (sum[0] + sum[1]) / model.length_mm;
+        model.whole_variance = squares / model.length_mm - mean * mean;
+        model.variance =
+            (squares - sum[0] * model.mean[0] - sum[1] * model.mean[1]) / model.length_mm;
+        if (model.variance <= 1e-12) return std::nullopt;
+        return model;
+    }
+
+    double gain_in_brightness(const std::vector<int>& labels) const {
+        const auto model = brightness_of(labels);
+        if (!model) return 0.0;
+        return 0.5 * brightness_weight * model->length_mm / reference_mm *
+               std::log(model->whole_variance / model->variance);
     }
 
     // The systems differ a little in brightness, in a way that is only known once they are told
@@ -143,29 +182,13 @@ class Search {
         constexpr double least_difference = 0.1;
         const std::vector<std::vector<double>> costs = problem.costs;
         for (int round = 0; round < rounds; ++round) {
-            std::array<double, 2> sum{0.0, 0.0}, length{0.0, 0.0};
-            for_veins(found.labels, [&](const VesselPiece& piece, int label) {
-                sum[label] += piece.length_mm * piece.brightness;
-                length[label] += piece.length_mm;
-            });
-            if (std::min(length[0], length[1]) < 5.0 * reference_mm) return found;
-            const std::array<double, 2> mean{sum[0] / length[0], sum[1] / length[1]};
-            double squares = 0.0;
-            for_veins(found.labels, [&](const VesselPiece& piece, int label) {
-                const double off = piece.brightness - mean[label];
-                squares += piece.length_mm * off * off;
-            });
-            const double variance = squares / (length[0] + length[1]);
-            if (variance <= 0.0) return found;
-            found.brightness_difference = (mean[1] - mean[0]) / std::sqrt(variance);
+            const auto model = brightness_of(found.labels);
+            if (!model) return found;
+            found.brightness_difference =
+                (model->mean[1] - model->mean[0]) / std::sqrt(model->variance);
             if (std::abs(found.brightness_difference) <= least_difference) return found;
             for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
-                const VesselPiece& piece = graph_.pieces[i];
-                const double p = piece.brightness - mean[0], h = piece.brightness - mean[1];
-                const double odds =
-                    brightness_weight * piece.length_mm / reference_mm *
-                    std::clamp((p * p - h * h) / (2.0 * variance), -most_brightness,
-                               most_brightness);
+                const double odds = brightness_odds(graph_.pieces[i], *model);
                 problem.costs[i][portal_label] = costs[i][portal_label] + 0.5 * odds;
                 problem.costs[i][hepatic_label] = costs[i][hepatic_label] - 0.5 * odds;
             }
@@ -174,6 +197,14 @@ class Search {
             found.labels = std::move(next);
         }
         return found;
+    }
+
+    // Of hepatic over portal.
+    static double brightness_odds(const VesselPiece& piece, const BrightnessModel& model) {
+        const double p = piece.brightness - model.mean[0], h = piece.brightness - model.mean[1];
+        const double odds = (p * p - h * h) / (2.0 * model.variance);
+        return brightness_weight * piece.length_mm / reference_mm *
+               std::clamp(odds, -most_brightness, most_brightness);
     }
 
     template <class Visit>
@@ -217,21 +248,18 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     SystemsFound found;
     const PieceGraph pieces = pieces_of(graph, ct);
     if (pieces.pieces.empty()) return found;
-    found.anchors = find_anchors(pieces.pieces,
-                                 search.liver_mm.isEmpty() ? box_of(graph) : search.liver_mm);
-    const Search cut(pieces, search);
-    const Labelling best = cut.solve(found.anchors, nullptr);
-    found.brightness_difference = best.brightness_difference;
+    found.anchors =
+        find_anchors(pieces.pieces, search.liver_mm.isEmpty() ? box_of(graph) : search.liver_mm);
+    const Labelling unseeded = Search(pieces, {}).solve(found.anchors, nullptr);
+    found.gain = unseeded.gain;
+    const Search cut(pieces, search.seeds);
     std::vector<PieceSystem> systems(pieces.pieces.size());
-    const int seeded = static_cast<int>(cut.has_seed(portal_label)) +
-                       static_cast<int>(cut.has_seed(hepatic_label)) +
-                       static_cast<int>(cut.has_seed(artery_label));
-    if (seeded < 2 && best.gain < least_gain) {
-        VascularSystem only = VascularSystem::unknown;
-        for (std::size_t i = 0; i < label_systems_of.size(); ++i)
-            if (cut.has_seed(static_cast<int>(i))) only = label_systems_of[i];
-        std::ranges::fill(systems, PieceSystem{only, seeded > 0 ? 1.0 : 0.0});
+    const std::vector<VascularSystem> seeded = cut.seeded_systems();
+    if (seeded.size() < 2 && unseeded.gain < least_gain) {
+        std::ranges::fill(systems, seeded.empty() ? PieceSystem{} : PieceSystem{seeded[0], 1.0});
     } else {
+        const Labelling best = seeded.empty() ? unseeded : cut.solve(found.anchors, nullptr);
+        found.brightness_difference = best.brightness_difference;
         const std::vector<double> confidence = confidences(cut, found.anchors, best.labels);
         for (std::size_t i = 0; i < systems.size(); ++i)
             systems[i] = {label_systems_of[best.labels[i]], confidence[i]};
@@ -240,8 +268,7 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     return found;
 }
 
-std::vector<RootWish> anatomical_roots(const VesselGraph& graph,
-                                       const AnatomicalAnchors& anchors) {
+std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors) {
     constexpr double mm_per_radius = 3.0;  // that far a wider end may lie from the anchor
     const auto at_node = links_of_nodes(graph);
     const std::vector<int> component = component_of_nodes(graph);
@@ -253,11 +280,11 @@ std::vector<RootWish> anatomical_roots(const VesselGraph& graph,
         const Vec3& anchor =
             link.system == VascularSystem::hepatic ? anchors.confluence_mm : anchors.hilum_mm;
         double radius = 0.0;
-        for (const double r : link.radii_mm) radius += r / static_cast<double>(link.radii_mm.size());
-        const double away =
-            (graph.nodes[n].position_mm - anchor).norm() - mm_per_radius * radius;
-        const auto [entry, is_new] = best.try_emplace(
-            component[n], away, RootWish{static_cast<int>(n), link.system});
+        for (const double r : link.radii_mm)
+            radius += r / static_cast<double>(link.radii_mm.size());
+        const double away = (graph.nodes[n].position_mm - anchor).norm() - mm_per_radius * radius;
+        const auto [entry, is_new] =
+            best.try_emplace(component[n], away, RootWish{static_cast<int>(n), link.system});
         if (!is_new && away < entry->second.first)
             entry->second = {away, {static_cast<int>(n), link.system}};
     }

@@ -25,6 +25,8 @@ struct SystemsFound {
     AnatomicalAnchors anchors;
     // Difference in mean brightness between the systems, in standard deviations of a piece.
     double brightness_difference = 0.0;
+    // By how much two systems explain the vessels better than one, in log odds.
+    double gain = 0.0;
 };
 
 // Gives every link a system and a confidence (the share of draws with perturbed evidence in which

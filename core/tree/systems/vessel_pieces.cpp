@@ -15,11 +15,10 @@ namespace hepatica {
 namespace {
 
 constexpr double piece_mm = 4.0;
-constexpr double arm_mm = 5.0;           // over which an arm's direction and radius are measured
-constexpr std::size_t arm_pieces = 3;    // over which its brightness is
-constexpr double least_taper_mm = 6.0;   // shorter links say nothing about their taper
+constexpr double arm_mm = 5.0;          // over which an arm's direction and radius are measured
+constexpr std::size_t arm_pieces = 3;   // over which its brightness is
+constexpr double least_taper_mm = 6.0;  // shorter links say nothing about their taper
 constexpr std::size_t least_taper_points = 8;
-
 
 // Brightness of each point of each link, against the median of points of its radius.
 class Brightness {
@@ -147,7 +146,9 @@ ForkArm arm_of(const VesselLink& link, bool at_from) {
 class Cutter {
   public:
     Cutter(const VesselGraph& graph, const Volume* ct)
-        : graph_(graph), brightness_(graph, ct), first_piece_(graph.links.size(), -1),
+        : graph_(graph),
+          brightness_(graph, ct),
+          first_piece_(graph.links.size(), -1),
           piece_count_(graph.links.size(), 0) {}
 
     PieceGraph cut() {

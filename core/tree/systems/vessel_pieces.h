@@ -32,20 +32,20 @@ struct VesselPiece {
 // Where a piece leaves a fork.
 struct ForkArm {
     int piece = -1;
-    int node = -1;                        // of the graph
-    Vec3 direction = Vec3::Zero();        // away from the fork, past the fork's own lumen
-    Vec3 position_mm = Vec3::Zero();      // where that direction begins
-    double radius_mm = 0.0;               // of the first millimetres
-    double brightness = 0.0;              // of the first three pieces
+    int node = -1;                    // of the graph
+    Vec3 direction = Vec3::Zero();    // away from the fork, past the fork's own lumen
+    Vec3 position_mm = Vec3::Zero();  // where that direction begins
+    double radius_mm = 0.0;           // of the first millimetres
+    double brightness = 0.0;          // of the first three pieces
 };
 
 // Nodes joined by links no longer than their lumens are wide count as one fork: there vessels that
 // merely cross have one skeleton.
 struct PieceGraph {
-    std::vector<VesselPiece> pieces;  // link by link, along each
-    std::vector<std::array<int, 2>> passages;   // consecutive pieces of one link
-    std::vector<std::vector<ForkArm>> forks;    // two arms or more
-    std::vector<std::uint8_t> within_fork;      // per link: it joins two nodes of one fork
+    std::vector<VesselPiece> pieces;           // link by link, along each
+    std::vector<std::array<int, 2>> passages;  // consecutive pieces of one link
+    std::vector<std::vector<ForkArm>> forks;   // two arms or more
+    std::vector<std::uint8_t> within_fork;     // per link: it joins two nodes of one fork
 };
 
 // `ct` may be null. Deterministic.

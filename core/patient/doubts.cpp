@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/doubts.h"
+
+#include <cmath>
+
+namespace hepatica {
+
+namespace {
+
+constexpr double sure = 0.8;            // confidence from which a segment is not in doubt
+constexpr double notable_share = 0.05;  // of the length
+constexpr double dim_contrast = 3.5;    // deviations of the noise
+
+std::string percent(double share) {
+    return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+std::string number_of(int count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Doubts doubts_of(const VesselTree& tree) {
+    Doubts doubts;
+    double whole = 0.0, uncertain = 0.0, unknown = 0.0;
+    for (const VesselSegment& segment : tree.segments) {
+        const double length = length_mm(segment);
+        whole += length;
+        if (segment.system_confidence < sure) uncertain += length;
+        if (segment.system == VascularSystem::unknown) unknown += length;
+        if (segment.closes_loop) ++doubts.loops;
+    }
+    if (whole > 0.0) {
+        doubts.uncertain_share = uncertain / whole;
+        doubts.unknown_share = unknown / whole;
+    }
+    return doubts;
+}
+
+std::vector<std::string> sentences(const Doubts& doubts) {
+    std::vector<std::string> list;
+    if (doubts.unknown_share > notable_share)
+        list.push_back("For " + percent(doubts.unknown_share) +
+                       " of the vessels' length nothing tells which system they belong to. A seed "
+                       "inside the portal vein and one inside a hepatic vein would tell them "
+                       "apart.");
+    if (const double other = doubts.uncertain_share - doubts.unknown_share; other > notable_share)
+        list.push_back("For " + percent(other) +
+                       " of the vessels' length it is less than 80 % sure whether they belong to "
+                       "the portal vein or to the hepatic veins. Look at branches where both "
+                       "touch; a seed inside a wrong one, or giving the branch to the other "
+                       "system, mends all that hangs on it.");
+    if (doubts.noise_hu > 0.0 && doubts.contrast_hu < dim_contrast * doubts.noise_hu)
+        list.push_back(
+            "The vessels rise only " + std::to_string(std::lround(doubts.contrast_hu)) +
+            " HU above the liver, where the noise is " +
+            std::to_string(std::lround(doubts.noise_hu)) +
+            " HU: most thin branches are missing, and some that are found may be noise. A "
+            "scan in the portal venous phase, or a smoother kernel, shows more.");
+    if (doubts.opened_loops > 0)
+        list.push_back(number_of(doubts.opened_loops, "loop") +
+                       " within one system, made where branches touch in the image, " +
+                       (doubts.opened_loops == 1 ? "was" : "were") +
+                       " opened. Thinner slices would part such branches.");
+    if (doubts.loops > 0)
+        list.push_back(number_of(doubts.loops, "loop") + (doubts.loops == 1 ? " is" : " are") +
+                       " left in the vessels. Cut those that are no real connections.");
+    return list;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How sure a reconstruction is of what it shows: contrast, noise, which vessels may belong to the
+// other system, loops. Kept with the case and told in words that an instructor understands, with
+// what would help.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+struct Doubts {
+    // What the image says of itself; both 0 where the vessels were given and none was asked.
+    double contrast_hu = 0.0;
+    double noise_hu = 0.0;
+    double coarsest_spacing_mm = 0.0;  // of the CT's voxels
+    // Shares of the tree's length.
+    double uncertain_share = 0.0;  // confidence of the system under 0.8, unknown ones included
+    double unknown_share = 0.0;
+    int opened_loops = 0;  // branches of one system that touched and were parted
+    int loops = 0;         // left in the tree
+};
+
+// The part that the tree itself tells.
+Doubts doubts_of(const VesselTree& tree);
+
+// One sentence for each thing that an instructor should know; none where there is nothing to doubt.
+std::vector<std::string> sentences(const Doubts& doubts);
+
+}  // namespace hepatica
