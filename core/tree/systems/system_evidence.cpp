@@ -156,10 +156,9 @@ void add_ways(const PieceGraph& graph, const AnatomicalAnchors& anchors,
               std::vector<double>& evidence) {
     constexpr double most = 1.5;  // of one fork, before its weight
     const WayAlongVessels ways(graph);
-    const auto to_hilum =
-        ways.from(trunk_at(graph.pieces, anchors.hilum_mm, anchors.confluence_mm));
-    const auto to_confluence =
-        ways.from(trunk_at(graph.pieces, anchors.confluence_mm, anchors.hilum_mm));
+    const Trunks trunks = trunks_at(graph.pieces, anchors);
+    const auto to_hilum = ways.from(trunks.portal);
+    const auto to_confluence = ways.from(trunks.hepatic);
     for (const std::vector<ForkArm>& arms : graph.forks) {
         if (arms.size() < 3) continue;
         const auto nearest = [&](const std::vector<double>& distance) {
@@ -192,6 +191,11 @@ void add_pointing(const PieceGraph& graph, const AnatomicalAnchors& anchors,
 }
 
 }  // namespace
+
+Trunks trunks_at(const std::vector<VesselPiece>& pieces, const AnatomicalAnchors& anchors) {
+    return {trunk_at(pieces, anchors.hilum_mm, anchors.confluence_mm),
+            trunk_at(pieces, anchors.confluence_mm, anchors.hilum_mm)};
+}
 
 std::vector<double> evidence_for_hepatic(const PieceGraph& graph,
                                          const AnatomicalAnchors& anchors) {

@@ -10,6 +10,13 @@
 
 namespace hepatica {
 
+// The widest pieces about each anchor: what the systems' trunks are made of.
+struct Trunks {
+    std::vector<int> portal;
+    std::vector<int> hepatic;
+};
+Trunks trunks_at(const std::vector<VesselPiece>& pieces, const AnatomicalAnchors& anchors);
+
 // For each piece, log odds of hepatic over portal. Four kinds are added up:
 // * a wide vessel near an anchor belongs to it;
 // * a link becomes wider towards where its system begins;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "core/tree/systems/labelled_graph.h"
@@ -27,6 +28,9 @@ constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::he
 
 // By how much two systems must explain the vessels better than one, in log odds.
 constexpr double least_gain = 8.0;
+
+// How much less likely a vein in one piece more is, in log odds.
+constexpr double cost_of_a_root = 8.0;
 
 constexpr int draws = 16;
 constexpr double draw_deviation = 0.5;  // of the logarithm of each weight
@@ -81,8 +85,10 @@ class Search {
         set_costs(problem, evidence, noise);
         Labelling found;
         found.labels = least_energy_labels(problem);
+        const PottsProblem without_brightness = problem;
         found = with_brightness(problem, found);
-        found.gain = gain(problem, found.labels) + gain_in_brightness(found.labels);
+        join_rootless(problem, trunks_at(graph_.pieces, anchors), found.labels);
+        found.gain = gain(without_brightness, found.labels) + gain_in_brightness(found.labels);
         return found;
     }
 
@@ -141,6 +147,59 @@ class Search {
         return one - energy_of(problem, labels);
     }
 
+    // Parts of one label that hang together and hold no piece of their system's trunk are given to
+    // the other vein, cheapest first, where that costs less than another tree is unlikely.
+    void join_rootless(const PottsProblem& problem, const Trunks& trunks,
+                       std::vector<int>& labels) const {
+        for (;;) {
+            const std::vector<int> part = parts_of(problem, labels);
+            std::vector<double> cost(labels.size(), 0.0);  // of giving a part away
+            std::vector<std::uint8_t> rooted(labels.size(), 0), touches(labels.size(), 0);
+            for (const int i : trunks.portal)
+                if (labels[i] == portal_label) rooted[part[i]] = 1;
+            for (const int i : trunks.hepatic)
+                if (labels[i] == hepatic_label) rooted[part[i]] = 1;
+            for (std::size_t i = 0; i < labels.size(); ++i) {
+                if (labels[i] > hepatic_label)
+                    rooted[part[i]] = 1;
+                else
+                    cost[part[i]] += problem.costs[i][1 - labels[i]] - problem.costs[i][labels[i]];
+            }
+            for (const Tie& tie : problem.ties)
+                if (labels[tie.a] + labels[tie.b] == portal_label + hepatic_label &&
+                    labels[tie.a] != labels[tie.b])
+                    for (const int i : {tie.a, tie.b}) {
+                        cost[part[i]] -= tie.strength;
+                        touches[part[i]] = 1;
+                    }
+            int cheapest = -1;
+            for (std::size_t k = 0; k < labels.size(); ++k)
+                if (part[k] == static_cast<int>(k) && rooted[k] == 0 && touches[k] != 0 &&
+                    (cheapest < 0 || cost[k] < cost[cheapest]))
+                    cheapest = static_cast<int>(k);
+            if (cheapest < 0 || cost[cheapest] >= cost_of_a_root) return;
+            for (std::size_t i = 0; i < labels.size(); ++i)
+                if (part[i] == cheapest) labels[i] = 1 - labels[i];
+        }
+    }
+
+    // The first site of the part that each site hangs together with.
+    static std::vector<int> parts_of(const PottsProblem& problem, const std::vector<int>& labels) {
+        std::vector<int> part(labels.size());
+        std::iota(part.begin(), part.end(), 0);
+        const auto find = [&](int i) {
+            while (part[i] != i) i = part[i] = part[part[i]];
+            return i;
+        };
+        for (const Tie& tie : problem.ties)
+            if (labels[tie.a] == labels[tie.b]) {
+                const int a = find(tie.a), b = find(tie.b);
+                part[std::max(a, b)] = std::min(a, b);
+            }
+        for (std::size_t i = 0; i < part.size(); ++i) part[i] = find(static_cast<int>(i));
+        return part;
+    }
+
     struct BrightnessModel {
         std::array<double, 2> mean{0.0, 0.0};
         double variance = 0.0;        // about the means
@@ -177,7 +236,7 @@ class Search {
 
     // The systems differ a little in brightness, in a way that is only known once they are told
     // apart: their means are estimated and used in turn.
-    Labelling with_brightness(PottsProblem problem, Labelling found) const {
+    Labelling with_brightness(PottsProblem& problem, Labelling found) const {
         constexpr int rounds = 6;
         constexpr double least_difference = 0.1;
         const std::vector<std::vector<double>> costs = problem.costs;

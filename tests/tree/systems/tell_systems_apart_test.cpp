@@ -45,6 +45,8 @@ struct Place {
 // Makes the systems touch `count` times, at the places where they come nearest to each other: the
 // two vessels share a node there, as the skeleton of their common outline has it.
 void touch(VesselGraph& graph, int count) {
+    constexpr double apart_mm = 15.0;
+    std::vector<Vec3> touched;
     for (int k = 0; k < count; ++k) {
         double least = 1e9;
         Place portal{-1, 0.0}, hepatic{-1, 0.0};
@@ -55,7 +57,11 @@ void touch(VesselGraph& graph, int count) {
                     continue;
                 const auto along_a = arclengths_mm(a.points_mm),
                            along_b = arclengths_mm(b.points_mm);
-                for (std::size_t p = 2; p + 2 < a.points_mm.size(); ++p)
+                for (std::size_t p = 2; p + 2 < a.points_mm.size(); ++p) {
+                    const bool taken = std::ranges::any_of(touched, [&](const Vec3& t) {
+                        return (t - a.points_mm[p]).norm() < apart_mm;
+                    });
+                    if (taken) continue;
                     for (std::size_t q = 2; q + 2 < b.points_mm.size(); ++q) {
                         const double d = (a.points_mm[p] - b.points_mm[q]).norm();
                         if (d >= least) continue;
@@ -63,11 +69,13 @@ void touch(VesselGraph& graph, int count) {
                         portal = {static_cast<int>(i), along_a[p]};
                         hepatic = {static_cast<int>(j), along_b[q]};
                     }
+                }
             }
         const int a = split_link(graph, portal.link, portal.along_mm, 0.0);
         const int b = split_link(graph, hepatic.link, hepatic.along_mm, 0.0);
         const Vec3 middle = 0.5 * (graph.nodes[a].position_mm + graph.nodes[b].position_mm);
         graph.nodes[a].position_mm = middle;
+        touched.push_back(middle);
         for (VesselLink& link : graph.links) {
             if (link.from == b) link.from = a;
             if (link.to == b) link.to = a;
