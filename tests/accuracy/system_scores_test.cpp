@@ -209,6 +209,37 @@ TEST(SystemScores, ACrossingThatIsOneNodeIsOneFalseJoin) {
     EXPECT_EQ(judged(directed(one), truth).false_joins, 1);
 }
 
+// The same with a portal vein of 4 mm radius, in whose lumen both arms lie for 4 mm.
+TEST(SystemScores, BothSidesOfAWideCrossingAreOnePlace) {
+    VesselGraph apart;
+    for (const Vec3& p : {Vec3(0, -10, 0), Vec3(0, 70, 0), Vec3(-27, 30, 5), Vec3(36, 30, 5)})
+        apart.nodes.push_back({p, 2.0});
+    apart.links = {straight_link(apart, 0, 1, 4, 4, portal),
+                   straight_link(apart, 2, 3, 2, 2, hepatic)};
+    const VesselTree tree = directed(apart);
+    const std::vector<SystemTruth> truth{{portal, lumen(tree, portal), {}},
+                                         {hepatic, lumen(tree, hepatic), {}}};
+    VesselGraph one = apart;
+    one.nodes.push_back({Vec3(0, 30, 0), 4.0});
+    one.links = {straight_link(one, 0, 4, 4, 4, portal), straight_link(one, 4, 1, 4, 4, portal),
+                 straight_link(one, 2, 4, 2, 4, portal), straight_link(one, 4, 3, 4, 2, portal)};
+    EXPECT_EQ(judged(directed(one), truth).false_joins, 1);
+}
+
+// 5.7 mm beside the axis of a portal vein of 6 mm radius, 1.8 mm from that of a thin hepatic one.
+TEST(SystemScores, ALumenCountsMoreThanANearerAxis) {
+    VesselGraph graph;
+    for (const double x : {0.0, 7.5, 5.7})
+        for (const double y : {0.0, 60.0}) graph.nodes.push_back({Vec3(x, y, 0), 1.0});
+    graph.links = {straight_link(graph, 0, 1, 6, 6, portal),
+                   straight_link(graph, 2, 3, 1, 1, hepatic)};
+    const VesselTree known = directed(graph);
+    const std::vector<SystemTruth> truth{{portal, lumen(known, portal), {}},
+                                         {hepatic, lumen(known, hepatic), {}}};
+    graph.links = {straight_link(graph, 4, 5, 1, 1, portal)};
+    EXPECT_DOUBLE_EQ(judged(directed(graph), truth).system_right, 1.0);
+}
+
 // A stub shorter than 5 mm along the other system is what an opened touch leaves.
 TEST(SystemScores, AStubOfAnOpenedTouchIsNoJoin) {
     for (const double stub_mm : {1.5, 12.0}) {
@@ -237,6 +268,7 @@ TEST(SystemScores, ACutIsOneBreak) {
     EXPECT_EQ(s.breaks, 1);
     EXPECT_DOUBLE_EQ(s.system_right, 1.0);
     EXPECT_DOUBLE_EQ(s.systems[1].length_recall, 1.0);  // the gap lies within the tolerance
+    EXPECT_EQ(s.systems[1].root_error_mm, 0.0);         // of the longer piece
 }
 
 // What the truth itself does not connect, or what carries another system, breaks nothing.

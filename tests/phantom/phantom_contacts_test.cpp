@@ -20,7 +20,7 @@ PhantomOptions options_of(int seed, int touching) {
     PhantomOptions options;
     options.seed = static_cast<std::uint64_t>(seed);
     options.systems = 2;
-    options.generations = 5;
+    options.generations = 6;
     options.touching = touching;
     options.dims = {128, 128, 96};
     options.spacing_mm = Vec3(1.6, 1.6, 1.7);
@@ -49,13 +49,13 @@ Gap gap_between(const VesselSegment& a, const VesselSegment& b) {
 }
 
 class TouchingSystems : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, TouchingSystems, testing::Values(1, 3, 4, 5));
+INSTANTIATE_TEST_SUITE_P(Seeds, TouchingSystems, testing::Range(1, 6));
 
 // Each contact is a pair of segments of its own whose lumens overlap, and no other pair overlaps.
 TEST_P(TouchingSystems, TouchAsOftenAsAskedAndNowhereElse) {
-    const Phantom phantom = made(options_of(GetParam(), 6));
+    const Phantom phantom = made(options_of(GetParam(), 5));
     ASSERT_NO_THROW(validate(phantom.tree));
-    ASSERT_EQ(phantom.contacts_mm.size(), 6u);
+    ASSERT_EQ(phantom.contacts_mm.size(), 5u);
     int overlaps = 0;
     for (const VesselSegment& a : phantom.tree.segments)
         for (const VesselSegment& b : phantom.tree.segments) {
@@ -68,14 +68,18 @@ TEST_P(TouchingSystems, TouchAsOftenAsAskedAndNowhereElse) {
             for (const Vec3& contact : phantom.contacts_mm)
                 away_mm = std::min(away_mm, (contact - gap.place).norm());
             EXPECT_LT(away_mm, 6.0);
+            // Neither axis lies deep in the other lumen.
+            for (const Vec3& p : a.points_mm)
+                for (std::size_t k = 0; k < b.points_mm.size(); ++k)
+                    EXPECT_GT((p - b.points_mm[k]).norm(), 0.85 * b.radii_mm[k]);
         }
-    EXPECT_EQ(overlaps, 6);
+    EXPECT_EQ(overlaps, 5);
 }
 
 // Nodes, radii and the number of points are those of the phantom that was not bent; so are all
 // portal veins.
 TEST_P(TouchingSystems, KeepTheTree) {
-    const VesselTree bent = made(options_of(GetParam(), 6)).tree;
+    const VesselTree bent = made(options_of(GetParam(), 5)).tree;
     const VesselTree straight = made(options_of(GetParam(), 0)).tree;
     ASSERT_EQ(bent.segments.size(), straight.segments.size());
     int moved = 0;
@@ -95,13 +99,13 @@ TEST_P(TouchingSystems, KeepTheTree) {
                           .dot((a.points_mm[k - 1] - a.points_mm[k - 2]).normalized()),
                       0.6);
     }
-    EXPECT_EQ(moved, 6);
+    EXPECT_EQ(moved, 5);
 }
 
 // Every voxel of the mask belongs to the system whose wall it lies deeper in; no HU lies beyond
 // those of the two systems.
 TEST_P(TouchingSystems, ShareVoxelsByWhatFillsThem) {
-    PhantomOptions options = options_of(GetParam(), 6);
+    PhantomOptions options = options_of(GetParam(), 5);
     options.noise_hu = 0.0;
     options.point_spread_sigma_mm = 0.0;
     options.hepatic_contrast_hu = 50.0;  // below 65
