@@ -25,8 +25,8 @@ struct VesselSegment {
     int parent = -1;  // segment that ends where this one begins; -1 at a root
     VascularSystem system = VascularSystem::unknown;
     // In [0, 1]: the share of draws with perturbed evidence in which this system came out
-    // (tell_systems_apart.h), or of the segment that lies in voxels of it; 1 where a person said so.
-    // 0: nothing is known, as of an unknown system and of what only a bridge joined to it.
+    // (tell_systems_apart.h), or of the segment that lies in voxels of it; 1 where a person said
+    // so. 0: nothing is known, as of an unknown system and of what only a bridge joined to it.
     double system_confidence = 0.0;
     int strahler_order = 1;
     bool closes_loop = false;      // the link of a loop that is not part of the spanning tree
