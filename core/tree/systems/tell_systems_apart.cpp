@@ -30,7 +30,7 @@ constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::he
 constexpr double least_gain = 8.0;
 
 // How much less likely a vein in one piece more is, in log odds.
-constexpr double cost_of_a_root = 8.0;
+constexpr double cost_of_a_root = 4.0;
 
 constexpr int draws = 16;
 constexpr double draw_deviation = 0.5;  // of the logarithm of each weight
