@@ -15,7 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180.0;
 
-// Weights of the kinds of evidence, chosen on synthetic patients (docs/accuracy.md).
+// Weights of the kinds of evidence, in log odds; see docs/accuracy.md for what they were found on.
 constexpr double place_weight = 1.0;
 constexpr double taper_weight = 0.67;
 constexpr double pointing_weight = 1.0;
