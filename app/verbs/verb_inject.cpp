@@ -84,14 +84,13 @@ Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& 
         answer["drug"]["phase_source"] = options.fluid.second().source;
     }
     const VascularSystem system = tree.segments[tip.segment].system;
-    answer["tip"] = {
-        {"segment", tip.segment},
-        {"system", name_of(system)},
-        {"why", options.at_mm.empty() ? "no place was given: the root of the " + title_of(system)
-                                      : "the place that was given"},
-        {"arclength_mm", tip.arclength_mm},
-        {"distance_mm", tip.distance_mm},
-        {"wedged", options.injection.wedged}};
+    answer["tip"] = {{"segment", tip.segment},
+                     {"why", options.at_mm.empty()
+                                 ? "the root of the " + title_of(system) + ": no place was given"
+                                 : "the place that was given, in the " + title_of(system)},
+                     {"arclength_mm", tip.arclength_mm},
+                     {"distance_mm", tip.distance_mm},
+                     {"wedged", options.injection.wedged}};
     answer["inlet_pressure_pa"] = end.inlet_pressure_pa;
     answer["inlet_pressure_begin_pa"] = begin.inlet_pressure_pa;
     answer["volume_error_relative"] = result.balance.error_relative();

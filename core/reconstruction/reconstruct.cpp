@@ -16,6 +16,7 @@
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
 #include "core/segmentation/gaussian_refinement.h"
+#include "core/segmentation/vessel_systems.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
@@ -84,7 +85,6 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
     SegmentationOptions segmentation;
     segmentation.method = options.method;
     segmentation.window_hu = options.window_hu;
-    segmentation.seeds = options.seeds;
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
     segmentation.liver = given_liver(options, ct.grid, job);
@@ -169,6 +169,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                                           : segmented_anatomy(options, ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
+    require_seeds_in_vessels(patient.mask, options.seeds);
     fill_cavities(patient.mask);
     job.advance(0.8);
     result.mask = counts_of(patient.mask);

@@ -13,7 +13,6 @@
 #include "core/base/job.h"
 #include "core/image/volume.h"
 #include "core/segmentation/segmentation_method.h"
-#include "core/segmentation/vessel_systems.h"
 
 namespace hepatica {
 
@@ -24,8 +23,6 @@ struct SegmentationOptions {
     std::optional<Mask> liver;
     // Hounsfield window of the vessels; without one it follows from the image's own statistics.
     std::optional<std::pair<double, double>> window_hu;
-    // What is connected with a seed is labelled with its system (vessel_systems.h).
-    std::vector<VesselSeed> seeds;
     // Recursions of the Gaussian refinement (gaussian_refinement.h); 0 leaves the surface alone.
     int refinement_recursions = 0;
     // Edge of the cubic voxels that the work is done on, 0.3 to 1.5; 0 stands for 0.65.
@@ -41,7 +38,7 @@ struct ContrastStatistics {
 };
 
 struct Segmentation {
-    // 0 background, else the system's number (unknown where no seed reaches). On a grid that
+    // 0 background, else the number of an unknown system. On a grid that
     // covers the liver with cubic voxels and lies in the CT's frame.
     Mask mask;
     Mask liver;             // closed; same grid as the mask
@@ -53,7 +50,7 @@ struct Segmentation {
 };
 
 // Throws InputError where the CT shows no contrast between vessels and liver (naming what was
-// measured), where no liver can be found, where a seed lies in no vessel, or an option is outside
+// measured), where no liver can be found, or an option is outside
 // its range; Cancelled. Begins its own stages of the job. Same bytes for any number of threads.
 Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job);
 

@@ -141,6 +141,10 @@ class Fronts {
 
 }  // namespace
 
+void require_seeds_in_vessels(const Mask& vessels, const std::vector<VesselSeed>& seeds) {
+    for (const VesselSeed& seed : seeds) voxel_near(vessels, seed);
+}
+
 Mask label_systems(const Mask& vessels, const std::vector<VesselSeed>& seeds, Job& job) {
     Fronts fronts(vessels, job);
     for (const VesselSeed& seed : seeds) {

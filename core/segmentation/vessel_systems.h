@@ -20,4 +20,7 @@ namespace hepatica {
 // Throws InputError where there is no vessel that near to a seed; Cancelled.
 Mask label_systems(const Mask& vessels, const std::vector<VesselSeed>& seeds, Job& job);
 
+// Throws InputError that names the first seed with no vessel within 3 mm.
+void require_seeds_in_vessels(const Mask& vessels, const std::vector<VesselSeed>& seeds);
+
 }  // namespace hepatica

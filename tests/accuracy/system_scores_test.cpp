@@ -209,6 +209,20 @@ TEST(SystemScores, ACrossingThatIsOneNodeIsOneFalseJoin) {
     EXPECT_EQ(judged(directed(one), truth).false_joins, 1);
 }
 
+// 5.4 mm beside the axis of a portal vein of 6 mm radius, 1.6 mm from that of a thin hepatic one.
+TEST(SystemScores, ALumenCountsMoreThanANearerAxis) {
+    VesselGraph graph;
+    for (const double x : {0.0, 7.0, 5.4})
+        for (const double y : {0.0, 60.0}) graph.nodes.push_back({Vec3(x, y, 0), 1.0});
+    graph.links = {straight_link(graph, 0, 1, 6, 6, portal),
+                   straight_link(graph, 2, 3, 1, 1, hepatic)};
+    const VesselTree known = directed(graph);
+    const std::vector<SystemTruth> truth{{portal, lumen(known, portal), {}},
+                                         {hepatic, lumen(known, hepatic), {}}};
+    graph.links = {straight_link(graph, 4, 5, 1, 1, portal)};
+    EXPECT_DOUBLE_EQ(judged(directed(graph), truth).system_right, 1.0);
+}
+
 // The same with a portal vein of 4 mm radius, in whose lumen both arms lie for 4 mm.
 TEST(SystemScores, BothSidesOfAWideCrossingAreOnePlace) {
     VesselGraph apart;

@@ -138,6 +138,37 @@ TEST(Reconstruct, OpensALoopWithinOneSystemAndSaysSo) {
     fs::remove_all(folder);
 }
 
+// A seed beside every vessel says nothing; it must not name the vessel that happens to be nearest.
+TEST(Reconstruct, ASeedInNoVesselIsRefusedByItsPlace) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica seed";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {64, 64, 24};
+    Volume ct(grid, 100);
+    ct.voxels[0] = 50;
+    Mask line(grid);
+    for (std::size_t i = 0; i < line.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        line.voxels[i] = std::hypot(x - 32.0, z - 12.0) < 3.0 && y > 4 && y < 60;
+    }
+    write_nifti(folder / "ct.nii.gz", ct);
+    write_nifti(folder / "line.nii.gz", line);
+    ReconstructOptions options;
+    options.ct = folder / "ct.nii.gz";
+    options.vessel_mask = folder / "line.nii.gz";
+    options.seeds = {{Vec3(10, 30, 12), VascularSystem::portal}};
+    Job job;
+    try {
+        reconstruct(options, job);
+        FAIL() << "the seed was taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("no vessel lies within 3 mm of the seed at 10"),
+                  std::string::npos)
+            << error.problem();
+    }
+    fs::remove_all(folder);
+}
+
 TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
     Job job;
     job.cancel();

@@ -22,12 +22,6 @@ void append(VesselLink& link, const VesselLink& other) {
     link.radii_mm.insert(link.radii_mm.end(), other.radii_mm.begin() + 1, other.radii_mm.end());
 }
 
-void reverse(VesselLink& link) {
-    std::swap(link.from, link.to);
-    std::ranges::reverse(link.points_mm);
-    std::ranges::reverse(link.radii_mm);
-}
-
 double joint_confidence(const VesselLink& a, const VesselLink& b) {
     const double a_mm = length_mm(a), b_mm = length_mm(b);
     if (!(a_mm + b_mm > 0.0)) return a.system_confidence;
@@ -62,6 +56,12 @@ void drop_unused_nodes(VesselGraph& graph) {
 }
 
 }  // namespace
+
+void reverse(VesselLink& link) {
+    std::swap(link.from, link.to);
+    std::ranges::reverse(link.points_mm);
+    std::ranges::reverse(link.radii_mm);
+}
 
 double length_mm(const VesselLink& link) {
     double length = 0.0;

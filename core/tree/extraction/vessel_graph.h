@@ -27,6 +27,9 @@ struct VesselGraph {
 
 double length_mm(const VesselLink& link);
 
+// The same link from its other end.
+void reverse(VesselLink& link);
+
 // Ids of the links that meet in each node, ascending; a link from a node to itself stands twice.
 std::vector<std::vector<int>> links_of_nodes(const VesselGraph& graph);
 

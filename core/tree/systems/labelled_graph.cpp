@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace hepatica {
@@ -15,7 +16,6 @@ class Rebuilder {
               const std::vector<PieceSystem>& systems)
         : graph_(graph), pieces_(pieces), systems_(systems) {
         out_.nodes = graph.nodes;
-        owner_.resize(graph.nodes.size());
     }
 
     VesselGraph rebuild() {
@@ -75,19 +75,31 @@ class Rebuilder {
 
     // Copies for every system at the fork, without those that lead nowhere.
     void add_links_within_forks() {
-        std::map<VascularSystem, std::set<int>> wanted;  // links of the old graph
-        for (const VesselLink& link : out_.links)
-            for (std::size_t i = 0; i < graph_.links.size(); ++i)
-                if (pieces_.within_fork[i] != 0) wanted[link.system].insert(static_cast<int>(i));
-        for (auto& [system, links] : wanted) {
-            prune_dangling(system, links);
-            for (const int id : links) {
+        std::set<int> within;  // links of the old graph
+        for (std::size_t i = 0; i < graph_.links.size(); ++i)
+            if (pieces_.within_fork[i] != 0) within.insert(static_cast<int>(i));
+        std::set<VascularSystem> systems;
+        for (const VesselLink& link : out_.links) systems.insert(link.system);
+        for (const VascularSystem system : systems) {
+            std::set<int> needed = within;
+            prune_dangling(system, needed);
+            for (const int id : needed) {
                 VesselLink link = graph_.links[id];
                 link.system = system;
-                link.system_confidence = 0.0;
+                link.system_confidence = least_confidence_at(link, system);
                 out_.links.push_back(std::move(link));
             }
         }
+    }
+
+    // Of the system's links that meet one of the link's nodes.
+    double least_confidence_at(const VesselLink& link, VascularSystem system) const {
+        std::optional<double> least;
+        for (const VesselLink& other : out_.links)
+            if (other.system == system && (other.from == link.from || other.from == link.to ||
+                                           other.to == link.from || other.to == link.to))
+                least = std::min(least.value_or(1.0), other.system_confidence);
+        return least.value_or(0.0);
     }
 
     void prune_dangling(VascularSystem system, std::set<int>& links) const {
@@ -127,7 +139,6 @@ class Rebuilder {
     const PieceGraph& pieces_;
     const std::vector<PieceSystem>& systems_;
     VesselGraph out_;
-    std::vector<int> owner_;
 };
 
 }  // namespace

@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tree/editing/cut_gap.h"
 #include "core/tree/extraction/centreline.h"
 
 namespace hepatica {
 
 namespace {
 
-constexpr double gap_mm = 1.0;    // between the walls of what was opened
 constexpr double reach_mm = 5.0;  // over which a direction is measured
-
-void reverse(VesselLink& link) {
-    std::swap(link.from, link.to);
-    std::ranges::reverse(link.points_mm);
-    std::ranges::reverse(link.radii_mm);
-}
 
 // Away from a node, which must be one of the link's.
 Vec3 direction_from(const VesselLink& link, int node) {
@@ -46,7 +40,7 @@ bool detach_end(VesselGraph& graph, VesselLink& link) {
     const VesselNode& node = graph.nodes[link.to];
     std::size_t kept = link.points_mm.size();
     while (kept > 1 && (link.points_mm[kept - 1] - node.position_mm).norm() <
-                           node.radius_mm + link.radii_mm[kept - 1] + gap_mm)
+                           node.radius_mm + link.radii_mm[kept - 1] + cut_gap_mm)
         --kept;
     if (kept < 2 || along[kept - 1] < 2.0 * link.radii_mm[kept / 2]) return false;
     link.points_mm.resize(kept);

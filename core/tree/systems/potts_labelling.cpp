@@ -40,8 +40,8 @@ class Expansion {
             // A site that stays pays at the arc to the sink, one that changes at that from the
             // source; only the difference matters.
             const double least = std::min(stay_[i], change_[i]);
-            connect(source_, i, change_[i] - least, 0.0);
-            connect(i, sink_, stay_[i] - least, 0.0);
+            connect(source_, i, change_[i] - least);
+            connect(i, sink_, stay_[i] - least);
         }
     }
 
@@ -67,15 +67,15 @@ class Expansion {
         change_[tie.a] += c;
         change_[tie.b] -= c;
         assert(b + c - a >= -1e-12);
-        connect(tie.a, tie.b, std::max(0.0, b + c - a), 0.0);
+        connect(tie.a, tie.b, std::max(0.0, b + c - a));
     }
 
-    void connect(std::size_t from, std::size_t to, double capacity, double back) {
-        if (capacity <= 0.0 && back <= 0.0) return;
+    void connect(std::size_t from, std::size_t to, double capacity) {
+        if (capacity <= 0.0) return;
         const auto forward = boost::add_edge(from, to, flow_).first;
         const auto backward = boost::add_edge(to, from, flow_).first;
         boost::put(boost::edge_capacity, flow_, forward, capacity);
-        boost::put(boost::edge_capacity, flow_, backward, back);
+        boost::put(boost::edge_capacity, flow_, backward, 0.0);
         boost::put(boost::edge_reverse, flow_, forward, backward);
         boost::put(boost::edge_reverse, flow_, backward, forward);
     }

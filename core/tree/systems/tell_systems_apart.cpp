@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <random>
 
+#include "core/base/disjoint_sets.h"
 #include "core/tree/systems/labelled_graph.h"
 #include "core/tree/systems/potts_labelling.h"
 #include "core/tree/systems/system_evidence.h"
@@ -23,8 +23,8 @@ constexpr double most_brightness = 1.5;    // log odds of 5 mm
 constexpr double reference_mm = 5.0;
 constexpr double certain = 1e4;  // log odds of a seed
 constexpr int portal_label = 0, hepatic_label = 1, artery_label = 2;
-constexpr std::array label_systems_of{VascularSystem::portal, VascularSystem::hepatic,
-                                      VascularSystem::artery};
+constexpr std::array systems_of_labels{VascularSystem::portal, VascularSystem::hepatic,
+                                       VascularSystem::artery};
 
 // By how much two systems must explain the vessels better than one, in log odds.
 constexpr double least_gain = 8.0;
@@ -37,8 +37,8 @@ constexpr double draw_deviation = 0.5;  // of the logarithm of each weight
 constexpr double draw_anchor_mm = 8.0;
 
 std::optional<int> label_of(VascularSystem system) {
-    for (std::size_t i = 0; i < label_systems_of.size(); ++i)
-        if (label_systems_of[i] == system) return static_cast<int>(i);
+    for (std::size_t i = 0; i < systems_of_labels.size(); ++i)
+        if (systems_of_labels[i] == system) return static_cast<int>(i);
     return std::nullopt;
 }
 
@@ -71,9 +71,9 @@ class Search {
     int labels() const { return has_artery_ ? 3 : 2; }
     std::vector<VascularSystem> seeded_systems() const {
         std::vector<VascularSystem> systems;
-        for (std::size_t i = 0; i < label_systems_of.size(); ++i)
+        for (std::size_t i = 0; i < systems_of_labels.size(); ++i)
             if (std::ranges::count(seed_label_, static_cast<int>(i)) > 0)
-                systems.push_back(label_systems_of[i]);
+                systems.push_back(systems_of_labels[i]);
         return systems;
     }
 
@@ -185,18 +185,13 @@ class Search {
 
     // The first site of the part that each site hangs together with.
     static std::vector<int> parts_of(const PottsProblem& problem, const std::vector<int>& labels) {
-        std::vector<int> part(labels.size());
-        std::iota(part.begin(), part.end(), 0);
-        const auto find = [&](int i) {
-            while (part[i] != i) i = part[i] = part[part[i]];
-            return i;
-        };
+        DisjointSets parts(labels.size());
         for (const Tie& tie : problem.ties)
-            if (labels[tie.a] == labels[tie.b]) {
-                const int a = find(tie.a), b = find(tie.b);
-                part[std::max(a, b)] = std::min(a, b);
-            }
-        for (std::size_t i = 0; i < part.size(); ++i) part[i] = find(static_cast<int>(i));
+            if (labels[tie.a] == labels[tie.b])
+                parts.unite(static_cast<std::uint32_t>(tie.a), static_cast<std::uint32_t>(tie.b));
+        std::vector<int> part;
+        for (std::uint32_t i = 0; i < labels.size(); ++i)
+            part.push_back(static_cast<int>(parts.root(i)));
         return part;
     }
 
@@ -321,7 +316,7 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
         found.brightness_difference = best.brightness_difference;
         const std::vector<double> confidence = confidences(cut, found.anchors, best.labels);
         for (std::size_t i = 0; i < systems.size(); ++i)
-            systems[i] = {label_systems_of[best.labels[i]], confidence[i]};
+            systems[i] = {systems_of_labels[best.labels[i]], confidence[i]};
     }
     graph = labelled_graph(graph, pieces, systems);
     return found;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/median.h"
 #include "core/image/interpolation.h"
 #include "core/tree/extraction/centreline.h"
@@ -100,12 +100,7 @@ double taper_of(const VesselLink& link, const std::vector<double>& along_mm) {
 }
 
 std::vector<int> forks_of_nodes(const VesselGraph& graph, std::vector<std::uint8_t>& within_fork) {
-    std::vector<int> fork(graph.nodes.size());
-    std::iota(fork.begin(), fork.end(), 0);
-    const auto find = [&](int node) {
-        while (fork[node] != node) node = fork[node] = fork[fork[node]];
-        return node;
-    };
+    DisjointSets forks(graph.nodes.size());
     const auto at_node = links_of_nodes(graph);
     for (std::size_t i = 0; i < graph.links.size(); ++i) {
         const VesselLink& link = graph.links[i];
@@ -113,14 +108,15 @@ std::vector<int> forks_of_nodes(const VesselGraph& graph, std::vector<std::uint8
             continue;
         if (length_mm(link) >= std::max(1.0, 2.0 * median(link.radii_mm))) continue;
         within_fork[i] = 1;
-        const int a = find(link.from), b = find(link.to);
-        fork[std::max(a, b)] = std::min(a, b);
+        forks.unite(static_cast<std::uint32_t>(link.from), static_cast<std::uint32_t>(link.to));
     }
-    for (std::size_t n = 0; n < fork.size(); ++n) fork[n] = find(static_cast<int>(n));
+    std::vector<int> fork;
+    for (std::uint32_t n = 0; n < graph.nodes.size(); ++n)
+        fork.push_back(static_cast<int>(forks.root(n)));
     return fork;
 }
 
-// The arm of a link at one of its ends; `order` lists its points from there.
+// The arm of a link at one of its two ends.
 ForkArm arm_of(const VesselLink& link, bool at_from) {
     std::vector<Vec3> points = link.points_mm;
     std::vector<double> radii = link.radii_mm;
