@@ -18,6 +18,7 @@
 #include "render/grab_actor.h"
 #include "render/orientation_marker.h"
 #include "render/palette.h"
+#include "render/tool_actor.h"
 #include "render/tree_actor.h"
 
 namespace hepatica {
@@ -84,6 +85,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver;
     GrabActor grab;
+    ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
     Annotations annotations;
     OrientationMarker orientation;
@@ -123,12 +125,13 @@ SceneView::~SceneView() {
 bool SceneView::show(const Frame& frame) {
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
+    const bool tool_changed = parts_->tool.update(frame.tool);
     parts_->drug = frame.drug;
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
     }
-    return tree_changed || pull_changed;
+    return tree_changed || pull_changed || tool_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -140,11 +143,12 @@ void SceneView::render(double pixel_ratio) {
         const double distance = eye.GetDistance();
         const double reach = 0.5 * (surface.upper_mm() - surface.lower_mm()).norm();
         parts_->tree.set_fade(distance - 0.35 * reach, distance + 1.1 * reach);
-        parts_->grab.set_scale(parts_->picture_size().height > 0
-                                   ? 2.0 * distance *
-                                         std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) /
-                                         parts_->picture_size().height * pixel_ratio
-                                   : 1.0);
+        const int height = parts_->picture_size().height;
+        const double per_pixel =
+            height > 0 ? 2.0 * distance * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / height
+                       : 1.0 / pixel_ratio;
+        parts_->grab.set_scale(per_pixel * pixel_ratio);
+        parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
     }
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     renderer.ResetCameraClippingRange();
@@ -199,18 +203,22 @@ vtkCamera& SceneView::camera() {
     return *parts_->renderer->GetActiveCamera();
 }
 
+ViewAxes SceneView::axes() const {
+    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
+    const Vec3 forward(eye.GetDirectionOfProjection());
+    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
+    return {right, right.cross(forward), forward, Vec3(eye.GetFocalPoint())};
+}
+
 ViewRay SceneView::ray_through(const Pixel& pixel) const {
     vtkCamera& eye = *parts_->renderer->GetActiveCamera();
     const PictureSize size = parts_->picture_size();
-    const Vec3 origin(eye.GetPosition());
-    const Vec3 forward(eye.GetDirectionOfProjection());
-    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
-    const Vec3 up = right.cross(forward);
+    const ViewAxes view = axes();
     const double per_pixel =
         2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / std::max(size.height, 1);
-    const Vec3 direction = forward + per_pixel * (pixel.x - 0.5 * size.width) * right -
-                           per_pixel * (pixel.y - 0.5 * size.height) * up;
-    return {origin, direction.normalized()};
+    const Vec3 direction = view.forward + per_pixel * (pixel.x - 0.5 * size.width) * view.right -
+                           per_pixel * (pixel.y - 0.5 * size.height) * view.up;
+    return {Vec3(eye.GetPosition()), direction.normalized()};
 }
 
 SurfacePick SceneView::pick(const Pixel& pixel) const {
@@ -228,14 +236,12 @@ Vec3 SceneView::point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const {
 Pixel SceneView::pixel_of(const Vec3& position_mm) const {
     vtkCamera& eye = *parts_->renderer->GetActiveCamera();
     const PictureSize size = parts_->picture_size();
-    const Vec3 forward(eye.GetDirectionOfProjection());
-    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
-    const Vec3 up = right.cross(forward);
+    const ViewAxes view = axes();
     const Vec3 offset = position_mm - Vec3(eye.GetPosition());
     const double per_pixel = 2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) /
-                             std::max(size.height, 1) * offset.dot(forward);
-    return {0.5 * size.width + offset.dot(right) / per_pixel,
-            0.5 * size.height - offset.dot(up) / per_pixel};
+                             std::max(size.height, 1) * offset.dot(view.forward);
+    return {0.5 * size.width + offset.dot(view.right) / per_pixel,
+            0.5 * size.height - offset.dot(view.up) / per_pixel};
 }
 
 int SceneView::bridge_at(const Pixel& pixel, double reach) const {

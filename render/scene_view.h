@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The three-dimensional picture of a Frame in any VTK render window: vessels with the drug in them,
-// the liver's ghost, the line of the pull, legend, scale and orientation; and the way back from a
-// pixel to the point of the patient under it.
+// the liver's ghost, the line of the pull, the tool and its force, legend, scale and orientation;
+// and the way back from a pixel to the point of the patient under it.
 #pragma once
 
 #include <memory>
@@ -31,6 +31,14 @@ struct Pixel {
 struct ViewRay {
     Vec3 origin_mm = Vec3::Zero();
     Vec3 direction = Vec3::UnitZ();
+};
+
+// The picture's directions, of unit length, and the point that it is about.
+struct ViewAxes {
+    Vec3 right = Vec3::UnitX();
+    Vec3 up = Vec3::UnitZ();
+    Vec3 forward = Vec3::UnitY();  // away from the eye
+    Vec3 focus_mm = Vec3::Zero();
 };
 
 // How much is spent on a picture: nothing, for those that must be quick; the surface is rounded and
@@ -73,6 +81,7 @@ class SceneView {
     vtkCamera& camera();
 
     SurfacePick pick(const Pixel& pixel) const;
+    ViewAxes axes() const;
     ViewRay ray_through(const Pixel& pixel) const;
     // The point under the pixel in the plane through `depth_mm` parallel to the picture: where a
     // drag that began at that point has come to.

@@ -3,6 +3,7 @@
 
 #include <vtkActor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -37,10 +38,9 @@ TreeActor::TreeActor() {
 bool TreeActor::update(const Frame& frame) {
     const SurfaceGeometry::Change change = surface_.update(frame);
     const bool rebuilt = change == SurfaceGeometry::Change::topology;
-    if (rebuilt) {
-        take_topology();
-        take_colours();
-    }
+    const bool touched_anew = take_touched(frame.tool);
+    if (rebuilt) take_topology();
+    if (rebuilt || touched_anew) take_colours();
     if (change != SurfaceGeometry::Change::none) {
         plain_is_old_ = rounded_is_old_ = true;
         take_positions();
@@ -52,7 +52,7 @@ bool TreeActor::update(const Frame& frame) {
     drug_time_s_ = frame.drug.time_s;
     for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug);
     show_one();
-    return change != SurfaceGeometry::Change::none || new_drug || drug_moved;
+    return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew;
 }
 
 void TreeActor::set_rounded(bool rounded) {
@@ -97,6 +97,13 @@ void TreeActor::take_positions() {
     }
 }
 
+bool TreeActor::take_touched(const std::optional<ToolView>& tool) {
+    std::vector<int> touched = tool ? tool->touched : std::vector<int>{};
+    if (touched == touched_) return false;
+    touched_ = std::move(touched);
+    return true;
+}
+
 void TreeActor::take_colours() {
     std::vector<std::uint8_t> rgba;
     rgba.reserve(4 * surface_.frame_vertices().size());
@@ -104,8 +111,10 @@ void TreeActor::take_colours() {
         const auto v = static_cast<std::size_t>(vertex);
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
         const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
-        for (double channel : palette::vessel_system(system)) {
-            if (lit) channel = 0.45 * channel + 0.55;
+        const bool touched = std::ranges::binary_search(touched_, vertex);
+        const Colour colour = touched ? palette::touch : palette::vessel_system(system);
+        for (double channel : colour) {
+            if (lit && !touched) channel = 0.45 * channel + 0.55;
             rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * channel)));
         }
         rgba.push_back(255);

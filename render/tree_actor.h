@@ -22,7 +22,7 @@ class TreeActor {
   public:
     TreeActor();
 
-    // Returns true if the picture is another now.
+    // Returns true if the picture is another now. What a tool touches is lit up.
     bool update(const Frame& frame);
 
     // Whether the surface is drawn rounded (rounded_surface.h), as it is at first.
@@ -44,6 +44,8 @@ class TreeActor {
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
+    // Returns true where other vertices are touched than before.
+    bool take_touched(const std::optional<ToolView>& tool);
     // Of the surface that is shown.
     void take_positions();
     void show_one();
@@ -57,6 +59,7 @@ class TreeActor {
     bool rounded_is_old_ = false;  // the same
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> highlight_;
+    std::vector<int> touched_;  // vertices of the frame, ascending
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;

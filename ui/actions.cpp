@@ -11,6 +11,8 @@
 #include <array>
 #include <utility>
 
+#include "ui/tool_icons.h"
+
 namespace hepatica {
 namespace {
 
@@ -38,6 +40,16 @@ constexpr std::array table{
     ActionSpec{inject_mode, "&Play", "&Inject", "2", "Left click on a vessel injects there", true},
     ActionSpec{edit_mode, "&Play", "&Edit the vessels", "3",
                "Left click on a vessel corrects the tree there", true},
+    ActionSpec{sphere_tool, "&Play", "P&robe", "4",
+               "The mouse leads a ball that pushes the vessels", true},
+    ActionSpec{capsule_tool, "&Play", "Rod pro&be", "5",
+               "The mouse leads a rod that pushes the vessels", true},
+    ActionSpec{turn_tool, "&Play", "&Turn the tool", "T",
+               "Turn the tool in hand against the clock, by 15°"},
+    ActionSpec{turn_tool_back, "&Play", "Turn the tool bac&k", "Shift+T",
+               "Turn the tool in hand with the clock, by 15°"},
+    ActionSpec{put_tool_away, "&Play", "Put the tool a&way", "Esc",
+               "Take the tool out of the picture and pull with the mouse again"},
     ActionSpec{undo_edit, "&Play", "&Undo the last edit", "Ctrl+Z",
                "Take back the last correction of the tree", false, true},
     ActionSpec{redo_edit, "&Play", "Red&o the edit", "Ctrl+Shift+Z", "Do again what was taken back",
@@ -48,8 +60,8 @@ constexpr std::array table{
                true},
     ActionSpec{pause_simulation, "&Play", "&Hold the clock", "H",
                "Stop the simulation; the view stays alive", true, true},
-    ActionSpec{reset, "&Play", "&Reset", "Backspace", "Back to the rest shape: no pull, no drug",
-               false, true},
+    ActionSpec{reset, "&Play", "&Reset", "Backspace",
+               "Back to the rest shape: no pull, no tool, no drug", false, true},
     ActionSpec{restore, "&Play", "Back to the last &good state", "Ctrl+Backspace",
                "After the simulation diverged: take back the last moments and go on", false, true},
     ActionSpec{view_anterior, "&View", "&Anterior", "A", "Look from the front"},
@@ -69,13 +81,15 @@ constexpr std::array table{
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 9> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 11> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
     {"Wheel", "zoom"},
     {"Click in Inject mode, Ctrl + click, double-click on a vessel", "inject there"},
     {"Click in Edit mode", "what the panel says: cut, link, delete, root, system"},
+    {"Mouse with a tool in hand", "lead its tip, in the plane of the picture"},
+    {"Wheel with a tool in hand", "move it in depth; Ctrl + wheel zooms"},
     {"Click on a dashed line", "bridge that gap"},
     {"Hover", "show what lies downstream, and its share of the flow"},
     {"Drop a file or folder", "open it"},
@@ -130,6 +144,7 @@ Actions::Actions(QWidget& window, QMenuBar& menus) {
         action->setToolTip(keys.isEmpty() ? QString(spec.tip)
                                           : QString("%1 (%2)").arg(spec.tip, keys));
         action->setCheckable(spec.checkable);
+        action->setIcon(icon_of(spec.id));
         menu->addAction(action);
         window.addAction(action);
         actions_[spec.id] = action;

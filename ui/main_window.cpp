@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 #include "ui/case_editing.h"
@@ -30,11 +31,19 @@
 #include "ui/questions.h"
 #include "ui/recent_menu.h"
 #include "ui/status_line.h"
+#include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 
 namespace hepatica {
 namespace {
+
+constexpr double turn_rad = std::numbers::pi / 12.0;  // of one key
+
+constexpr std::array<std::pair<ActionId, const char*>, 2> tools{{
+    {ActionId::sphere_tool, "sphere"},
+    {ActionId::capsule_tool, "capsule"},
+}};
 
 constexpr std::array<std::pair<ActionId, ViewDirection>, 6> views{{
     {ActionId::view_anterior, ViewDirection::anterior},
@@ -81,6 +90,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     });
     connect_files();
     connect_play();
+    connect_tools();
     connect_views();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
@@ -128,6 +138,9 @@ void MainWindow::build_panels() {
     edit_panel_ = new EditPanel;
     QDockWidget* edit_dock = make_dock(*this, "Corrections", edit_panel_);
     tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
+    tool_panel_ =
+        new ToolPanel([this](const ToolSize& size) { view_->mouse().hand().set_size(size); });
+    tabifyDockWidget(edit_dock, make_dock(*this, "Tool", tool_panel_));
     findChild<QDockWidget*>("Injection")->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     curves_ = new CurvesDock([this](const Failure& failure) { fail("Curves", failure); }, this);
@@ -179,6 +192,11 @@ void MainWindow::build_tool_bar() {
         modes->addAction(&(*actions_)[id]);
         bar->addAction(&(*actions_)[id]);
     }
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (const auto& [id, kind] : tools) {
+        modes->addAction(&(*actions_)[id]);
+        bar->addAction(&(*actions_)[id]);
+    }
     bar->addSeparator();
     bar->addAction(&(*actions_)[ActionId::play_pause]);
     bar->addAction(&(*actions_)[ActionId::reset]);
@@ -226,6 +244,18 @@ void MainWindow::connect_play() {
     });
     actions_->on(ActionId::reset, [this] { post(ResetWorld{}); });
     actions_->on(ActionId::restore, [this] { post(RestoreSnapshot{}); });
+}
+
+void MainWindow::connect_tools() {
+    for (const auto& [id, kind] : tools)
+        actions_->on(id, [this, kind = std::string(kind)] { take_tool(kind); });
+    ToolHand& hand = view_->mouse().hand();
+    hand.set_size(tool_panel_->size());
+    actions_->on(ActionId::turn_tool, [&hand] { hand.turn(turn_rad); });
+    actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });
+    actions_->on(ActionId::put_tool_away, [this] {
+        if (view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
+    });
 }
 
 void MainWindow::connect_views() {

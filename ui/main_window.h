@@ -29,6 +29,7 @@ class MessageLog;
 class ProgressStrip;
 class QualityPanel;
 class StatusLine;
+class ToolPanel;
 class VtkWidget;
 class Welcome;
 struct PictureTime;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
     void make_keeper(Patients patients, PatientKeeper::Questions questions);
     void connect_files();
     void connect_play();
+    void connect_tools();
     void connect_views();
 
     // main_window_files.cpp: what is opened and saved.
@@ -111,6 +113,7 @@ class MainWindow : public QMainWindow {
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
+    void take_tool(const std::string& kind);
 
     Settings& settings_;
     std::unique_ptr<Actions> actions_;
@@ -122,6 +125,7 @@ class MainWindow : public QMainWindow {
     InjectPanel* inject_ = nullptr;
     EditPanel* edit_panel_ = nullptr;
     QualityPanel* quality_ = nullptr;
+    ToolPanel* tool_panel_ = nullptr;
     CurvesDock* curves_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;

@@ -14,6 +14,7 @@
 #include "ui/message_log.h"
 #include "ui/quality_panel.h"
 #include "ui/status_line.h"
+#include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 
@@ -32,6 +33,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     actions_->set_patient_shown(true);
     quality_->post_choices();
     inject_->post_choices();
+    view_->mouse().hand().begin_again();
     follow_simulation();
     editing_->show_body();
     if (!corrected) show_warnings();
@@ -101,6 +103,7 @@ void MainWindow::show_figures() {
     const Frame& frame = patient_->simulation->frame();
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
+    tool_panel_->show_tool(frame.tool);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     show_message_of(frame.statistics);
@@ -153,12 +156,22 @@ void MainWindow::post(Command command) {
 void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
+    tool_panel_->show_kind(view_->mouse().hand().kind());
+    if (mode == MouseMode::tool) findChild<QDockWidget*>("Tool")->raise();
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
                              : mode == MouseMode::inject ? "Click on a vessel to inject there"
-                                                         : "Click on a vessel to correct the tree",
+                             : mode == MouseMode::edit
+                                 ? "Click on a vessel to correct the tree"
+                                 : "The mouse leads the tool, the wheel moves it in depth",
                              6000);
+}
+
+void MainWindow::take_tool(const std::string& kind) {
+    show_hover(SurfacePick{});
+    view_->mouse().hand().take(kind);
+    set_mouse_mode(MouseMode::tool);
 }
 
 }  // namespace hepatica

@@ -7,11 +7,12 @@
 namespace hepatica {
 
 MouseTool::MouseTool(SceneView& view, Callbacks callbacks)
-    : view_(view), callbacks_(std::move(callbacks)) {}
+    : view_(view), callbacks_(std::move(callbacks)), hand_(view, callbacks_.post) {}
 
 void MouseTool::set_mode(MouseMode mode) {
     cancel();
     mode_ = mode;
+    if (mode != MouseMode::tool) hand_.put_away();
 }
 
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
@@ -25,7 +26,9 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     }
     const bool left = button == MouseButton::left;
     pressed_bridge_ = left ? view_.bridge_at(at, 1.5 * click_radius_px_) : -1;
-    const SurfacePick pick = left ? view_.pick(at) : SurfacePick{};
+    const bool leads = mode_ == MouseMode::tool && !modifiers.control;
+    if (left && leads) hand_.press(at);
+    const SurfacePick pick = left && !leads ? view_.pick(at) : SurfacePick{};
     if (pressed_bridge_ >= 0) {
         action_ = Action::wait_for_click;
     } else if (pick.triangle < 0) {
@@ -43,6 +46,10 @@ bool MouseTool::move(const Pixel& at) {
     const Pixel from = std::exchange(last_, at);
     switch (action_) {
         case Action::none:
+            if (mode_ == MouseMode::tool) {
+                hand_.move(at);
+                return false;
+            }
             callbacks_.hover(view_.pick(at));
             return false;
         case Action::pull:
@@ -73,10 +80,12 @@ void MouseTool::release(const Pixel& at) {
 
 void MouseTool::double_click(const Pixel& at) {
     cancel();
-    if (mode_ != MouseMode::edit && !clicked_) inject_at(at);
+    const bool injects = mode_ == MouseMode::pull || mode_ == MouseMode::inject;
+    if (injects && !clicked_) inject_at(at);
 }
 
-void MouseTool::wheel(double steps) {
+void MouseTool::wheel(double steps, const MouseModifiers& modifiers) {
+    if (mode_ == MouseMode::tool && !modifiers.control) return hand_.shift_depth(steps);
     view_.zoom_by(std::pow(1.15, steps));
 }
 

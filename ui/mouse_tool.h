@@ -5,6 +5,8 @@
 //   left drag on a vessel    pull it                left drag beside the vessels   orbit
 //   right drag               orbit                  middle drag, Shift + left      pan
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
+// With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
+// the tool in depth, Ctrl + wheel zooms.
 // In inject and edit mode a plain click on a vessel injects or edits there, and a drag that began
 // on it orbits. In every mode a click on the dashed line of a gap bridges it.
 #pragma once
@@ -13,11 +15,12 @@
 
 #include "core/session/command.h"
 #include "render/scene_view.h"
+#include "ui/tool_hand.h"
 
 namespace hepatica {
 
 enum class MouseButton { left, middle, right };
-enum class MouseMode { pull, inject, edit };
+enum class MouseMode { pull, inject, edit, tool };
 
 struct MouseModifiers {
     bool shift = false;
@@ -36,8 +39,10 @@ class MouseTool {
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
+    // Puts a tool away that is in hand, unless the mode is that of tools.
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
+    ToolHand& hand() { return hand_; }
 
     // How far, in pixels, a press may move and still be a click. Follows the pixel ratio.
     void set_click_radius(double pixels) { click_radius_px_ = pixels; }
@@ -51,7 +56,7 @@ class MouseTool {
     // done what a click does here: bridged a gap, or injected already.
     void double_click(const Pixel& at);
     // Wheel turned by `steps` notches away from the user (nearer) or towards (farther).
-    void wheel(double steps);
+    void wheel(double steps, const MouseModifiers& modifiers = {});
     // Lets go of whatever is held, as when the window loses the mouse.
     void cancel();
 
@@ -65,6 +70,7 @@ class MouseTool {
 
     SceneView& view_;
     Callbacks callbacks_;
+    ToolHand hand_;
     MouseMode mode_ = MouseMode::pull;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click

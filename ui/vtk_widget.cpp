@@ -17,7 +17,7 @@
 namespace hepatica {
 namespace {
 
-MouseModifiers modifiers_of(const QMouseEvent& event) {
+MouseModifiers modifiers_of(const QSinglePointEvent& event) {
     return {event.modifiers().testFlag(Qt::ShiftModifier),
             event.modifiers().testFlag(Qt::ControlModifier)};
 }
@@ -132,6 +132,7 @@ int VtkWidget::wait_before_picture_ms() const {
 
 void VtkWidget::show_frame(const Frame& frame) {
     if (scene_->show(frame)) draw_again();
+    mouse_->hand().follow(frame.tool);
 }
 
 void VtkWidget::draw_again() {
@@ -173,7 +174,7 @@ void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
-    mouse_->wheel(event->angleDelta().y() / 120.0);
+    mouse_->wheel(event->angleDelta().y() / 120.0, modifiers_of(*event));
     draw_again();
 }
 

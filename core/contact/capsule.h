@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/contact/surface_patches.h"
@@ -39,15 +40,22 @@ double free_share(const Capsule& capsule, const SurfacePatches& surface,
                   std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                   const std::function<double(double gap_mm)>& kept);
 
-// How far the capsule goes along `motion_mm` past a surface that stands still, straight until a gap
-// falls to keep_mm > 0.
-Vec3 approach(const Capsule& capsule, const SurfacePatches& surface,
+// How far the capsules, which keep their places to each other, go along `motion_mm` past a surface
+// that stands still, straight until a gap falls to keep_mm > 0.
+Vec3 approach(std::span<const Capsule> capsules, const SurfacePatches& surface,
               std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
 
-// Where the capsule comes to when it is led by `motion_mm` along a surface that stands still: it
-// goes straight until a gap falls to keep_mm > 0, then slides along what stopped it. What is nearer
+// Where they come to when they are led by `motion_mm` along a surface that stands still: they go
+// straight until a gap falls to keep_mm > 0, then slide along what stopped them. What is nearer
 // from the beginning comes no nearer.
-Vec3 slide(const Capsule& capsule, const SurfacePatches& surface,
+Vec3 slide(std::span<const Capsule> capsules, const SurfacePatches& surface,
            std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
+
+// The share of the way from `from` to `to`, of as many capsules, on which all ends go straight past
+// a surface that stands still, until a gap falls to keep_mm > 0. What is nearer from the beginning
+// comes no nearer.
+double sweep_share(std::span<const Capsule> from, std::span<const Capsule> to,
+                   const SurfacePatches& surface, std::span<const Vec3> positions_mm,
+                   double keep_mm);
 
 }  // namespace hepatica

@@ -11,7 +11,6 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/contact/capsule.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
@@ -19,11 +18,6 @@
 namespace hepatica {
 
 namespace {
-
-// The hand's springs together are as stiff as a piece of the vessel one radius long. Their force is
-// limited to what stretches the vessel by this strain; a weaker hand could not move a vessel that
-// the tissue around it holds.
-constexpr double hand_strain = 0.4;
 
 Material material_named(const std::string& name) {
     std::string known;
@@ -39,31 +33,6 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
     for (const VesselSegment& segment : tree.segments)
         polylines.push_back({segment.points_mm, segment.radii_mm, segment.parent});
     return resample(polylines);
-}
-
-// Its pad is a tenth of its radius, within bounds, and gives way like tissue twice as stiff as the
-// vessels; it is as strong as a hand on a vessel of its own radius.
-Tool tool_of(const ToolChoice& choice, double modulus_pa) {
-    const auto require = [](bool good, const std::string& problem, const std::string& remedy) {
-        if (!good) throw InputError(problem, "the tool", remedy);
-    };
-    require(choice.kind == "sphere" || choice.kind == "capsule", "is a \"" + choice.kind + "\"",
-            "Choose sphere or capsule");
-    require(choice.radius_mm >= 0.1 && choice.radius_mm <= 100.0,
-            "has a radius of " + std::to_string(choice.radius_mm) + " mm", "Give 0.1 to 100 mm");
-    require(choice.length_mm >= 0.0 && choice.length_mm <= 1000.0,
-            "has a length of " + std::to_string(choice.length_mm) + " mm", "Give 0 to 1000 mm");
-    require(choice.direction.allFinite() && choice.direction.norm() > 0.0, "has no direction",
-            "Give three finite numbers that are not all 0");
-    Tool tool;
-    tool.shape.radius_mm = choice.radius_mm;
-    if (choice.kind == "capsule")
-        tool.shape.half_axis_mm = 0.5 * choice.length_mm * choice.direction.normalized();
-    tool.pad_mm = std::clamp(0.1 * choice.radius_mm, 0.1, 0.5);
-    tool.pressure_pa = 2.0 * modulus_pa;
-    tool.friction = 0.2;
-    tool.force_limit_un = hand_strain * modulus_pa * M_PI * choice.radius_mm * choice.radius_mm;
-    return tool;
 }
 
 }  // namespace
@@ -126,7 +95,7 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     stepper->set_gravity(gravity_mm_per_s2_);
     give_state(*stepper, state());
     stepper->set_grabs(springs_of(hold_));
-    stepper->set_tool(stepper_->tool());
+    if (body.touchable) stepper->set_tool(stepper_->tool());
     // Nothing throws from here on.
     body_ = std::move(body);
     setting_ = setting;
@@ -167,6 +136,8 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     }
     if (hold.vertices.empty()) hold.vertices.push_back(vertex);
     for (const int v : hold.vertices) hold.offsets_mm.push_back(positions[v] - point_mm);
+    // The springs together are as stiff as a piece of the vessel one radius long. Their force is
+    // limited: a weaker hand could not move a vessel that the tissue around it holds.
     const double modulus_pa = body_.material.young_modulus_pa;
     const auto springs = static_cast<double>(hold.vertices.size());
     hold.target_mm = point_mm;
@@ -207,23 +178,47 @@ void DeformPart::set_hold(std::optional<Hold> hold) {
 }
 
 void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
-    Tool tool = tool_of(choice, body_.material.young_modulus_pa);
-    if (!towards_mm.allFinite())
-        throw InputError("is not finite", "the place of the tool", "Give finite numbers");
+    Tool tool = tool_of(choice, towards_mm, body_.material.young_modulus_pa);
     const Vec3 direction = choice.direction.normalized();
-    const Vec3 there = towards_mm - tool.shape.half_axis_mm - tool.shape.radius_mm * direction;
     // From outside: nothing of a plausible body is that far away.
     Box box;
     for (const Vec3& x : positions_mm()) box.add(x);
-    box.add(there);
+    Vec3 length = Vec3::Zero();
+    for (const ToolPart& part : tool.parts) {
+        box.add(part.shape.centre_mm);
+        const Vec3 half = part.shape.half_axis_mm + part.shape.radius_mm * direction;
+        if (half.norm() > length.norm()) length = half;
+    }
     const Vec3 way = (box.high - box.low).norm() * direction;
-    tool.shape.centre_mm =
-        there - way - 2.0 * (tool.shape.half_axis_mm + tool.shape.radius_mm * direction);
+    const Vec3 there = tool.parts.front().shape.centre_mm;
+    for (ToolPart& part : tool.parts) part.shape.centre_mm -= way;
+    for (ToolPart& part : tool.parts) part.shape.centre_mm -= 2.0 * length;
     const SurfacePatches surface(boundary_triangles(body_.mesh));
-    tool.shape.centre_mm +=
-        approach(tool.shape, surface, positions_mm(), there - tool.shape.centre_mm, tool.pad_mm);
-    tool.target_mm = tool.shape.centre_mm;
+    const Vec3 gone = approach(tool.shapes(), surface, positions_mm(),
+                               there - tool.parts.front().shape.centre_mm, tool.pad_mm);
+    for (ToolPart& part : tool.parts) part.shape.centre_mm += gone;
+    tool.target_mm = tool.centre_mm();
     stepper_->set_tool(tool);
+}
+
+std::optional<ToolView> DeformPart::tool_view() const {
+    const std::optional<Tool>& tool = stepper_->tool();
+    if (!tool) return std::nullopt;
+    ToolView view;
+    const auto share = 1.0 / static_cast<double>(tool->parts.size());
+    for (const ToolPart& part : tool->parts) {
+        const Segment axis = part.shape.axis();
+        view.parts.push_back({axis[0], axis[1], part.shape.radius_mm});
+        view.tip_mm += share * axis[1];
+    }
+    view.centre_mm = tool->centre_mm();
+    view.opening_mm = tool->opening_mm;
+    const ToolLoad& load = stepper_->tool_load();
+    view.force_un = load.force_un;
+    view.at_mm = load.at_mm;
+    view.grip_un = load.grip_un;
+    view.touched = load.touched;
+    return view;
 }
 
 std::optional<GrabView> DeformPart::grab_view() const {
@@ -264,6 +259,13 @@ void DeformPart::set_wall(double wall_mm) {
     wall_mm_ = wall_mm;
 }
 
+void DeformPart::set_touchable(bool touchable) {
+    if (touchable == body_.touchable) return;
+    BodyDescription body = body_;
+    body.touchable = touchable;
+    rebuild(std::move(body), setting_);
+}
+
 void DeformPart::use(const StepperOptions& setting) {
     StepperOptions now = setting;
     now.velocity_error = setting_.velocity_error;
@@ -284,10 +286,11 @@ void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
 }
 
 DeformSettings DeformPart::settings() const {
-    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_};
+    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_, body_.touchable};
 }
 
 void DeformPart::use(const DeformSettings& settings) {
+    set_touchable(settings.touchable);
     if (settings.gravity_mm_per_s2 != gravity_mm_per_s2_) set_gravity(settings.gravity_mm_per_s2);
     if (settings.tether_pa_per_mm2 != body_.tether_pa_per_mm2)
         set_tether(settings.tether_pa_per_mm2);

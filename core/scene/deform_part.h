@@ -17,6 +17,7 @@
 #include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/tools/tool_choice.h"
 #include "core/scene/vertex_places.h"
 
 namespace hepatica {
@@ -27,14 +28,7 @@ struct DeformSettings {
     double tether_pa_per_mm2 = 0.0;
     double wall_mm = 0.0;
     StepperOptions stepper;
-};
-
-// A tool as a person names it.
-struct ToolChoice {
-    std::string kind = "sphere";     // sphere or capsule
-    double radius_mm = 3.0;          // 0.1 to 100
-    double length_mm = 0.0;          // of a capsule, between the middles of its ends, 0 to 1000
-    Vec3 direction = Vec3::UnitZ();  // in which it comes; a capsule points that way
+    bool touchable = false;  // what tools need is built
 };
 
 // The hand, closed around some vertices.
@@ -80,8 +74,13 @@ class DeformPart {
     void add_tool(const ToolChoice& choice, const Vec3& towards_mm);
     // Where its centre is led to from the next step on. Without a tool it does nothing.
     void lead_tool(const Vec3& target_mm) { stepper_->lead_tool(target_mm); }
+    // How far it is to turn about its centre beside what is left of earlier turns; how far its jaws
+    // are to open, >= 0.
+    void turn_tool(const Vec3& by_rad) { stepper_->turn_tool(by_rad); }
+    void open_tool(double opening_mm) { stepper_->open_tool(opening_mm); }
     void remove_tool() { stepper_->set_tool(std::nullopt); }
     const std::optional<Tool>& tool() const { return stepper_->tool(); }
+    std::optional<ToolView> tool_view() const;
 
     bool holding() const { return hold_.has_value(); }
     std::optional<GrabView> grab_view() const;
@@ -91,6 +90,9 @@ class DeformPart {
     void set_gravity(const Vec3& gravity_mm_per_s2);
     void set_tether(double pa_per_mm2);
     void set_wall(double wall_mm);  // see DeformSpec
+    // Builds what tools need, or lets go of it together with a tool that is there.
+    void set_touchable(bool touchable);
+    bool touchable() const { return body_.touchable; }
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
     DeformSettings settings() const;

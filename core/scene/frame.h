@@ -23,6 +23,25 @@ struct GrabView {
     double force_un = 0.0;
 };
 
+// A tool beside the vessels, and what it feels.
+struct ToolView {
+    struct Part {  // a capsule
+        Vec3 from_mm = Vec3::Zero();
+        Vec3 to_mm = Vec3::Zero();
+        double radius_mm = 0.0;
+        bool operator==(const Part&) const = default;
+    };
+    std::vector<Part> parts;
+    Vec3 centre_mm = Vec3::Zero();  // about which it turns
+    Vec3 tip_mm = Vec3::Zero();     // the middle of its parts' far ends
+    double opening_mm = 0.0;        // of jaws
+    Vec3 force_un = Vec3::Zero();   // of the vessels on the tool
+    Vec3 at_mm = Vec3::Zero();      // the middle of where they touch it
+    double grip_un = 0.0;           // with which jaws hold
+    std::vector<int> touched;       // vertices of the triangles that it touches, ascending
+    bool operator==(const ToolView&) const = default;
+};
+
 // The drug front. Arrival times live on the vertices, so a frame costs only `time_s`.
 struct DrugView {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached.
@@ -63,6 +82,7 @@ struct Frame {
     std::shared_ptr<const std::vector<std::array<int, 3>>> surface;  // triangles over the vertices
     std::vector<float> positions_mm;                                 // x, y, z per vertex
     std::optional<GrabView> grab;
+    std::optional<ToolView> tool;
     DrugView drug;
     FrameStatistics statistics;
 };

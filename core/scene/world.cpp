@@ -127,6 +127,7 @@ void World::fill(Frame& frame) const {
         for (int axis = 0; axis < 3; ++axis)
             frame.positions_mm[3 * v + axis] = static_cast<float>(positions[v][axis]);
     frame.grab = deform_ ? deform_->grab_view() : std::nullopt;
+    frame.tool = deform_ ? deform_->tool_view() : std::nullopt;
     frame.drug = flow_ ? flow_->drug() : DrugView{};
 }
 

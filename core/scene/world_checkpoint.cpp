@@ -55,7 +55,8 @@ Json to_json(const DeformCheckpoint& checkpoint) {
     Json json{{"gravity_mm_per_s2", to_json(settings.gravity_mm_per_s2)},
               {"tether_pa_per_mm2", settings.tether_pa_per_mm2},
               {"wall_mm", settings.wall_mm},
-              {"setting", to_json(settings.stepper)}};
+              {"setting", to_json(settings.stepper)},
+              {"touchable", settings.touchable}};
     if (checkpoint.hold) json["hold"] = to_json(*checkpoint.hold);
     json["stepper"] = to_base64(to_bytes(checkpoint.stepper));
     return json;
@@ -68,6 +69,7 @@ DeformCheckpoint deform_from(const Json& json) {
     settings.tether_pa_per_mm2 = json.at("tether_pa_per_mm2").get<double>();
     settings.wall_mm = json.at("wall_mm").get<double>();
     settings.stepper = setting_from_json(json.at("setting"));
+    settings.touchable = json.at("touchable").get<bool>();
     if (json.contains("hold")) checkpoint.hold = hold_from(json.at("hold"));
     const auto bytes = from_base64(json.at("stepper").get_ref<const std::string&>());
     if (!bytes) refuse("the stepper's bytes are not base64");

@@ -41,6 +41,8 @@ struct Session::Apply {
     void operator()(const MoveTool& c) const;
     void operator()(const ShiftTool& c) const;
     void operator()(const RemoveTool&) const { deform().remove_tool(); }
+    void operator()(const TurnTool& c) const { deform().turn_tool(c.by_rad); }
+    void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
 
     // The drug.
     void operator()(const InjectDrug& c) const {

@@ -52,6 +52,14 @@ void fields(ShiftTool& c, Visitor& v) {
 template <class Visitor>
 void fields(RemoveTool&, Visitor&) {}
 template <class Visitor>
+void fields(TurnTool& c, Visitor& v) {
+    v("by_rad", c.by_rad);
+}
+template <class Visitor>
+void fields(UseTools& c, Visitor& v) {
+    v("on", c.on);
+}
+template <class Visitor>
 void fields(InjectDrug& c, Visitor& v) {
     v("point_mm", c.point_mm);
     v("mass_flow_g_s", c.mass_flow_g_s);
@@ -116,7 +124,8 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
     "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
     "use_setting",    "set_wall",    "finish_injection", "add_tool",
-    "move_tool",      "shift_tool",  "remove_tool"};
+    "move_tool",      "shift_tool",  "remove_tool",      "turn_tool",
+    "use_tools"};
 
 struct Writer {
     Json& json;

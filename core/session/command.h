@@ -49,6 +49,14 @@ struct ShiftTool {
     Vec3 by_mm = Vec3::Zero();
 };
 struct RemoveTool {};
+// It is turned that much further about its centre: along the axis, as long as the angle in radians.
+struct TurnTool {
+    Vec3 by_rad = Vec3::Zero();
+};
+// Builds what tools need in a scene that has not named them, or lets go of it and of a tool.
+struct UseTools {
+    bool on = true;
+};
 
 // Injects at the point of the deformed tree nearest to point_mm. An earlier injection is replaced;
 // the drug's clock starts at zero and runs. The injection of a drug that does not flow like blood
@@ -118,7 +126,7 @@ using Command =
     std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
                  SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
                  ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
-                 FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool>;
+                 FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool, TurnTool, UseTools>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -33,6 +33,14 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// Whether what the earlier one does is nothing beside the later one.
+bool supersedes(const Command& later, const Command& earlier) {
+    const auto* from = std::get_if<MoveTool>(&earlier);
+    const auto* to = std::get_if<MoveTool>(&later);
+    if (from != nullptr && to != nullptr) return from->share == 1.0 && to->share == 1.0;
+    return std::holds_alternative<MoveGrab>(later) && std::holds_alternative<MoveGrab>(earlier);
+}
+
 std::vector<double> costs_of(const QualityDial& dial) {
     std::vector<double> costs;
     for (const QualityPoint& point : dial.front()) costs.push_back(point.frame_ms);
@@ -65,9 +73,7 @@ Session::~Session() = default;
 void Session::post(Command command) {
     {
         const std::scoped_lock lock(queue_mutex_);
-        const bool supersedes = std::holds_alternative<MoveGrab>(command) && !queue_.empty() &&
-                                std::holds_alternative<MoveGrab>(queue_.back());
-        if (supersedes)
+        if (!queue_.empty() && supersedes(command, queue_.back()))
             queue_.back() = std::move(command);
         else
             queue_.push_back(std::move(command));
@@ -230,8 +236,9 @@ void Session::recover() {
     take_back(true, true);
     failed_ = false;
     recorded_.keyframe.reset();
-    if (world_->deform() != nullptr) recorded_.commands.emplace_back(ReleaseGrab{});
-    if (world_->spec().contact) recorded_.commands.emplace_back(RemoveTool{});
+    const DeformPart* deform = world_->deform();
+    if (deform != nullptr) recorded_.commands.emplace_back(ReleaseGrab{});
+    if (deform != nullptr && deform->touchable()) recorded_.commands.emplace_back(RemoveTool{});
     recorded_.commands.emplace_back(RestoreSnapshot{});
     recorded_.commands.emplace_back(SetPaused{true});
 }

@@ -62,7 +62,8 @@ class Session {
     // --- any thread -----------------------------------------------------------------------------
     // Queues a command, which is applied before the next step. Never waits for a step. A command
     // with a value out of range is then refused: the frame's message names it and the world is
-    // unchanged. Of several MoveGrab before one step only the newest is applied.
+    // unchanged. Of several MoveGrab before one step only the newest is applied, and of several
+    // MoveTool of the whole way.
     void post(Command command);
 
     // `tell` is called after every published frame, on the thread that steps; it must neither wait

@@ -77,6 +77,23 @@ Frame fake_frame(double bend, double drug_time_s) {
     return frame;
 }
 
+Frame touched_frame() {
+    Frame frame = fake_frame(0.1);
+    ToolView tool;
+    tool.parts = {{Vec3(34, -24, -52), Vec3(6, -9, -34), 2.5}};
+    tool.centre_mm = Vec3(20, -16.5, -43);
+    tool.tip_mm = Vec3(6, -9, -34);
+    tool.at_mm = Vec3(3.5, -9, -34);
+    tool.force_un = Vec3(16e3, -4e3, 5e3);
+    for (std::size_t v = 0; 3 * v < frame.positions_mm.size(); ++v) {
+        const float* x = &frame.positions_mm[3 * v];
+        if ((Vec3(x[0], x[1], x[2]) - tool.tip_mm).norm() < 9.0)
+            tool.touched.push_back(static_cast<int>(v));
+    }
+    frame.tool = tool;
+    return frame;
+}
+
 TriangleMesh sphere(const Vec3& centre_mm, double radius_mm) {
     constexpr int meridians = 48;
     constexpr int bands = 24;

@@ -10,6 +10,9 @@ namespace hepatica::testing {
 // Three generations of branching tubes, some 120 mm tall. `bend` in [-1, 1] sways its tip sideways.
 Frame fake_frame(double bend = 0.0, double drug_time_s = -1.0);
 
+// The bent tree with a rod that presses its trunk.
+Frame touched_frame();
+
 // Latitudes and longitudes; outward triangles.
 TriangleMesh sphere(const Vec3& centre_mm, double radius_mm);
 

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
+#include "render/tool_actor.h"
 #include "tests/render/fake_frame.h"
 #include "tests/render/screenshot.h"
 
@@ -62,6 +64,36 @@ TEST_F(SceneElements, the_pulls_line_and_its_bead_are_each_seen) {
     for (const Box& box : {Box{"line", 150, 130, 189, 160}, Box{"bead", 190, 150, 205, 170}})
         EXPECT_GT(worst_tile_difference(with_box_of(free, box, pulled), pulled), 8.0)
             << box.element;
+}
+
+TEST_F(SceneElements, a_tool_its_arrow_its_number_and_what_it_touches_are_each_seen) {
+    const Frame touched = testing::touched_frame();
+    const Picture whole = picture_of(touched);
+    Frame less = touched;
+    less.tool->force_un.setZero();
+    const Picture without_force = picture_of(less);
+    EXPECT_FALSE(look_alike(without_force, whole));
+    for (const Box& box : {Box{"arrow", 185, 150, 230, 175}, Box{"number", 231, 133, 300, 155}})
+        EXPECT_FALSE(look_alike(with_box_of(without_force, box, whole), whole)) << box.element;
+    less.tool->touched.clear();
+    const Picture untouched = picture_of(less);
+    EXPECT_FALSE(look_alike(untouched, without_force));
+    less.tool.reset();
+    EXPECT_FALSE(look_alike(picture_of(less), untouched));
+    EXPECT_FALSE(view_.show(less)) << "nothing is new";
+    EXPECT_TRUE(view_.show(touched));
+    EXPECT_EQ(picture().rgb, whole.rgb);
+}
+
+TEST(ForceText, IsInMillinewtonsAndEmptyWhereThereIsNone) {
+    EXPECT_EQ(force_text(0.0), "");
+    EXPECT_EQ(force_text(49.0), "");
+    EXPECT_EQ(force_text(50.0), "0.1 mN");
+    EXPECT_EQ(force_text(1234.0), "1.2 mN");
+    EXPECT_EQ(force_text(9949.0), "9.9 mN");
+    EXPECT_EQ(force_text(9960.0), "10 mN");
+    EXPECT_EQ(force_text(123456.0), "123 mN");
+    EXPECT_EQ(force_text(NAN), "");
 }
 
 TEST_F(SceneElements, the_drug_and_the_place_of_its_front_are_seen) {

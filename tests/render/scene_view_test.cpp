@@ -64,6 +64,12 @@ TEST_F(SceneViewPicture, of_a_pull) {
     expect_matches_baseline(picture(), "pull");
 }
 
+// A rod that presses the trunk, which is lit up where it is touched.
+TEST_F(SceneViewPicture, of_a_tool_that_touches) {
+    view_.show(testing::touched_frame());
+    expect_matches_baseline(picture(), "tool");
+}
+
 TEST_F(SceneViewPicture, of_two_systems_a_highlight_and_the_liver) {
     const Frame frame = fake_frame();
     const std::size_t count = frame.positions_mm.size() / 3;

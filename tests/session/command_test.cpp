@@ -42,7 +42,9 @@ std::vector<Command> one_of_each() {
             AddTool{"capsule", odd, 12.0, Vec3(0, odd, 1), Vec3(1, 2, odd)},
             MoveTool{Vec3(odd, 2, 3), odd},
             ShiftTool{Vec3(1, odd, 3)},
-            RemoveTool{}};
+            RemoveTool{},
+            TurnTool{Vec3(odd, 0, -1)},
+            UseTools{false}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

@@ -29,7 +29,10 @@ class FailingStepper final : public Stepper {
     }
     void set_tool(const std::optional<Tool>& tool) override { stepper_->set_tool(tool); }
     void lead_tool(const Vec3& target_mm) override { stepper_->lead_tool(target_mm); }
+    void turn_tool(const Vec3& by_rad) override { stepper_->turn_tool(by_rad); }
+    void open_tool(double opening_mm) override { stepper_->open_tool(opening_mm); }
     const std::optional<Tool>& tool() const override { return stepper_->tool(); }
+    const ToolLoad& tool_load() const override { return stepper_->tool_load(); }
     bool set_options(const StepperOptions& options) override {
         return stepper_->set_options(options);
     }

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/base/error.h"
+#include "core/contact/closest_points.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
 #include "core/session/recording_file.h"
@@ -59,7 +61,7 @@ TEST(ToolSession, AToolComesBesideTheVesselAndPushesIt) {
     const DeformPart& deform = *session->world().deform();
     ASSERT_TRUE(deform.tool());
     EXPECT_EQ(session->frame().statistics.message, "");
-    const Vec3 begin = deform.tool()->shape.centre_mm;
+    const Vec3 begin = deform.tool()->parts[0].shape.centre_mm;
     EXPECT_GT(begin.z(), ball().point_mm.z());  // it comes from where its direction points away
     EXPECT_NEAR((begin - ball().point_mm).head<2>().norm(), 0.0, 1e-9);
     const SessionStep last = push(*session);
@@ -92,6 +94,100 @@ TEST(ToolSession, TheRecordingPlaysAgainFromItsStartAndFromItsKeyframes) {
         EXPECT_EQ(again.state_hash, session->state_hash());
         EXPECT_EQ(again.began_at > 0, from > 0);
     }
+}
+
+// What tools need is built when they are first used and let go of afterwards; all of it plays
+// again.
+TEST(ToolSession, ToolsComeAndGoWithTheirPartOfTheScene) {
+    SceneSpec spec = default_scene();
+    spec.flow.reset();
+    const auto session = new_session(spec);
+    const auto recording = keep_recording(*session);
+    const DeformPart& deform = *session->world().deform();
+    play(*session, 550);
+    EXPECT_FALSE(deform.touchable());
+    session->post(UseTools{true});
+    session->step();
+    EXPECT_TRUE(deform.touchable());
+    AddTool rod = ball();
+    rod.kind = "capsule";
+    rod.length_mm = 12.0;
+    session->post(rod);
+    session->post(TurnTool{Vec3(0.4, 0, 0)});
+    for (int i = 0; i < 60; ++i) {  // over the keyframe at 600
+        session->post(ShiftTool{Vec3(0, 0, -0.1)});
+        session->step();
+    }
+    ASSERT_TRUE(deform.tool());
+    const Vec3 along = deform.tool()->parts[0].shape.half_axis_mm.normalized();
+    EXPECT_NEAR(std::acos(std::abs(along.z())), 0.4, 1e-6);
+    session->post(UseTools{false});
+    session->step();
+    EXPECT_FALSE(deform.touchable());
+    EXPECT_FALSE(deform.tool());
+    EXPECT_EQ(session->frame().statistics.message, "");
+    play(*session, 20);
+    session->post(RestoreSnapshot{});  // to when there was a tool
+    session->step();
+    EXPECT_FALSE(deform.touchable());
+    EXPECT_FALSE(deform.tool());
+    play(*session, 5);
+    const fs::path file = fs::path(testing::TempDir()) / "tools_come_and_go.hrec";
+    write_recording(file, *recording);
+    const Recording read = read_recording(file);
+    Job job;
+    for (const std::uint64_t from : {0u, 610u}) {
+        const ReplayResult again = replay(read, small_patient(), job, from);
+        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
+        EXPECT_EQ(again.state_hash, session->state_hash());
+        EXPECT_EQ(again.began_at > 0, from > 0);
+    }
+}
+
+TEST(ToolSession, AFrameShowsTheToolWhatItTouchesAndWhatItFeels) {
+    const auto session = new_session(touchable());
+    session->update_frame();
+    EXPECT_FALSE(session->frame().tool);
+    const SessionStep last = push(*session);
+    session->update_frame();
+    const Frame& frame = session->frame();
+    ASSERT_TRUE(frame.tool);
+    EXPECT_EQ(frame.tool->centre_mm, session->world().deform()->tool()->centre_mm());
+    EXPECT_EQ(frame.tool->parts.at(0).radius_mm, 2.0);
+    EXPECT_EQ(frame.tool->force_un, last.deform.tool.force_un);
+    // Each is of a triangle of which a part is in the pad, which is 0.2 mm thick.
+    ASSERT_GE(frame.tool->touched.size(), 3u);
+    const auto place = [&](int v) {
+        const float* x = &frame.positions_mm[3 * static_cast<std::size_t>(v)];
+        return Vec3(x[0], x[1], x[2]);
+    };
+    const auto near = [&](const std::array<int, 3>& triangle) {
+        const Triangle corners{place(triangle[0]), place(triangle[1]), place(triangle[2])};
+        const Vec3& c = frame.tool->centre_mm;
+        return std::sqrt(closest(Segment{c, c}, corners).squared_mm2) < 2.0 + 0.2;
+    };
+    std::set<int> expected;
+    for (const auto& triangle : *frame.surface)
+        if (near(triangle)) expected.insert(triangle.begin(), triangle.end());
+    for (const int v : frame.tool->touched) EXPECT_TRUE(expected.contains(v)) << v;
+    EXPECT_GE(2 * frame.tool->touched.size(), expected.size());
+}
+
+// Ways that are superseded before a step are not gone; shares of a way are.
+TEST(ToolSession, OfSeveralWaysBeforeAStepTheNewestCounts) {
+    const auto session = new_session(touchable());
+    const auto recording = keep_recording(*session);
+    session->post(ball());
+    session->step();
+    const Vec3 begin = session->world().deform()->tool()->centre_mm();
+    for (int i = 1; i <= 5; ++i) session->post(MoveTool{begin + Vec3(0, 0, i)});
+    session->step();
+    EXPECT_EQ(recording->steps.back().commands.size(), 1u);
+    EXPECT_EQ(session->world().deform()->tool()->target_mm, Vec3(begin + Vec3(0, 0, 5)));
+    session->post(MoveTool{begin, 0.5});
+    session->post(MoveTool{begin, 0.5});
+    session->step();
+    EXPECT_EQ(recording->steps.back().commands.size(), 2u);
 }
 
 TEST(ToolSession, TheHashIsOfTheToolToo) {
@@ -127,12 +223,12 @@ TEST(ToolSession, AToolThatHasGoneStaysAwayAndAResetTakesItAway) {
 TEST(ToolSession, OtherSettingsKeepTheTool) {
     const auto session = new_session(touchable());
     push(*session);
-    const Vec3 centre = session->world().deform()->tool()->shape.centre_mm;
+    const Vec3 centre = session->world().deform()->tool()->parts[0].shape.centre_mm;
     session->post(SetTether{25.0});
     session->post(UseSetting{{.newton_iterations = 3}});
     session->step();
     ASSERT_TRUE(session->world().deform()->tool());
-    EXPECT_LT((session->world().deform()->tool()->shape.centre_mm - centre).norm(), 1.0);
+    EXPECT_LT((session->world().deform()->tool()->parts[0].shape.centre_mm - centre).norm(), 1.0);
 }
 
 TEST(ToolSession, WhatIsOutOfRangeIsNamed) {

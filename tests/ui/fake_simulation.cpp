@@ -67,8 +67,15 @@ void FakeSimulation::apply(const Command& command) {
         if (!hold->paused) go_on();
     } else if (std::holds_alternative<RestoreSnapshot>(command)) {
         go_on();
+    } else if (const auto* tool = std::get_if<AddTool>(&command)) {
+        add_tool(*tool);
+    } else if (const auto* led = std::get_if<MoveTool>(&command)) {
+        if (frame_.tool) lead_tool(led->target_mm - frame_.tool->centre_mm);
+    } else if (std::holds_alternative<RemoveTool>(command)) {
+        frame_.tool.reset();
     } else if (std::holds_alternative<ResetWorld>(command)) {
         frame_.grab.reset();
+        frame_.tool.reset();
         frame_.drug = {};
         frame_.positions_mm = at_rest_;
         go_on();
@@ -88,6 +95,27 @@ void FakeSimulation::pull_to(const Vec3& target_mm) {
                 static_cast<float>(moved[axis]);
         }
     }
+}
+
+// It is where it is wanted, and feels as many millinewtons as it was led by millimetres.
+void FakeSimulation::add_tool(const AddTool& tool) {
+    const Vec3 along = tool.length_mm * tool.direction.normalized();
+    const Vec3 tip = tool.point_mm - tool.radius_mm * tool.direction.normalized();
+    ToolView view;
+    view.parts = {{tip - along, tip, tool.radius_mm}};
+    view.centre_mm = tip - 0.5 * along;
+    view.tip_mm = tip;
+    frame_.tool = view;
+}
+
+void FakeSimulation::lead_tool(const Vec3& by_mm) {
+    for (ToolView::Part& part : frame_.tool->parts) {
+        part.from_mm += by_mm;
+        part.to_mm += by_mm;
+    }
+    frame_.tool->centre_mm += by_mm;
+    frame_.tool->tip_mm += by_mm;
+    frame_.tool->force_un = 1e3 * by_mm;
 }
 
 LoadedPatient fake_patient(FakeSimulation** simulation) {

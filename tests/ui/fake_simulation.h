@@ -35,6 +35,8 @@ class FakeSimulation : public Simulation {
     void stop();
     void go_on();
     void pull_to(const Vec3& target_mm);
+    void add_tool(const AddTool& tool);
+    void lead_tool(const Vec3& by_mm);
 
     Frame rest_;  // when the present pull began
     Frame frame_;

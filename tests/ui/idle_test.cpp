@@ -92,6 +92,25 @@ TEST_F(Idle, before_an_injection_and_after_it_has_run_out) {
     }));
 }
 
+// Pressed against a vessel, held there, and put away again.
+TEST_F(Idle, with_a_tool_that_rests) {
+    const Vec3 root = test::small_patient()->tree.nodes[0].position_mm;
+    const QPoint place = on_widget(root + Vec3(0, 0, 3));
+    QTest::keyClick(&window_, Qt::Key_4);
+    QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place), Qt::NoButton,
+                     Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_.view(), &move);
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().tool.has_value(); }));
+    expect_rest();
+    window_.view().mouse().wheel(0.4);
+    ASSERT_TRUE(testing::wait_for([&] { return !window_.frame().tool->touched.empty(); }));
+    expect_rest();
+    EXPECT_FALSE(window_.frame().tool->touched.empty());
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    ASSERT_TRUE(testing::wait_for([&] { return !window_.frame().tool; }));
+    expect_rest();
+}
+
 class FakeIdle : public testing::FakeWindowTest {};
 
 // Frames that show what is shown already are not drawn.

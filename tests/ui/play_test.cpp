@@ -58,6 +58,33 @@ TEST_F(Play, the_grabbed_vertex_follows_the_mouse) {
     })) << "it stays away from rest";
 }
 
+// A ball that is led in front of a vessel and then into it.
+TEST_F(Play, a_probe_pushes_the_vessel_that_the_mouse_leads_it_into) {
+    VtkWidget& view = window_.view();
+    const auto point_at = [&](const QPoint& place) {
+        QMouseEvent move(QEvent::MouseMove, place, view.mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&view, &move);
+    };
+    const QPoint place = on_widget(softest_place());
+    QTest::keyClick(&window_, Qt::Key_4);
+    point_at(place);
+    ASSERT_TRUE(testing::wait_for([&] { return frame().tool.has_value(); }));
+    const Vec3 begin = frame().tool->centre_mm;
+    // By one notch a picture, as a hand does: deeper into the picture than the vessel is thick.
+    for (int notch = 0; notch < 12; ++notch) {
+        view.mouse().wheel(1.0);
+        paint();
+    }
+    EXPECT_TRUE(testing::wait_for(
+        [&] { return frame().tool->force_un.norm() > 100.0 && !frame().tool->touched.empty(); }));
+    const Vec3 forward = view.scene().axes().forward;
+    EXPECT_GT((frame().tool->centre_mm - begin).dot(forward), 0.3);
+    EXPECT_LT(frame().tool->force_un.dot(forward), 0.0) << "it is pressed back";
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_TRUE(testing::wait_for([&] { return !frame().tool.has_value(); }));
+}
+
 TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_widget(softest_place()));
     EXPECT_TRUE(testing::wait_for([&] { return frame().drug.arrival_s != nullptr; }));

@@ -66,14 +66,24 @@ bool PotentialList::free_of_tool(std::span<const Vec3> positions_mm) const {
 ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm) const {
     ToolLoad load;
     if (!tool()) return load;
+    const Vec3 centre = tool()->centre_mm();
+    double pressed_un = 0.0;
     const auto add = [&](const Vec3& at_mm, const Vec3& on_body_un) {
         load.force_un -= on_body_un;
-        load.torque_un_mm -= (at_mm - tool()->shape.centre_mm).cross(on_body_un);
+        load.torque_un_mm -= (at_mm - centre).cross(on_body_un);
     };
     for (const PadContact& contact : contact_->contacts(positions_mm)) {
-        add(contact.at_mm, contact.force_un * contact.normal);
+        const Vec3 force = contact.force_un * contact.normal;
+        add(contact.at_mm, force);
+        load.at_mm += contact.force_un * contact.at_mm;
+        pressed_un += contact.force_un;
+        load.grip_un -= force.dot(tool()->parts[contact.part].opens);
         ++load.contacts;
+        for (const int node : contact_->nodes_of(contact)) load.touched.push_back(node);
     }
+    if (pressed_un > 0.0) load.at_mm /= pressed_un;
+    std::ranges::sort(load.touched);
+    load.touched.erase(std::ranges::unique(load.touched).begin(), load.touched.end());
     load.least_gap_mm = contact_->least_gap_mm(positions_mm);
     for (const auto& point : friction_->point_forces(positions_mm))
         add(point.at_mm, point.force_un);

@@ -13,10 +13,9 @@ namespace {
 constexpr double least_share = 0.1;      // of a gap, that a motion leaves
 constexpr double led_until = 0.5;        // of the pad
 constexpr double deepest = 1.0 - 1e-12;  // of the pad, for forces where the gap has closed
-constexpr int halvings_to_limit = 12;
-constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
-constexpr double most_stretch = 1.5;  // of the surface, for which that holds
-constexpr int most_cuts = 32;         // of a triangle's edge
+constexpr double dip_of_pad = 0.125;     // how far a triangle may bulge into the pad between points
+constexpr double most_stretch = 1.5;     // of the surface, for which that holds
+constexpr int most_cuts = 32;            // of a triangle's edge
 
 }  // namespace
 
@@ -32,16 +31,16 @@ ToolContact::ToolContact(const Body& body) : surface_(body.surface) {
 // The corners of n^2 equal triangles into which it is cut; each of those gives a third of its area
 // to each of its corners. A point of a triangle of edges s is at most s / sqrt(3) from a corner,
 // and the ball bulges there by s^2 / (6 R).
-void ToolContact::add_points_of(int triangle, const Capsule& tool,
+void ToolContact::add_points_of(int triangle, const Capsule& shape, int part,
                                 std::span<const Vec3> positions_mm,
                                 std::vector<PadContact>& found) const {
     const double pad = tool_->pad_mm, edge = longest_edge_mm_[triangle];
-    const double apart = std::sqrt(6.0 * dip_of_pad * pad * tool.radius_mm) / most_stretch;
+    const double apart = std::sqrt(6.0 * dip_of_pad * pad * shape.radius_mm) / most_stretch;
     const int n = std::clamp(static_cast<int>(std::ceil(edge / apart)), 1, most_cuts);
     const double dip =
-        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * tool.radius_mm));
+        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * shape.radius_mm));
     const Triangle corners = corners_of(surface_.triangles()[triangle], positions_mm);
-    const Segment axis = tool.axis();
+    const Segment axis = shape.axis();
     for (int i = 0; i <= n; ++i)
         for (int j = 0; i + j <= n; ++j) {
             const double v = static_cast<double>(i) / n, w = static_cast<double>(j) / n;
@@ -49,7 +48,7 @@ void ToolContact::add_points_of(int triangle, const Capsule& tool,
             const Vec3 point = point_at(corners, weights);
             const PointSegment on = closest(point, axis);
             const double distance = std::sqrt(on.squared_mm2);
-            const double gap = distance - tool.radius_mm - dip;
+            const double gap = distance - shape.radius_mm - dip;
             if (!(gap < pad)) continue;
             const int on_borders = (i == 0) + (j == 0) + (i + j == n);
             const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
@@ -59,39 +58,40 @@ void ToolContact::add_points_of(int triangle, const Capsule& tool,
             const double energy = gap > 0.0 ? strength * pad * (-pressed - std::log1p(-pressed))
                                             : std::numeric_limits<double>::infinity();
             const Vec3 normal = (point - point_at(axis, on.along)) / distance;
-            found.push_back({triangle, weights, normal, point, strength * pressed / left,
-                             strength / (pad * left * left), energy});
+            found.push_back({part, on.along, triangle, weights, normal, point,
+                             strength * pressed / left, strength / (pad * left * left), energy});
         }
 }
 
-std::vector<PadContact> ToolContact::contacts_at(const Vec3& centre_mm,
+std::vector<PadContact> ToolContact::contacts_at(std::span<const Capsule> shapes,
                                                  std::span<const Vec3> positions_mm) const {
     std::vector<PadContact> found;
-    Capsule there = tool_->shape;
-    there.centre_mm = centre_mm;
-    Box box;
-    for (const Vec3& end : there.axis()) box.add(end);
-    box.grow(there.radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
-    for (const int t : surface_.triangles_in(box, positions_mm))
-        add_points_of(t, there, positions_mm, found);
+    for (std::size_t p = 0; p < shapes.size(); ++p) {
+        Box box;
+        for (const Vec3& end : shapes[p].axis()) box.add(end);
+        box.grow(shapes[p].radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
+        for (const int t : surface_.triangles_in(box, positions_mm))
+            add_points_of(t, shapes[p], static_cast<int>(p), positions_mm, found);
+    }
     return found;
 }
 
 std::vector<PadContact> ToolContact::contacts(std::span<const Vec3> positions_mm) const {
-    return tool_ ? contacts_at(tool_->shape.centre_mm, positions_mm) : std::vector<PadContact>{};
+    return tool_ ? contacts_at(tool_->shapes(), positions_mm) : std::vector<PadContact>{};
 }
 
 std::vector<PadContact> ToolContact::contacts_before_led(std::span<const Vec3> positions_mm) const {
-    return tool_ ? contacts_at(tool_->shape.centre_mm - tool_->led_by_mm, positions_mm)
+    return tool_ ? contacts_at(tool_->shapes_before_led(), positions_mm)
                  : std::vector<PadContact>{};
 }
 
 double ToolContact::least_gap_mm(std::span<const Vec3> positions_mm) const {
     double least = std::numeric_limits<double>::max();
     if (!tool_) return least;
-    for (const NearTriangle& near :
-         near_capsule(tool_->shape, surface_, positions_mm, (1.0 + dip_of_pad) * tool_->pad_mm))
-        least = std::min(least, near.gap_mm);
+    for (const ToolPart& part : tool_->parts)
+        for (const NearTriangle& near :
+             near_capsule(part.shape, surface_, positions_mm, (1.0 + dip_of_pad) * tool_->pad_mm))
+            least = std::min(least, near.gap_mm);
     return least;
 }
 
@@ -99,21 +99,36 @@ bool ToolContact::free(std::span<const Vec3> positions_mm) const {
     return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
 }
 
-// Of the pad on the tool.
-Vec3 ToolContact::force_at(const Vec3& centre_mm, std::span<const Vec3> positions_mm) const {
-    Vec3 force = Vec3::Zero();
-    for (const PadContact& contact : contacts_at(centre_mm, positions_mm))
-        force -= contact.force_un * contact.normal;
-    return force;
+// Of the pad alone. Jaws are pressed apart by the force that works where they open.
+ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
+                                          std::span<const Vec3> positions_mm) const {
+    ToolResistance sum;
+    Vec3 centre = Vec3::Zero();
+    for (const Capsule& shape : shapes) centre += shape.centre_mm;
+    centre /= static_cast<double>(shapes.size());
+    for (const PadContact& contact : contacts_at(shapes, positions_mm)) {
+        const Vec3 force = contact.force_un * contact.normal;
+        sum.force_un -= force;
+        sum.torque_un_mm -= (contact.at_mm - centre).cross(force);
+        sum.grip_un -= force.dot(tool_->parts[contact.part].opens);
+    }
+    return sum;
 }
 
 std::vector<int> ToolContact::vertices_near_way(std::span<const Vec3> positions_mm) const {
     Box way;
-    for (const Vec3& centre : {tool_->shape.centre_mm, tool_->target_mm}) {
-        way.add(centre - tool_->shape.half_axis_mm);
-        way.add(centre + tool_->shape.half_axis_mm);
+    const Vec3 to_go = tool_->target_mm - tool_->centre_mm();
+    const bool turns = !tool_->turn_rad.isZero(0.0);
+    double widest = 0.0, opens = std::abs(tool_->opening_target_mm - tool_->opening_mm);
+    for (const ToolPart& part : tool_->parts) {
+        widest = std::max(widest, part.shape.radius_mm);
+        for (const Vec3& end : part.shape.axis()) {
+            way.add(end);
+            way.add(end + to_go);
+        }
     }
-    way.grow(tool_->shape.radius_mm + 2.0 * tool_->pad_mm);
+    way.grow(turns ? tool_->reach_mm() : widest);
+    way.grow(2.0 * tool_->pad_mm + opens);
     std::vector<int> near;
     for (std::size_t p = 0; p < surface_.size(); ++p) {
         if (!surface_.box(p, positions_mm).meets(way)) continue;
@@ -124,24 +139,9 @@ std::vector<int> ToolContact::vertices_near_way(std::span<const Vec3> positions_
 }
 
 bool ToolContact::lead(std::span<const Vec3> positions_mm, double share, double dt_s) {
-    const Vec3 begin = tool_->shape.centre_mm;
-    Vec3 gone = slide(tool_->shape, surface_, positions_mm, share * (tool_->target_mm - begin),
-                      led_until * tool_->pad_mm);
-    const auto too_strong = [&](const Vec3& centre) {
-        return force_at(centre, positions_mm).norm() > tool_->force_limit_un;
-    };
-    if (too_strong(begin + gone) && gone.dot(force_at(begin + gone, positions_mm)) < 0.0) {
-        double low = 0.0, high = 1.0;
-        for (int i = 0; i < halvings_to_limit; ++i) {
-            const double middle = 0.5 * (low + high);
-            (too_strong(begin + middle * gone) ? high : low) = middle;
-        }
-        gone *= low;
-    }
-    tool_->shape.centre_mm = begin + gone;
-    tool_->led_by_mm = gone;
-    tool_->led_over_s = dt_s;
-    return !gone.isZero(0.0);
+    return hepatica::lead(
+        *tool_, surface_, positions_mm, led_until * tool_->pad_mm, share, dt_s,
+        [&](std::span<const Capsule> shapes) { return resistance_at(shapes, positions_mm); });
 }
 
 double ToolContact::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
@@ -189,18 +189,26 @@ void ToolContact::mark_held(std::span<const Vec3> positions_mm, std::span<char> 
 }
 
 double ToolContact::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
-    if (!tool_) return 1.0;
-    return hepatica::free_share(tool_->shape, surface_, from_mm, to_mm, [&](double gap_mm) {
-        return least_share * std::min(gap_mm, tool_->pad_mm);
-    });
+    double share = 1.0;
+    if (!tool_) return share;
+    for (const ToolPart& part : tool_->parts)
+        share = std::min(
+            share, hepatica::free_share(part.shape, surface_, from_mm, to_mm, [&](double gap_mm) {
+                return least_share * std::min(gap_mm, tool_->pad_mm);
+            }));
+    return share;
 }
 
 double ToolContact::share_until_touch(std::span<const Vec3> from_mm,
                                       std::span<const Vec3> to_mm) const {
-    if (!tool_) return 1.0;
-    return hepatica::free_share(tool_->shape, surface_, from_mm, to_mm, [&](double gap_mm) {
-        return gap_mm > tool_->pad_mm ? led_until * tool_->pad_mm : -1.0;
-    });
+    double share = 1.0;
+    if (!tool_) return share;
+    for (const ToolPart& part : tool_->parts)
+        share = std::min(
+            share, hepatica::free_share(part.shape, surface_, from_mm, to_mm, [&](double gap_mm) {
+                return gap_mm > tool_->pad_mm ? led_until * tool_->pad_mm : -1.0;
+            }));
+    return share;
 }
 
 }  // namespace hepatica

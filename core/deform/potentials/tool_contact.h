@@ -17,11 +17,14 @@
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/potential.h"
 #include "core/deform/potentials/tool.h"
+#include "core/deform/potentials/tool_path.h"
 
 namespace hepatica {
 
 // A point of the surface in the pad.
 struct PadContact {
+    int part = 0;        // of the tool
+    double along = 0.0;  // that part's axis, from 0 to 1
     int triangle = 0;
     std::array<double, 3> weights{};  // of its corners
     Vec3 normal = Vec3::Zero();       // from the tool to the body, of length 1
@@ -41,19 +44,17 @@ class ToolContact final : public Potential {
     const std::optional<Tool>& tool() const { return tool_; }
     const SurfacePatches& surface() const { return surface_; }
 
-    // By the number of the triangle, from corner to corner: as the tool stands, and as it stood
-    // before it was led last.
+    // Part by part, by the number of the triangle, from corner to corner: as the tool stands, and
+    // as it stood before it was led last.
     std::vector<PadContact> contacts(std::span<const Vec3> positions_mm) const;
     std::vector<PadContact> contacts_before_led(std::span<const Vec3> positions_mm) const;
     // Of the tool to the nearest triangle; below 0 within it, without bound farther than the pad.
     double least_gap_mm(std::span<const Vec3> positions_mm) const;
     // Whether the pad's energy is finite and nothing is in the tool.
     bool free(std::span<const Vec3> positions_mm) const;
-    // Of all patches whose boxes meet that of the way to the target, with a pad's room.
+    // Of all patches whose boxes meet that of the tool's way, with a pad's room.
     std::vector<int> vertices_near_way(std::span<const Vec3> positions_mm) const;
-    // Leads the tool over dt_s by `share` of what it has still to go, past a body that stands
-    // still: until a gap falls to half of the pad, or the body pushes back with the tool's limit.
-    // Returns whether it moved.
+    // See tool_path.h: past a body that stands still, until a gap falls to half of the pad.
     bool lead(std::span<const Vec3> positions_mm, double share, double dt_s);
 
     double energy(std::span<const Vec3> positions_mm,
@@ -83,11 +84,12 @@ class ToolContact final : public Potential {
     }
 
   private:
-    std::vector<PadContact> contacts_at(const Vec3& centre_mm,
+    std::vector<PadContact> contacts_at(std::span<const Capsule> shapes,
                                         std::span<const Vec3> positions_mm) const;
-    void add_points_of(int triangle, const Capsule& tool, std::span<const Vec3> positions_mm,
-                       std::vector<PadContact>& found) const;
-    Vec3 force_at(const Vec3& centre_mm, std::span<const Vec3> positions_mm) const;
+    void add_points_of(int triangle, const Capsule& shape, int part,
+                       std::span<const Vec3> positions_mm, std::vector<PadContact>& found) const;
+    ToolResistance resistance_at(std::span<const Capsule> shapes,
+                                 std::span<const Vec3> positions_mm) const;
 
     SurfacePatches surface_;
     std::vector<double> area_mm2_, longest_edge_mm_;  // of each triangle at rest

@@ -18,10 +18,13 @@ void ToolFriction::begin_step(const BodyState& start, double dt_s,
     held_ = held;
     if (!contact_.tool() || contact_.tool()->friction == 0.0) return;
     creep_mm_ = creep_edges_per_s * body_.mean_edge_mm * dt_s;
-    const Vec3 dragged = dt_s * contact_.tool()->velocity_mm_per_s();
     for (const PadContact& contact : contact_.contacts_before_led(start.positions_mm)) {
         Grip grip{contact_.nodes_of(contact), contact.weights, contact.normal,
                   contact_.tool()->friction * contact.force_un, Vec3::Zero()};
+        // Where its axis has gone, there the point is taken.
+        const ToolPart& part = contact_.tool()->parts[contact.part];
+        const Vec3 led = part.led_by_mm + (2.0 * contact.along - 1.0) * part.led_half_axis_mm;
+        const Vec3 dragged = dt_s * (led / contact_.tool()->led_over_s);
         grip.anchor_mm = point_of(grip, start.positions_mm) + dragged;
         grips_.push_back(grip);
     }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/deform/potentials/tool_path.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/stepper_input.h"
@@ -146,14 +147,27 @@ void GovernedStepper::set_tool(const std::optional<Tool>& tool) {
     change_region();
 }
 
-void GovernedStepper::lead_tool(const Vec3& target_mm) {
+template <class Change>
+void GovernedStepper::change_tool_goal(const Change& change) {
     if (!tool()) return;
     Tool led = *tool();
-    led.target_mm = target_mm;
+    change(led);
     validate_tool(led, true);
     back_end_->set_tool(led);
     tool_led_ = true;
     wake();
+}
+
+void GovernedStepper::lead_tool(const Vec3& target_mm) {
+    change_tool_goal([&](Tool& tool) { tool.target_mm = target_mm; });
+}
+
+void GovernedStepper::turn_tool(const Vec3& by_rad) {
+    change_tool_goal([&](Tool& tool) { tool.turn_rad = turned_after(tool.turn_rad, by_rad); });
+}
+
+void GovernedStepper::open_tool(double opening_mm) {
+    change_tool_goal([&](Tool& tool) { tool.opening_target_mm = opening_mm; });
 }
 
 void GovernedStepper::wake_near_tool() {
@@ -235,7 +249,7 @@ StepReport GovernedStepper::step(double dt_s) {
     }
     report.energy.tool_work += std::exchange(tool_work_, 0.0);
     const double lost_before = std::exchange(lost_, 0.0);
-    tool_led_ = tool() && tool()->velocity_mm_per_s().norm() >= slow_mm_per_s();
+    tool_led_ = tool() && tool()->speed_mm_per_s() >= slow_mm_per_s();
     if (!sleeps) {
         look_for_inversion(dt_s, report);
         tool_load_ = report.tool;

@@ -29,7 +29,10 @@ class GovernedStepper final : public LiveStepper {
     void set_gravity(const Vec3& gravity_mm_per_s2) override;
     void set_tool(const std::optional<Tool>& tool) override;
     void lead_tool(const Vec3& target_mm) override;
+    void turn_tool(const Vec3& by_rad) override;
+    void open_tool(double opening_mm) override;
     const std::optional<Tool>& tool() const override { return back_end_->tool(); }
+    const ToolLoad& tool_load() const override { return tool_load_; }
     bool set_options(const StepperOptions& options) override;
     StepReport step(double dt_s) override;
     std::span<const Vec3> positions_mm() const override;
@@ -48,6 +51,8 @@ class GovernedStepper final : public LiveStepper {
     std::vector<std::uint8_t> frozen_nodes() const;
     void change_region();
     double slow_mm_per_s() const;
+    template <class Change>
+    void change_tool_goal(const Change& change);
     void wake_near_tool();
     void lead_tool_for(double dt_s, double share);
     void watch(double dt_s, StepReport& report);

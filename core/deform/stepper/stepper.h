@@ -36,8 +36,13 @@ class Stepper {
     // Where its centre is to go in the next step, as far as what it meets lets it. Without a tool
     // it does nothing.
     virtual void lead_tool(const Vec3& target_mm) = 0;
-    // Where it is now.
+    // How far it is to turn about its centre beside what it has still to turn, and how far its jaws
+    // are to open, >= 0; as far as what it meets lets it, too.
+    virtual void turn_tool(const Vec3& by_rad) = 0;
+    virtual void open_tool(double opening_mm) = 0;
+    // Where it is now, and what the body did to it in the last step.
     virtual const std::optional<Tool>& tool() const = 0;
+    virtual const ToolLoad& tool_load() const = 0;
 
     // Returns false, and changes nothing, where these options need a new stepper, to which the
     // caller then gives the state. Throws InputError where the options are not valid.

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
-constexpr std::string_view heading = "hepatica checkpoint 2\n";
+constexpr std::string_view heading = "hepatica checkpoint 3\n";
 
 // All fields in order. Writing, reading and hashing share this list.
 template <class Visit>
@@ -30,14 +30,27 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
-    value.pressure_pa;
+    value.opens;
 }
 {
     visit(value.shape.centre_mm);
     visit(value.shape.half_axis_mm);
     visit(value.shape.radius_mm);
-    visit(value.target_mm);
+    visit(value.opens);
     visit(value.led_by_mm);
+    visit(value.led_half_axis_mm);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.pressure_pa;
+}
+{
+    visit(value.parts);
+    visit(value.opening_mm);
+    visit(value.target_mm);
+    visit(value.turn_rad);
+    visit(value.opening_target_mm);
     visit(value.led_over_s);
     visit(value.pad_mm);
     visit(value.pressure_pa);
@@ -63,9 +76,12 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.led);
     visit(value.last_load.force_un);
     visit(value.last_load.torque_un_mm);
+    visit(value.last_load.grip_un);
+    visit(value.last_load.at_mm);
     visit(value.last_load.impulse_un_s);
     visit(value.last_load.contacts);
     visit(value.last_load.least_gap_mm);
+    visit(value.last_load.touched);
     visit(value.last_contact);
 }
 

@@ -80,7 +80,7 @@ struct StepperCheckpoint {
 // Hash of every field. Without a tool it is the hash of the others alone.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
-// "hepatica checkpoint 2\n", then the fields in the order above, little-endian: numbers as 8 bytes
+// "hepatica checkpoint 3\n", then the fields in the order above, little-endian: numbers as 8 bytes
 // (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
 // their length; an optional field after a length of 0 or 1. The two optional
 // fields of tools stand behind all others, and not at all where there is neither.

@@ -83,13 +83,22 @@ void validate_tool(const Tool& tool, bool touchable) {
     if (!touchable)
         throw InputError("has nothing to touch", "the tool",
                          "Name tools among the contacts of the scene");
-    require(tool.shape.centre_mm.allFinite() && tool.shape.half_axis_mm.allFinite(),
-            "is at a place that is not finite");
-    require(tool.target_mm.allFinite() && tool.led_by_mm.allFinite() && tool.led_over_s > 0.0,
-            "has a target that is not finite");
     const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
-    require(positive(tool.shape.radius_mm),
-            "has a radius of " + std::to_string(tool.shape.radius_mm) + " mm");
+    require(!tool.parts.empty(), "has no parts");
+    for (const ToolPart& part : tool.parts) {
+        require(part.shape.centre_mm.allFinite() && part.shape.half_axis_mm.allFinite() &&
+                    part.opens.allFinite(),
+                "is at a place that is not finite");
+        require(part.led_by_mm.allFinite() && part.led_half_axis_mm.allFinite(),
+                "was led by what is not finite");
+        require(positive(part.shape.radius_mm),
+                "has a radius of " + std::to_string(part.shape.radius_mm) + " mm");
+    }
+    require(tool.target_mm.allFinite() && tool.turn_rad.allFinite() && tool.led_over_s > 0.0,
+            "has a target that is not finite");
+    for (const double opening : {tool.opening_mm, tool.opening_target_mm})
+        require(opening >= 0.0 && std::isfinite(opening),
+                "is open by " + std::to_string(opening) + " mm");
     require(positive(tool.pad_mm), "has a pad of " + std::to_string(tool.pad_mm) + " mm");
     require(positive(tool.pressure_pa), "has a pad of " + std::to_string(tool.pressure_pa) + " Pa");
     require(tool.friction >= 0.0 && std::isfinite(tool.friction),

@@ -25,8 +25,8 @@ void validate_gravity(const Vec3& gravity_mm_per_s2);
 // target, stiffness and force limit finite and greater than 0.
 void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 
-// A finite tool with a radius, pad, pressure and force limit greater than 0 and a friction of 0 or
-// more, beside a body that may be touched.
+// A finite tool of one part or more with a radius, pad, pressure and force limit greater than 0 and
+// a friction of 0 or more, beside a body that may be touched.
 void validate_tool(const Tool& tool, bool touchable);
 
 // As many positions and velocities as expected, all finite.

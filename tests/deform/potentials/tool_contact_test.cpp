@@ -37,15 +37,13 @@ std::vector<Vec3> shaken(const Body& body, double size, unsigned seed) {
 
 // Of a ball or a capsule that presses the top by about a third of its pad.
 Tool pressing(bool capsule) {
-    Tool tool;
-    tool.shape = {.centre_mm = Vec3(6.3, 5.6, 6.0 + 4.0 + 0.7),
-                  .half_axis_mm = capsule ? Vec3(2.5, 1.0, 0.05) : Vec3(Vec3::Zero()),
-                  .radius_mm = 4.0};
-    tool.target_mm = tool.shape.centre_mm;
+    Tool tool = single_tool({.centre_mm = Vec3(6.3, 5.6, 6.0 + 4.0 + 0.7),
+                             .half_axis_mm = capsule ? Vec3(2.5, 1.0, 0.05) : Vec3(Vec3::Zero()),
+                             .radius_mm = 4.0});
     tool.pad_mm = 1.0;
     tool.pressure_pa = 3e5;
     tool.friction = 0.4;
-    tool.led_by_mm = Vec3(3, -2, 0) / 60.0;
+    tool.parts[0].led_by_mm = Vec3(3, -2, 0) / 60.0;
     tool.led_over_s = 1.0 / 60.0;
     return tool;
 }
@@ -146,7 +144,7 @@ TEST_P(ToolContactTest, StiffnessIsThatOfTheForce) {
     std::vector<Vec3> flat = body_.rest_positions_mm;
     const std::vector<Vec3> up(flat.size(), Vec3(0, 0, 1));
     Tool tool = pressing(GetParam());
-    tool.shape.half_axis_mm.z() = 0.0;
+    tool.parts[0].shape.half_axis_mm.z() = 0.0;
     list_.set_tool(tool);
     double exact = 0.0;
     for (const PadContact& pad : dynamic_cast<const ToolContact&>(contact()).contacts(flat))
@@ -162,14 +160,18 @@ TEST_P(ToolContactTest, TheToolBearsWhatItDoesToTheBody) {
     Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
     for (std::size_t i = 0; i < x_.size(); ++i) {
         sum += force[i];
-        torque += (x_[i] - list_.tool()->shape.centre_mm).cross(force[i]);
+        torque += (x_[i] - list_.tool()->parts[0].shape.centre_mm).cross(force[i]);
     }
     EXPECT_LT((sum + load.force_un).norm(), 1e-9 * sum.norm());
     EXPECT_LT((torque + load.torque_un_mm).norm(), 1e-9 * sum.norm());
     EXPECT_GT(load.force_un.z(), 0.0);  // it presses down and is pressed up
     // Dragged forward, it is held back.
-    EXPECT_LT(load.force_un.dot(list_.tool()->velocity_mm_per_s()), 0.0);
+    EXPECT_LT(load.force_un.dot(list_.tool()->parts[0].led_by_mm), 0.0);
     EXPECT_GT(load.contacts, 3);
+    // Where it is pressed: below its middle, on the brick's top.
+    EXPECT_NEAR(load.at_mm.z(), 6.0, 0.2);
+    EXPECT_LT((load.at_mm - list_.tool()->centre_mm()).head<2>().norm(), 2.0);
+    EXPECT_EQ(load.grip_un, 0.0);
     EXPECT_GT(load.least_gap_mm, 0.0);
     EXPECT_LT(load.least_gap_mm, 1.0);
 }
@@ -200,10 +202,7 @@ TEST_P(ToolContactTest, EnergiesByPieceAddUpAndEachBooksItsOwnTerm) {
 INSTANTIATE_TEST_SUITE_P(BallAndCapsule, ToolContactTest, testing::Bool());
 
 Tool wide_ball(double gap_mm) {
-    Tool tool;
-    tool.shape.radius_mm = 1e8;
-    tool.shape.centre_mm = Vec3(2, 2, 1e8 + gap_mm);
-    tool.target_mm = tool.shape.centre_mm;
+    Tool tool = single_tool({.centre_mm = Vec3(2, 2, 1e8 + gap_mm), .radius_mm = 1e8});
     tool.pad_mm = 0.5;
     tool.pressure_pa = 1000.0;
     return tool;
@@ -255,7 +254,7 @@ TEST(ToolContact, PointsOnATriangleIntegrateThePressure) {
     const Body body = build_body(d, ElementModel::corotated, ElementOrder::linear);
     PotentialList list(body);
     Tool tool = wide_ball(0.0);
-    tool.shape = {.centre_mm = Vec3(3, 3, 2.25), .radius_mm = 2.0};
+    tool.parts[0].shape = {.centre_mm = Vec3(3, 3, 2.25), .radius_mm = 2.0};
     list.set_tool(tool);
     const auto integral = [](double nearer_mm) {
         constexpr int rings = 100000;
@@ -277,18 +276,18 @@ TEST(ToolContact, IsLedUntilThePadIsHalfPressedOrTheLimitIsReached) {
     const Body body = brick();
     PotentialList list(body);
     Tool tool = pressing(false);
-    tool.shape.centre_mm = Vec3(6, 6, 30);
+    tool.parts[0].shape.centre_mm = Vec3(6, 6, 30);
     tool.target_mm = Vec3(6, 6, -30);
     list.set_tool(tool);
     EXPECT_TRUE(list.lead_tool(body.rest_positions_mm, 0.1, 0.01));
-    EXPECT_NEAR(list.tool()->shape.centre_mm.z(), 24.0, 1e-9);
-    EXPECT_NEAR(list.tool()->velocity_mm_per_s().z(), -600.0, 1e-9);
+    EXPECT_NEAR(list.tool()->parts[0].shape.centre_mm.z(), 24.0, 1e-9);
+    EXPECT_NEAR(list.tool()->speed_mm_per_s(), 600.0, 1e-9);
     list.lead_tool(body.rest_positions_mm, 1.0, 0.01);
-    EXPECT_NEAR(list.tool()->shape.centre_mm.z(), 6.0 + 4.0 + 0.5, 1e-4);
+    EXPECT_NEAR(list.tool()->parts[0].shape.centre_mm.z(), 6.0 + 4.0 + 0.5, 1e-4);
     const double most = list.tool_load(body.rest_positions_mm).force_un.norm();
     // Half of that is met earlier.
     tool.force_limit_un = 0.5 * most;
-    tool.shape.centre_mm.z() = 12.0;
+    tool.parts[0].shape.centre_mm.z() = 12.0;
     list.set_tool(tool);
     list.lead_tool(body.rest_positions_mm, 1.0, 0.01);
     const double met = list.tool_load(body.rest_positions_mm).force_un.norm();
@@ -301,11 +300,11 @@ TEST(ToolContact, WhatIsRefused) {
     PotentialList list(body);
     using Change = void (*)(Tool&);
     for (const Change change :
-         {Change([](Tool& t) { t.shape.radius_mm = 0; }),
-          Change([](Tool& t) { t.shape.centre_mm.x() = NAN; }),
-          Change([](Tool& t) { t.shape.half_axis_mm.x() = NAN; }),
+         {Change([](Tool& t) { t.parts[0].shape.radius_mm = 0; }),
+          Change([](Tool& t) { t.parts[0].shape.centre_mm.x() = NAN; }),
+          Change([](Tool& t) { t.parts[0].shape.half_axis_mm.x() = NAN; }),
           Change([](Tool& t) { t.target_mm.z() = INFINITY; }),
-          Change([](Tool& t) { t.led_by_mm.z() = INFINITY; }),
+          Change([](Tool& t) { t.parts[0].led_by_mm.z() = INFINITY; }),
           Change([](Tool& t) { t.pad_mm = 0; }), Change([](Tool& t) { t.pressure_pa = -1; }),
           Change([](Tool& t) { t.friction = -0.1; }),
           Change([](Tool& t) { t.force_limit_un = 0; })}) {

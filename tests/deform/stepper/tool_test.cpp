@@ -32,9 +32,7 @@ BodyDescription bar() {
 }
 
 Tool ball_at(const Vec3& centre_mm, double radius_mm = 3.0) {
-    Tool tool;
-    tool.shape = {.centre_mm = centre_mm, .radius_mm = radius_mm};
-    tool.target_mm = centre_mm;
+    Tool tool = single_tool({.centre_mm = centre_mm, .radius_mm = radius_mm});
     tool.pad_mm = 0.4;
     tool.pressure_pa = 2e6;
     tool.friction = 0.3;
@@ -48,12 +46,12 @@ std::vector<Vec3> copy(std::span<const Vec3> x) {
 // Of the tool to the surface; below 0 where a triangle is in it.
 double least_gap(const Stepper& stepper, const SurfacePatches& surface) {
     double least = INFINITY;
-    const Segment axis = stepper.tool()->shape.axis();
+    const Segment axis = stepper.tool()->parts[0].shape.axis();
     for (const auto& triangle : surface.triangles()) {
         const Triangle corners = corners_of(triangle, stepper.positions_mm());
         least = std::min(least, std::sqrt(closest(axis, corners).squared_mm2));
     }
-    return least - stepper.tool()->shape.radius_mm;
+    return least - stepper.tool()->parts[0].shape.radius_mm;
 }
 
 // Whether the point lies in a tetrahedron.
@@ -84,10 +82,10 @@ TEST(Tool, PassesThroughNothingAtAnySpeed) {
         for (const bool capsule : {false, true}) {
             const auto stepper = make_cpu_stepper(body, {});
             Tool tool = ball_at(Vec3(30, 3, 14), in(0.3, 3.0));
-            if (capsule) tool.shape.half_axis_mm = Vec3(in(-4, 4), in(-4, 4), in(-2, 2));
+            if (capsule) tool.parts[0].shape.half_axis_mm = Vec3(in(-4, 4), in(-4, 4), in(-2, 2));
             stepper->set_tool(tool);
             for (int k = 0; k < 60; ++k) {
-                const Vec3 centre = stepper->tool()->shape.centre_mm;
+                const Vec3 centre = stepper->tool()->parts[0].shape.centre_mm;
                 const Vec3 goal(in(15, 45), in(-8, 14), k % 16 < 8 ? -10.0 : 16.0);
                 const Vec3 way = goal - centre;
                 stepper->lead_tool(centre +
@@ -95,11 +93,36 @@ TEST(Tool, PassesThroughNothingAtAnySpeed) {
                 const StepReport report = stepper->step(dt_s);
                 touched += report.tool.contacts > 0 ? 1 : 0;
                 ASSERT_GT(least_gap(*stepper, surface), 0.0) << speed_mm_per_s << " mm/s, " << k;
-                for (const Vec3& end : stepper->tool()->shape.axis())
+                for (const Vec3& end : stepper->tool()->parts[0].shape.axis())
                     ASSERT_FALSE(inside(body.mesh, stepper->positions_mm(), end));
                 for (const Vec3& x : stepper->positions_mm()) ASSERT_TRUE(x.allFinite());
             }
         }
+    }
+    EXPECT_GT(touched, 50);
+}
+
+// A rod that is turned to and fro beside and against the bar, by up to a quarter of a turn a step.
+TEST(Tool, TurnsThroughNothingAtAnySpeed) {
+    const BodyDescription body = bar();
+    const SurfacePatches surface(boundary_triangles(body.mesh));
+    int touched = 0;
+    for (const double turn_rad : {0.002, 0.02, 0.2, 1.5}) {
+        const auto stepper = make_cpu_stepper(body, {});
+        Tool tool = ball_at(Vec3(30, 3, 10.5), 1.5);
+        tool.parts[0].shape.half_axis_mm = Vec3(0, 12, 0);
+        tool.force_limit_un = 1e6;
+        stepper->set_tool(tool);
+        for (int k = 0; k < 200; ++k) {
+            if (k % 4 == 0)
+                stepper->turn_tool(Vec3(k % 80 < 40 ? turn_rad : -turn_rad, 0.1 * turn_rad, 0));
+            const StepReport report = stepper->step(dt_s);
+            touched += report.tool.contacts > 0 ? 1 : 0;
+            ASSERT_GT(least_gap(*stepper, surface), 0.0) << turn_rad << ", step " << k;
+            for (const Vec3& end : stepper->tool()->parts[0].shape.axis())
+                ASSERT_FALSE(inside(body.mesh, stepper->positions_mm(), end));
+        }
+        EXPECT_NEAR(stepper->tool()->parts[0].shape.half_axis_mm.norm(), 12.0, 1e-9);
     }
     EXPECT_GT(touched, 50);
 }
@@ -296,23 +319,33 @@ TEST(ToolCheckpoint, EveryFieldCountsInTheHash) {
     ASSERT_TRUE(kept.tool);
     using Change = void (*)(ToolCheckpoint&);
     std::vector<std::uint64_t> seen{hash_of(kept)};
-    for (const Change change : {Change([](auto& c) { c.tool.shape.centre_mm.x() += 1e-9; }),
-                                Change([](auto& c) { c.tool.shape.half_axis_mm.x() += 1e-9; }),
-                                Change([](auto& c) { c.tool.shape.radius_mm += 1e-9; }),
-                                Change([](auto& c) { c.tool.target_mm.x() += 1e-9; }),
-                                Change([](auto& c) { c.tool.led_by_mm.x() += 1e-9; }),
-                                Change([](auto& c) { c.tool.led_over_s += 1e-9; }),
-                                Change([](auto& c) { c.tool.pad_mm += 1e-9; }),
-                                Change([](auto& c) { c.tool.pressure_pa += 1.0; }),
-                                Change([](auto& c) { c.tool.friction += 1e-9; }),
-                                Change([](auto& c) { c.tool.force_limit_un = 5.0; }),
-                                Change([](auto& c) { c.led = !c.led; }),
-                                Change([](auto& c) { c.last_load.force_un.x() += 1.0; }),
-                                Change([](auto& c) { c.last_load.torque_un_mm.x() += 1.0; }),
-                                Change([](auto& c) { c.last_load.impulse_un_s.x() += 1.0; }),
-                                Change([](auto& c) { c.last_load.contacts += 1; }),
-                                Change([](auto& c) { c.last_load.least_gap_mm += 1.0; }),
-                                Change([](auto& c) { c.last_contact += 1.0; })}) {
+    for (const Change change :
+         {Change([](auto& c) { c.tool.parts[0].shape.centre_mm.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.parts[0].shape.half_axis_mm.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.parts[0].shape.radius_mm += 1e-9; }),
+          Change([](auto& c) { c.tool.parts[0].opens.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.parts[0].led_by_mm.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.parts[0].led_half_axis_mm.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.parts.push_back(c.tool.parts[0]); }),
+          Change([](auto& c) { c.tool.opening_mm += 1e-9; }),
+          Change([](auto& c) { c.tool.turn_rad.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.opening_target_mm += 1e-9; }),
+          Change([](auto& c) { c.tool.target_mm.x() += 1e-9; }),
+          Change([](auto& c) { c.tool.led_over_s += 1e-9; }),
+          Change([](auto& c) { c.tool.pad_mm += 1e-9; }),
+          Change([](auto& c) { c.tool.pressure_pa += 1.0; }),
+          Change([](auto& c) { c.tool.friction += 1e-9; }),
+          Change([](auto& c) { c.tool.force_limit_un = 5.0; }),
+          Change([](auto& c) { c.led = !c.led; }),
+          Change([](auto& c) { c.last_load.force_un.x() += 1.0; }),
+          Change([](auto& c) { c.last_load.torque_un_mm.x() += 1.0; }),
+          Change([](auto& c) { c.last_load.impulse_un_s.x() += 1.0; }),
+          Change([](auto& c) { c.last_load.contacts += 1; }),
+          Change([](auto& c) { c.last_load.grip_un += 1.0; }),
+          Change([](auto& c) { c.last_load.at_mm.x() += 1.0; }),
+          Change([](auto& c) { c.last_load.touched.push_back(1 << 20); }),
+          Change([](auto& c) { c.last_load.least_gap_mm += 1.0; }),
+          Change([](auto& c) { c.last_contact += 1.0; })}) {
         StepperCheckpoint other = kept;
         change(*other.tool);
         EXPECT_EQ(hash_of(checkpoint_from_bytes(to_bytes(other))), hash_of(other));

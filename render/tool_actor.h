@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tool as the capsules that it is made of, and the force on it as an arrow with its number. The
+// arrow's length goes with the logarithm of the force, in points of the screen, so that a touch and
+// a push can both be seen.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/frame.h"
+
+class vtkActor;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace hepatica {
+
+// "12 mN", "0.4 mN"; empty below a twentieth of a millinewton, which counts as no force.
+std::string force_text(double force_un);
+
+// Draws into one renderer, which must outlive it; not thread-safe.
+class ToolActor {
+  public:
+    explicit ToolActor(vtkRenderer& renderer);
+    ~ToolActor();
+    ToolActor(const ToolActor&) = delete;
+    ToolActor& operator=(const ToolActor&) = delete;
+
+    // Returns true if the picture is another now.
+    bool update(const std::optional<ToolView>& tool);
+    // Size of one point of the screen at the focal plane, and its pixels.
+    void set_scale(double mm_per_point, double pixel_ratio);
+
+  private:
+    void place_arrow();
+
+    vtkRenderer& renderer_;
+    std::optional<ToolView> shown_;
+    std::vector<vtkSmartPointer<vtkActor>> parts_;
+    vtkSmartPointer<vtkActor> arrow_;
+    vtkSmartPointer<vtkTextActor> label_;  // in front of all
+    double mm_per_point_ = 1.0;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tool in the hand of the mouse: what keys, moves and the wheel send, and what is shown of it.
+#include <QDoubleSpinBox>
+#include <QToolBar>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <numbers>
+
+#include "tests/ui/fake_window_test.h"
+
+namespace hepatica {
+namespace {
+
+class ToolInHand : public testing::FakeWindowTest {
+  protected:
+    ToolInHand() { open_built_in(); }
+
+    void point_at(const QPoint& place) {
+        QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&window_.view(), &move);
+    }
+    void turn_wheel(int notches, Qt::KeyboardModifiers keys = {}) {
+        const QPointF place(window_.view().rect().center());
+        QWheelEvent wheel(place, window_.view().mapToGlobal(place), {}, QPoint(0, 120 * notches),
+                          Qt::NoButton, keys, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&window_.view(), &wheel);
+    }
+    // A tool over the trunk, as a frame shows it.
+    void take(Qt::Key key) {
+        QTest::keyClick(&window_, key);
+        point_at(on_trunk());
+        paint();
+        ASSERT_TRUE(window_.frame().tool);
+    }
+    QAction& action(ActionId id) { return window_.actions()[id]; }
+    ViewAxes axes() { return window_.view().scene().axes(); }
+    template <class T>
+    std::size_t count() const {
+        return commands_of_type<T>().size();
+    }
+};
+
+TEST_F(ToolInHand, comes_where_the_mouse_is_and_once) {
+    QTest::keyClick(&window_, Qt::Key_4);
+    ASSERT_EQ(count<UseTools>(), 1u);
+    EXPECT_TRUE(commands_of_type<UseTools>()[0].on);
+    EXPECT_EQ(count<AddTool>(), 0u) << "nobody knows where yet";
+    point_at(on_trunk());
+    point_at(on_trunk() + QPoint(1, 0));
+    ASSERT_EQ(count<AddTool>(), 1u);
+    const AddTool tool = commands_of_type<AddTool>()[0];
+    EXPECT_EQ(tool.kind, "sphere");
+    EXPECT_NEAR(tool.point_mm.z(), half_way_up_the_trunk_mm, 2.0);
+    EXPECT_LT((tool.point_mm - Vec3(0, 0, tool.point_mm.z())).norm(), 7.0) << "on the trunk's wall";
+    EXPECT_GT(tool.direction.dot(axes().forward), 0.97);
+    EXPECT_EQ(count<GrabPoint>(), 0u);
+}
+
+TEST_F(ToolInHand, follows_the_mouse_in_the_plane_of_the_picture) {
+    take(Qt::Key_4);
+    const double depth = window_.frame().tool->tip_mm.dot(axes().forward);
+    for (const QPoint by : {QPoint(30, 0), QPoint(30, -40), QPoint(-70, 12)}) {
+        point_at(on_trunk() + by);
+        const Vec3 target = commands_of_type<MoveTool>().back().target_mm;
+        EXPECT_LE((on_widget(target) - on_trunk() - by).manhattanLength(), 2);
+        EXPECT_NEAR(target.dot(axes().forward), depth, 1e-9);
+        paint();
+    }
+    EXPECT_EQ(count<AddTool>(), 1u);
+}
+
+TEST_F(ToolInHand, of_a_rod_the_mouse_leads_the_tip) {
+    take(Qt::Key_5);
+    EXPECT_EQ(commands_of_type<AddTool>().back().kind, "capsule");
+    EXPECT_EQ(commands_of_type<AddTool>().back().length_mm, 30.0);
+    point_at(on_trunk() + QPoint(50, 20));
+    paint();
+    EXPECT_LE(
+        (on_widget(window_.frame().tool->tip_mm) - on_trunk() - QPoint(50, 20)).manhattanLength(),
+        2);
+}
+
+TEST_F(ToolInHand, the_wheel_moves_it_in_depth_and_control_zooms) {
+    take(Qt::Key_4);
+    const Vec3 before = window_.frame().tool->tip_mm;
+    turn_wheel(3);
+    const Vec3 target = commands_of_type<MoveTool>().back().target_mm;
+    EXPECT_NEAR((target - before).dot(axes().forward), 3.0, 1e-9);
+    const std::size_t moves = count<MoveTool>();
+    const Pixel tip = window_.view().scene().pixel_of(Vec3(30, 0, 40));
+    turn_wheel(2, Qt::ControlModifier);
+    const Pixel zoomed = window_.view().scene().pixel_of(Vec3(30, 0, 40));
+    EXPECT_GT(std::hypot(zoomed.x - tip.x, zoomed.y - tip.y), 5.0);
+    EXPECT_EQ(count<MoveTool>(), moves);
+}
+
+TEST_F(ToolInHand, keys_turn_it_in_the_plane_of_the_picture) {
+    take(Qt::Key_5);
+    QTest::keyClick(&window_, Qt::Key_T);
+    QTest::keyClick(&window_, Qt::Key_T, Qt::ShiftModifier);
+    const auto turns = commands_of_type<TurnTool>();
+    ASSERT_EQ(turns.size(), 2u);
+    // Against the clock, as one sees it.
+    const Vec3 turned =
+        Eigen::AngleAxisd(turns[0].by_rad.norm(), turns[0].by_rad.normalized()) * axes().right;
+    EXPECT_NEAR(turned.dot(axes().up), std::sin(std::numbers::pi / 12.0), 1e-9);
+    EXPECT_LT((turns[0].by_rad + turns[1].by_rad).norm(), 1e-12);
+}
+
+TEST_F(ToolInHand, escape_puts_it_away_and_another_mode_too) {
+    for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_2, Qt::Key_3, Qt::Key_1}) {
+        take(Qt::Key_4);
+        QTest::keyClick(&window_, key);
+        paint();
+        EXPECT_FALSE(window_.frame().tool);
+        EXPECT_FALSE(commands_of_type<UseTools>().back().on);
+        const std::size_t tools = count<AddTool>(), moves = count<MoveTool>();
+        point_at(on_trunk() + QPoint(9, 9));
+        EXPECT_EQ(count<AddTool>(), tools);
+        EXPECT_EQ(count<MoveTool>(), moves);
+    }
+    EXPECT_EQ(count<UseTools>(), 8u);
+    QTest::keyClick(&window_, Qt::Key_2);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::inject) << "there was no tool";
+}
+
+TEST_F(ToolInHand, another_tool_takes_its_place) {
+    take(Qt::Key_4);
+    QTest::keyClick(&window_, Qt::Key_5);
+    EXPECT_EQ(count<UseTools>(), 1u);
+    ASSERT_EQ(count<AddTool>(), 2u);
+    EXPECT_EQ(commands_of_type<AddTool>().back().kind, "capsule");
+}
+
+TEST_F(ToolInHand, drags_turn_the_view_and_leave_it_where_it_is) {
+    take(Qt::Key_4);
+    const std::size_t before = simulation_->commands().size();
+    const Vec3 forward = axes().forward;
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    QTest::mouseMove(&window_.view(), on_trunk() + QPoint(60, 10));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk() + QPoint(60, 10));
+    EXPECT_LT(forward.dot(axes().forward), 0.99);
+    EXPECT_EQ(simulation_->commands().size(), before);
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    EXPECT_EQ(count<InjectDrug>(), 0u);
+}
+
+TEST_F(ToolInHand, its_radius_is_set_in_the_panel) {
+    take(Qt::Key_4);
+    const Vec3 tip = window_.frame().tool->tip_mm;
+    window_.findChild<QDoubleSpinBox*>("toolRadius")->setValue(4.5);
+    ASSERT_EQ(count<AddTool>(), 2u);
+    EXPECT_EQ(commands_of_type<AddTool>().back().radius_mm, 4.5);
+    EXPECT_EQ(commands_of_type<AddTool>().back().point_mm, tip);
+    EXPECT_FALSE(window_.findChild<QDoubleSpinBox*>("toolLength")->isEnabled());
+    QTest::keyClick(&window_, Qt::Key_5);
+    EXPECT_TRUE(window_.findChild<QDoubleSpinBox*>("toolLength")->isEnabled());
+    EXPECT_EQ(commands_of_type<AddTool>().back().radius_mm, 4.5);
+}
+
+TEST_F(ToolInHand, the_panel_says_what_it_feels) {
+    auto* force = window_.findChild<QLabel*>("toolForce");
+    wait_for_figures();
+    EXPECT_EQ(force->text(), "no tool");
+    take(Qt::Key_4);
+    wait_for_figures();
+    EXPECT_EQ(force->text(), "touches nothing");
+    point_at(on_trunk() + QPoint(40, 0));
+    paint();
+    wait_for_figures();
+    const double felt_un = window_.frame().tool->force_un.norm();
+    EXPECT_EQ(force->text(), QString("Force %1 mN").arg(1e-3 * felt_un, 0, 'f', 1));
+}
+
+TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {
+    take(Qt::Key_4);
+    QTest::keyClick(&window_, Qt::Key_Backspace);
+    paint();
+    EXPECT_FALSE(window_.frame().tool);
+    point_at(on_trunk() + QPoint(0, 5));
+    EXPECT_EQ(count<AddTool>(), 2u);
+}
+
+TEST_F(ToolInHand, a_new_patient_is_told_that_there_will_be_tools) {
+    take(Qt::Key_4);
+    open_built_in();
+    EXPECT_EQ(count<UseTools>(), 1u) << "of the new simulation";
+    point_at(on_trunk());
+    EXPECT_EQ(count<AddTool>(), 1u);
+}
+
+TEST_F(ToolInHand, stands_in_the_tool_bar_with_icon_key_and_tip) {
+    auto* bar = window_.findChild<QToolBar*>("Tools");
+    for (const ActionId id : {ActionId::pull_mode, ActionId::sphere_tool, ActionId::capsule_tool}) {
+        EXPECT_TRUE(bar->actions().contains(&action(id)));
+        const QImage icon = action(id).icon().pixmap(32, 32).toImage();
+        int painted = 0;
+        for (int y = 0; y < icon.height(); ++y)
+            for (int x = 0; x < icon.width(); ++x) painted += qAlpha(icon.pixel(x, y)) > 0;
+        EXPECT_GT(painted, 50);
+        EXPECT_FALSE(action(id).shortcut().isEmpty());
+        EXPECT_TRUE(action(id).toolTip().contains(action(id).shortcut().toString()));
+    }
+    QTest::keyClick(&window_, Qt::Key_5);
+    EXPECT_TRUE(action(ActionId::capsule_tool).isChecked());
+    EXPECT_FALSE(action(ActionId::pull_mode).isChecked());
+}
+
+}  // namespace
+}  // namespace hepatica

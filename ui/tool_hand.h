@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tool in the hand of the mouse, without any toolkit. It comes into the picture where the mouse
+// is; then its tip follows the mouse in a plane parallel to the picture, which the wheel moves in
+// depth. What it meets stops it, and it goes on when there is room. A scene builds what tools need
+// when the first is taken in hand, and lets go of it when the last is put away.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/session/command.h"
+#include "render/scene_view.h"
+
+namespace hepatica {
+
+// What a person chooses of a tool; ranges as in ToolChoice.
+struct ToolSize {
+    double radius_mm = 2.0;
+    double length_mm = 30.0;  // means nothing to a sphere
+};
+
+// UI thread; view must outlive it.
+class ToolHand {
+  public:
+    ToolHand(SceneView& view, std::function<void(Command)> post);
+
+    // The tool of this kind in place of another.
+    void take(const std::string& kind);
+    void put_away();
+    bool holds() const { return !kind_.empty(); }
+    const std::string& kind() const { return kind_; }
+
+    // A tool that is there comes again, with the other size, to where its tip was.
+    void set_size(const ToolSize& size);
+
+    // What the newest frame shows.
+    void follow(const std::optional<ToolView>& tool);
+    // A simulation has begun that knows of no tool.
+    void begin_again();
+
+    void move(const Pixel& at);
+    // Brings a tool that was refused once more.
+    void press(const Pixel& at);
+    // By notches of the wheel, away from the user.
+    void shift_depth(double steps);
+    // In the plane of the picture, against the clock.
+    void turn(double angle_rad);
+
+  private:
+    void bring(const Vec3& tip_mm, const Vec3& direction);
+    void bring_to(const Pixel& at);
+
+    SceneView& view_;
+    std::function<void(Command)> post_;
+    std::string kind_;  // empty: the hand is empty
+    ToolSize size_;
+    std::optional<ToolView> seen_;
+    bool asked_ = false;            // it was sent for, and no frame has shown it yet
+    Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip is led
+    std::optional<Pixel> mouse_at_;
+};
+
+}  // namespace hepatica
