@@ -147,10 +147,19 @@ void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
 // From the tool's other side, away from what presses it.
 void ToolActor::place_arrow() {
     const double force_un = shown_ ? shown_->force_un.norm() : 0.0;
-    const std::string text = force_text(force_un);
-    arrow_->SetVisibility(!text.empty());
-    label_->SetVisibility(!text.empty());
-    if (text.empty()) return;
+    const std::string force = force_text(force_un);
+    const std::string grip = shown_ ? force_text(shown_->grip_un) : std::string();
+    arrow_->SetVisibility(!force.empty());
+    label_->SetVisibility(!force.empty() || !grip.empty());
+    if (force.empty() && grip.empty()) return;
+    const std::string text =
+        force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
+    label_->SetInput((" " + text).c_str());  // beside the arrow's head
+    if (force.empty()) {
+        label_->GetPositionCoordinate()->SetValue(shown_->tip_mm.x(), shown_->tip_mm.y(),
+                                                  shown_->tip_mm.z());
+        return;
+    }
     const Vec3 along = shown_->force_un / force_un;
     const double length = points_a_decade * std::log10(1.0 + 1e-3 * force_un / 0.3) * mm_per_point_;
     const Vec3 from = shown_->at_mm + 2.0 * shown_->parts.front().radius_mm * along;
@@ -165,7 +174,6 @@ void ToolActor::place_arrow() {
     arrow_->SetUserMatrix(place);
     const Vec3 tip = from + length * along;
     label_->GetPositionCoordinate()->SetValue(tip.x(), tip.y(), tip.z());
-    label_->SetInput((" " + text).c_str());  // beside the arrow's head
 }
 
 }  // namespace hepatica

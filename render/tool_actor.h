@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool as the capsules that it is made of, and the force on it as an arrow with its number. The
+// A tool as the capsules that it is made of, and the force on it as an arrow with its number, and
+// that of its grip. The
 // arrow's length goes with the logarithm of the force, in points of the screen, so that a touch and
 // a push can both be seen.
 #pragma once

@@ -11,12 +11,14 @@
 #include <QStyle>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <utility>
 
+#include "core/scene/vessel_direction.h"
 #include "ui/case_editing.h"
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
@@ -40,9 +42,11 @@ namespace {
 
 constexpr double turn_rad = std::numbers::pi / 12.0;  // of one key
 
-constexpr std::array<std::pair<ActionId, const char*>, 2> tools{{
+constexpr std::array<std::pair<ActionId, const char*>, 4> tools{{
     {ActionId::sphere_tool, "sphere"},
     {ActionId::capsule_tool, "capsule"},
+    {ActionId::forceps_tool, "forceps"},
+    {ActionId::hook_tool, "hook"},
 }};
 
 constexpr std::array<std::pair<ActionId, ViewDirection>, 6> views{{
@@ -111,16 +115,20 @@ void MainWindow::build_view() {
     column->setSpacing(0);
     messages_ = new MessageBar(centre);
     progress_ = new ProgressStrip([this] { cancel_job(); }, centre);
-    view_ =
-        new VtkWidget({[this](Command command) { post(std::move(command)); },
-                       [this](const SurfacePick& pick) { inject(pick); },
-                       [this](const SurfacePick& pick) { show_hover(pick); },
-                       [this](const SurfacePick& pick) {
-                           if (patient_)
-                               editing_->click(patient_->anatomy.tree_point(pick.nearest_vertex));
-                       },
-                       [this](int bridge) { editing_->accept(bridge); }},
-                      centre);
+    view_ = new VtkWidget(
+        {[this](Command command) { post(std::move(command)); },
+         [this](const SurfacePick& pick) { inject(pick); },
+         [this](const SurfacePick& pick) { show_hover(pick); },
+         [this](const SurfacePick& pick) {
+             if (patient_) editing_->click(patient_->anatomy.tree_point(pick.nearest_vertex));
+         },
+         [this](int bridge) { editing_->accept(bridge); },
+         [this](const SurfacePick& pick) {
+             if (!patient_) return Vec3(Vec3::Zero());
+             return vessel_direction(patient_->patient->tree,
+                                     patient_->anatomy.tree_point(pick.nearest_vertex));
+         }},
+        centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
     column->addWidget(view_, 1);
@@ -196,6 +204,9 @@ void MainWindow::build_tool_bar() {
     for (const auto& [id, kind] : tools) {
         modes->addAction(&(*actions_)[id]);
         bar->addAction(&(*actions_)[id]);
+        // Their icons say enough, and the bar has little room.
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&(*actions_)[id])))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
     bar->addSeparator();
     bar->addAction(&(*actions_)[ActionId::play_pause]);
@@ -253,6 +264,7 @@ void MainWindow::connect_tools() {
     hand.set_size(tool_panel_->size());
     actions_->on(ActionId::turn_tool, [&hand] { hand.turn(turn_rad); });
     actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });
+    actions_->on(ActionId::close_or_open, [&hand] { hand.close_or_open(); });
     actions_->on(ActionId::put_tool_away, [this] {
         if (view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
     });

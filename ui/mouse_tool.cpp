@@ -7,7 +7,9 @@
 namespace hepatica {
 
 MouseTool::MouseTool(SceneView& view, Callbacks callbacks)
-    : view_(view), callbacks_(std::move(callbacks)), hand_(view, callbacks_.post) {}
+    : view_(view),
+      callbacks_(std::move(callbacks)),
+      hand_(view, callbacks_.post, callbacks_.vessel_direction) {}
 
 void MouseTool::set_mode(MouseMode mode) {
     cancel();

@@ -36,6 +36,8 @@ class MouseTool {
         std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
         std::function<void(const SurfacePick& pick)> edit;    // the user chose it in edit mode
         std::function<void(int bridge)> accept_bridge;        // of those that the view shows
+        // Which way the vessel runs there; 0 where that is not known.
+        std::function<Vec3(const SurfacePick& pick)> vessel_direction;
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 

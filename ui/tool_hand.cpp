@@ -14,10 +14,26 @@ Vec3 way_of_instrument(const ViewAxes& axes) {
     return (0.5 * axes.forward - 0.62 * axes.right + 0.6 * axes.up).normalized();
 }
 
+// As jaws come that are to take a vessel between them: into the picture, leaning along it.
+Vec3 way_to_take(const ViewAxes& axes, const Vec3& vessel) {
+    const Vec3 seen = vessel - vessel.dot(axes.forward) * axes.forward;
+    if (seen.norm() < 0.1) return way_of_instrument(axes);
+    const Vec3 along = (seen.dot(axes.right - axes.up) < 0.0 ? -seen : seen).normalized();
+    return 0.8 * axes.forward - 0.6 * along;
+}
+
+// Jaws open, and a foot points, across the instrument as one sees it, to the upper side.
+Vec3 side_in_picture(const ViewAxes& axes, const Vec3& direction) {
+    const Vec3 across = axes.forward.cross(direction);
+    const Vec3 side = across.isZero(1e-6) ? axes.right : Vec3(across.normalized());
+    return side.dot(axes.up) < 0.0 ? Vec3(-side) : side;
+}
+
 }  // namespace
 
-ToolHand::ToolHand(SceneView& view, std::function<void(Command)> post)
-    : view_(view), post_(std::move(post)) {}
+ToolHand::ToolHand(SceneView& view, std::function<void(Command)> post,
+                   VesselDirection vessel_direction)
+    : view_(view), post_(std::move(post)), vessel_direction_(std::move(vessel_direction)) {}
 
 void ToolHand::take(const std::string& kind) {
     if (kind_.empty()) post_(UseTools{true});
@@ -87,18 +103,29 @@ void ToolHand::turn(double angle_rad) {
     if (seen_ && kind_ != "sphere") post_(TurnTool{-angle_rad * view_.axes().forward});
 }
 
+void ToolHand::close_or_open() {
+    if (!seen_ || kind_ != "forceps") return;
+    post_(closed_ ? Command(OpenForceps{}) : Command(CloseForceps{}));
+    closed_ = !closed_;
+}
+
 // To the vessel under the mouse, or as deep as what the picture is about.
 void ToolHand::bring_to(const Pixel& at) {
     const ViewAxes axes = view_.axes();
     const SurfacePick pick = view_.pick(at);
+    const bool takes = kind_ == "forceps" || kind_ == "hook";
+    const Vec3 vessel = pick.triangle >= 0 && takes ? vessel_direction_(pick) : Vec3(Vec3::Zero());
     bring(pick.triangle >= 0 ? pick.position_mm : view_.point_at_depth(at, axes.focus_mm),
-          kind_ == "sphere" ? view_.ray_through(at).direction : way_of_instrument(axes));
+          kind_ == "sphere" ? view_.ray_through(at).direction : way_to_take(axes, vessel));
 }
 
 void ToolHand::bring(const Vec3& tip_mm, const Vec3& direction) {
     const double length_mm = kind_ == "sphere" ? 0.0 : size_.length_mm;
-    post_(AddTool{kind_, size_.radius_mm, length_mm, direction, tip_mm});
+    AddTool tool{kind_, size_.radius_mm, length_mm, direction, tip_mm};
+    if (kind_ == "forceps" || kind_ == "hook") tool.side = side_in_picture(view_.axes(), direction);
+    post_(tool);
     seen_.reset();
+    closed_ = false;
     asked_ = true;
 }
 

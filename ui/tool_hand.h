@@ -23,7 +23,8 @@ struct ToolSize {
 // UI thread; view must outlive it.
 class ToolHand {
   public:
-    ToolHand(SceneView& view, std::function<void(Command)> post);
+    using VesselDirection = std::function<Vec3(const SurfacePick& pick)>;
+    ToolHand(SceneView& view, std::function<void(Command)> post, VesselDirection vessel_direction);
 
     // The tool of this kind in place of another.
     void take(const std::string& kind);
@@ -46,6 +47,8 @@ class ToolHand {
     void shift_depth(double steps);
     // In the plane of the picture, against the clock.
     void turn(double angle_rad);
+    // Forceps alone: closes jaws that are led to be open, and opens others.
+    void close_or_open();
 
   private:
     void bring(const Vec3& tip_mm, const Vec3& direction);
@@ -53,9 +56,11 @@ class ToolHand {
 
     SceneView& view_;
     std::function<void(Command)> post_;
+    VesselDirection vessel_direction_;
     std::string kind_;  // empty: the hand is empty
     ToolSize size_;
     std::optional<ToolView> seen_;
+    bool closed_ = false;           // jaws are led to be
     bool asked_ = false;            // it was sent for, and no frame has shown it yet
     Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip is led
     std::optional<Pixel> mouse_at_;

@@ -61,6 +61,17 @@ void draw_rod(QPainter& p) {
     p.drawLine(QPointF(11, 12), QPointF(4.2, 4.4));
 }
 
+void draw_forceps(QPainter& p) {
+    p.setPen(pen(bright, 2.0));
+    p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(7, 10.5), QPointF(2, 4.5)}));
+    p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(10.5, 7), QPointF(4.5, 2)}));
+}
+
+void draw_hook(QPainter& p) {
+    p.setPen(pen(bright, 2.4));
+    p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(4.5, 4.5), QPointF(9.5, 2.5)}));
+}
+
 Draw draw_of(ActionId id) {
     switch (id) {
         case ActionId::pull_mode:
@@ -73,6 +84,10 @@ Draw draw_of(ActionId id) {
             return draw_ball;
         case ActionId::capsule_tool:
             return draw_rod;
+        case ActionId::forceps_tool:
+            return draw_forceps;
+        case ActionId::hook_tool:
+            return draw_hook;
         default:
             return nullptr;
     }

@@ -27,6 +27,10 @@ ToolPanel::ToolPanel(std::function<void(const ToolSize&)> resize, QWidget* paren
     force_->setObjectName("toolForce");
     force_->setAccessibleName("Force on the tool");
     lines->addWidget(force_);
+    grip_ = new QLabel(felt);
+    grip_->setObjectName("toolGrip");
+    grip_->setAccessibleName("Force with which the jaws hold");
+    lines->addWidget(grip_);
     column->addWidget(felt);
     help_ = new QLabel(this);
     help_->setObjectName("quiet");
@@ -66,11 +70,14 @@ void ToolPanel::show_kind(const std::string& kind) {
     help_->setText(kind.empty()
                        ? "Take a tool from the bar above the view."
                        : "The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
-                         "zooms), T and Shift + T turn it. Esc puts it away.");
+                         "zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it "
+                         "away.");
 }
 
 void ToolPanel::show_tool(const std::optional<ToolView>& tool) {
     const std::string force = tool ? force_text(tool->force_un.norm()) : std::string();
+    const std::string grip = tool ? force_text(tool->grip_un) : std::string();
+    grip_->setText(grip.empty() ? QString() : "Grip " + QString::fromStdString(grip));
     force_->setText(!tool           ? QString("no tool")
                     : force.empty() ? QString("touches nothing")
                                     : "Force " + QString::fromStdString(force));

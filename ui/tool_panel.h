@@ -28,6 +28,7 @@ class ToolPanel : public QWidget {
     DecimalSpinBox* radius_ = nullptr;
     DecimalSpinBox* length_ = nullptr;
     QLabel* force_ = nullptr;
+    QLabel* grip_ = nullptr;
     QLabel* help_ = nullptr;
 };
 

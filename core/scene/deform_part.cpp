@@ -201,6 +201,15 @@ void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     stepper_->set_tool(tool);
 }
 
+void DeformPart::lead_jaws(bool open, double share) {
+    if (!tool()) return;
+    const double widest = widest_opening_mm(*tool()), led = tool()->opening_target_mm;
+    if (widest == 0.0)
+        throw InputError("has no jaws", "the tool", "Take the forceps to open and close them");
+    const double goal = open ? widest : 0.0;
+    stepper_->open_tool(share == 1.0 ? goal : led + share * (goal - led));
+}
+
 std::optional<ToolView> DeformPart::tool_view() const {
     const std::optional<Tool>& tool = stepper_->tool();
     if (!tool) return std::nullopt;

@@ -74,10 +74,12 @@ class DeformPart {
     void add_tool(const ToolChoice& choice, const Vec3& towards_mm);
     // Where its centre is led to from the next step on. Without a tool it does nothing.
     void lead_tool(const Vec3& target_mm) { stepper_->lead_tool(target_mm); }
-    // How far it is to turn about its centre beside what is left of earlier turns; how far its jaws
-    // are to open, >= 0.
+    // How far it is to turn about its centre beside what is left of earlier turns.
     void turn_tool(const Vec3& by_rad) { stepper_->turn_tool(by_rad); }
-    void open_tool(double opening_mm) { stepper_->open_tool(opening_mm); }
+    // Jaws are led a share of the way from how far they are to open now: to 0, or to the widest.
+    // Throws InputError for a tool without jaws; without a tool it does nothing.
+    void close_jaws(double share) { lead_jaws(false, share); }
+    void open_jaws(double share) { lead_jaws(true, share); }
     void remove_tool() { stepper_->set_tool(std::nullopt); }
     const std::optional<Tool>& tool() const { return stepper_->tool(); }
     std::optional<ToolView> tool_view() const;
@@ -124,6 +126,7 @@ class DeformPart {
     bool plausible() const;
 
   private:
+    void lead_jaws(bool open, double share);
     void give_state(Stepper& stepper, const BodyState& state) const;
     void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Around the place of a vertex; the held point is where the hand is.

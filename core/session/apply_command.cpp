@@ -10,6 +10,16 @@
 
 namespace hepatica {
 
+namespace {
+
+double checked_share(double share) {
+    if (share >= 0.0 && share <= 1.0) return share;
+    throw InputError("is " + std::to_string(share), "the share of the tool's way",
+                     "Choose a value from 0 to 1");
+}
+
+}  // namespace
+
 struct Session::Apply {
     Session& session;
     World& world;
@@ -36,12 +46,14 @@ struct Session::Apply {
 
     // The tool.
     void operator()(const AddTool& c) const {
-        deform().add_tool({c.kind, c.radius_mm, c.length_mm, c.direction}, c.point_mm);
+        deform().add_tool({c.kind, c.radius_mm, c.length_mm, c.direction, c.side}, c.point_mm);
     }
     void operator()(const MoveTool& c) const;
     void operator()(const ShiftTool& c) const;
     void operator()(const RemoveTool&) const { deform().remove_tool(); }
     void operator()(const TurnTool& c) const { deform().turn_tool(c.by_rad); }
+    void operator()(const CloseForceps& c) const { deform().close_jaws(checked_share(c.share)); }
+    void operator()(const OpenForceps& c) const { deform().open_jaws(checked_share(c.share)); }
     void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
 
     // The drug.
@@ -74,9 +86,7 @@ struct Session::Apply {
 };
 
 void Session::Apply::operator()(const MoveTool& c) const {
-    if (!(c.share >= 0.0 && c.share <= 1.0))
-        throw InputError("is " + std::to_string(c.share), "the share of the tool's way",
-                         "Choose a value from 0 to 1");
+    checked_share(c.share);
     if (!deform().tool()) return;
     const Vec3 led = deform().tool()->target_mm;
     deform().lead_tool(c.share == 1.0 ? c.target_mm : Vec3(led + c.share * (c.target_mm - led)));

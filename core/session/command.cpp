@@ -39,6 +39,7 @@ void fields(AddTool& c, Visitor& v) {
     v("length_mm", c.length_mm);
     v("direction", c.direction);
     v("point_mm", c.point_mm);
+    v("side", c.side);
 }
 template <class Visitor>
 void fields(MoveTool& c, Visitor& v) {
@@ -54,6 +55,14 @@ void fields(RemoveTool&, Visitor&) {}
 template <class Visitor>
 void fields(TurnTool& c, Visitor& v) {
     v("by_rad", c.by_rad);
+}
+template <class Visitor>
+void fields(CloseForceps& c, Visitor& v) {
+    v("share", c.share);
+}
+template <class Visitor>
+void fields(OpenForceps& c, Visitor& v) {
+    v("share", c.share);
 }
 template <class Visitor>
 void fields(UseTools& c, Visitor& v) {
@@ -119,13 +128,13 @@ void fields(RestoreSnapshot&, Visitor&) {}
 
 // Names in the order of the variant's alternatives.
 constexpr std::array<const char*, std::variant_size_v<Command>> names{
-    "grab_point",     "grab_vertex", "move_grab",        "release_grab",
-    "inject_drug",    "remove_drug", "play_drug",        "set_drug_time",
-    "set_drug_speed", "set_gravity", "set_tether",       "set_quality",
-    "set_paused",     "reset_world", "restore_snapshot", "set_automatic_quality",
-    "use_setting",    "set_wall",    "finish_injection", "add_tool",
-    "move_tool",      "shift_tool",  "remove_tool",      "turn_tool",
-    "use_tools"};
+    "grab_point",     "grab_vertex",   "move_grab",        "release_grab",
+    "inject_drug",    "remove_drug",   "play_drug",        "set_drug_time",
+    "set_drug_speed", "set_gravity",   "set_tether",       "set_quality",
+    "set_paused",     "reset_world",   "restore_snapshot", "set_automatic_quality",
+    "use_setting",    "set_wall",      "finish_injection", "add_tool",
+    "move_tool",      "shift_tool",    "remove_tool",      "turn_tool",
+    "use_tools",      "close_forceps", "open_forceps"};
 
 struct Writer {
     Json& json;
@@ -138,8 +147,9 @@ struct Writer {
         json[name] = {value.x(), value.y(), value.z()};
     }
     void operator()(const char* name, const StepperOptions& value) { json[name] = to_json(value); }
-    void operator()(const char* name, const std::optional<double>& value) {
-        if (value) json[name] = *value;
+    template <class T>
+    void operator()(const char* name, const std::optional<T>& value) {
+        if (value) (*this)(name, *value);
     }
 };
 
@@ -170,11 +180,9 @@ struct Reader {
         (*this)(name, setting);
         value = setting_from_json(setting);
     }
-    void operator()(const char* name, std::optional<double>& value) {
-        if (!json.contains(name)) return;
-        double number = 0.0;
-        (*this)(name, number);
-        value = number;
+    template <class T>
+    void operator()(const char* name, std::optional<T>& value) {
+        if (json.contains(name)) (*this)(name, value.emplace());
     }
     [[noreturn]] void refuse(const char* name, const std::string& problem) const {
         throw InputError(problem, std::string("command ") + command + ", field " + name,

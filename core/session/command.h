@@ -32,11 +32,12 @@ struct ReleaseGrab {};
 // A tool comes towards the point from outside, until it is about to touch something. Replaces a
 // tool that is there. See ToolChoice.
 struct AddTool {
-    std::string kind = "sphere";  // sphere or capsule
+    std::string kind = "sphere";  // sphere, capsule, forceps or hook
     double radius_mm = 3.0;
     double length_mm = 0.0;
     Vec3 direction = Vec3::UnitZ();
     Vec3 point_mm = Vec3::Zero();
+    std::optional<Vec3> side{};
 };
 // Where the tool's centre is led: a share of the way from where it is led now to the target.
 // Without a tool this and the next do nothing.
@@ -52,6 +53,14 @@ struct RemoveTool {};
 // It is turned that much further about its centre: along the axis, as long as the angle in radians.
 struct TurnTool {
     Vec3 by_rad = Vec3::Zero();
+};
+// The forceps' jaws are led a share of the way from how far they are to open now: to closed, or to
+// wide open.
+struct CloseForceps {
+    double share = 1.0;  // 0 to 1
+};
+struct OpenForceps {
+    double share = 1.0;  // 0 to 1
 };
 // Builds what tools need in a scene that has not named them, or lets go of it and of a tool.
 struct UseTools {
@@ -122,11 +131,11 @@ struct ResetWorld {};
 // away.
 struct RestoreSnapshot {};
 
-using Command =
-    std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
-                 SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
-                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
-                 FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool, TurnTool, UseTools>;
+using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
+                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
+                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
+                             UseSetting, SetWall, FinishInjection, AddTool, MoveTool, ShiftTool,
+                             RemoveTool, TurnTool, UseTools, CloseForceps, OpenForceps>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -63,8 +63,9 @@ Command command_of(const std::string& name, Json action, Command defaults) {
 // {"do": "tool", "tool": "sphere", ...}: the rest are the command's own keys.
 Command tool_of(Json action) {
     const auto kind = action.find("tool");
-    if (kind == action.end() || (*kind != "sphere" && *kind != "capsule"))
-        refuse(R"(needs a "tool" that is "sphere" or "capsule")");
+    const auto is = [&](const char* name) { return kind != action.end() && *kind == name; };
+    if (!is("sphere") && !is("capsule") && !is("forceps") && !is("hook"))
+        refuse(R"(needs a "tool" that is "sphere", "capsule", "forceps" or "hook")");
     action["kind"] = *kind;
     action.erase("tool");
     return command_of("add_tool", action, AddTool{});
@@ -95,6 +96,8 @@ ScriptAction action_from(const Json& json) {
             action.to_mm = vector_of(json, "to_mm");
         else
             action.by_mm = vector_of(json, "by_mm");
+        action.over_s = number(json, "over_s", 0.0);
+    } else if (action.what == "close_forceps" || action.what == "open_forceps") {
         action.over_s = number(json, "over_s", 0.0);
     } else if (action.what == "release") {
         action.command = ReleaseGrab{};
@@ -215,6 +218,15 @@ std::vector<std::vector<Command>> schedule(const Script& script, const VesselTre
                     add(first + i, MoveTool{*action.to_mm, 1.0 / left});
                 else
                     add(first + i, ShiftTool{action.by_mm / static_cast<double>(moves)});
+            }
+        } else if (action.what == "close_forceps" || action.what == "open_forceps") {
+            const long moves = std::max(1L, step_at(action.over_s));
+            for (long i = 0; i < moves; ++i) {
+                const double share = 1.0 / static_cast<double>(moves - i);
+                if (action.what == "close_forceps")
+                    add(first + i, CloseForceps{share});
+                else
+                    add(first + i, OpenForceps{share});
             }
         } else if (action.what == "inject") {
             InjectDrug injection = std::get<InjectDrug>(*action.command);

@@ -24,12 +24,13 @@ struct ScriptPlace {
 
 struct ScriptAction {
     double at_s = 0.0;
-    // grab, move, release, inject, tool, move_tool, or the name of a plain command
+    // grab, move, release, inject, tool, move_tool, close_forceps, open_forceps, or the name of a
+    // plain command
     std::string what;
     ScriptPlace place{};          // of grab, inject and tool
     Vec3 by_mm = Vec3::Zero();    // of move and move_tool: displacement from the present target
     std::optional<Vec3> to_mm{};  // of move_tool, instead of by_mm
-    double over_s = 0.0;          // of both: duration, at constant speed
+    double over_s = 0.0;          // of these and of forceps: duration, at constant speed
     std::optional<Command> command{};  // of a plain command, or of inject and tool with settings
 };
 
@@ -48,6 +49,9 @@ struct Script {
 //     "direction": [0, 0, -1], "where": {"share_of_longest_path": 0.5}},
 //    {"at_s": 2.5, "do": "move_tool", "by_mm": [0, 0, -10], "over_s": 1},   (or "to_mm")
 //    {"at_s": 4,   "do": "remove_tool"},
+//    {"at_s": 4.5, "do": "tool", "tool": "forceps", "radius_mm": 1.5, "length_mm": 20,
+//     "direction": [0, 1, 0], "side": [0, 0, 1], "where": {"share_of_longest_path": 0.5}},
+//    {"at_s": 5,   "do": "close_forceps", "over_s": 0.5},               (and "open_forceps")
 //    {"at_s": 3,   "do": "set_gravity", "gravity_mm_per_s2": [0, 9806.65, 0]}]}
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);

@@ -75,6 +75,9 @@ TEST_F(SceneElements, a_tool_its_arrow_its_number_and_what_it_touches_are_each_s
     EXPECT_FALSE(look_alike(without_force, whole));
     for (const Box& box : {Box{"arrow", 185, 150, 230, 175}, Box{"number", 231, 133, 300, 155}})
         EXPECT_FALSE(look_alike(with_box_of(without_force, box, whole), whole)) << box.element;
+    less.tool->grip_un = 21e3;
+    EXPECT_FALSE(look_alike(picture_of(less), without_force)) << "grip";
+    less.tool->grip_un = 0.0;
     less.tool->touched.clear();
     const Picture untouched = picture_of(less);
     EXPECT_FALSE(look_alike(untouched, without_force));

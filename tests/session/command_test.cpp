@@ -44,7 +44,10 @@ std::vector<Command> one_of_each() {
             ShiftTool{Vec3(1, odd, 3)},
             RemoveTool{},
             TurnTool{Vec3(odd, 0, -1)},
-            UseTools{false}};
+            UseTools{false},
+            AddTool{"hook", 1.0, odd, Vec3(0, odd, 1), Vec3(1, 2, odd), Vec3(odd, 1, 0)},
+            CloseForceps{odd},
+            OpenForceps{0.5}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

@@ -144,6 +144,71 @@ TEST(ToolSession, ToolsComeAndGoWithTheirPartOfTheScene) {
     }
 }
 
+// Forceps around a vessel close, hold it, lift it and let it go; it all plays again.
+TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
+    const auto session = new_session(touchable());
+    const auto recording = keep_recording(*session);
+    const VesselTree& tree = small_patient()->tree;
+    const auto& line = tree.segments[1].points_mm;
+    const std::size_t m = line.size() / 2;
+    const Vec3 along = (line[m + 1] - line[m - 1]).normalized();
+    const Vec3 from = along.unitOrthogonal();
+    AddTool forceps{"forceps", 1.5, 16.0, -from, line[m], along.cross(from)};
+    session->post(forceps);
+    session->step();
+    session->update_frame();
+    ASSERT_EQ(session->frame().statistics.message, "");
+    const DeformPart& deform = *session->world().deform();
+    ASSERT_EQ(deform.tool()->parts.size(), 2u);
+    EXPECT_EQ(deform.tool()->opening_mm, 9.0);
+    for (int i = 0; i < 30; ++i) {
+        session->post(CloseForceps{1.0 / (30 - i)});
+        session->step();
+    }
+    const SessionStep held = play(*session, 60);
+    EXPECT_GT(held.deform.tool.grip_un, 100.0);
+    EXPECT_LT(deform.tool()->opening_mm, 2.0 * 4.0);
+    const auto nearest = [&] {
+        int best = 0;
+        for (int v = 0; v < static_cast<int>(session->world().vertex_count()); ++v)
+            if ((session->world().rest_positions_mm()[v] - line[m]).norm() <
+                (session->world().rest_positions_mm()[best] - line[m]).norm())
+                best = v;
+        return best;
+    }();
+    const Vec3 before = session->world().vertex_mm(nearest);
+    for (int i = 0; i < 40; ++i) {
+        session->post(ShiftTool{0.05 * from});
+        session->step();
+    }
+    const SessionStep lifted = play(*session, 20);
+    EXPECT_GT((session->world().vertex_mm(nearest) - before).dot(from), 0.8);
+    EXPECT_LT(lifted.deform.tool.force_un.dot(from), 0.0);
+    session->post(OpenForceps{});
+    session->step();
+    EXPECT_EQ(play(*session, 30).deform.tool.grip_un, 0.0);
+    const fs::path file = fs::path(testing::TempDir()) / "forceps.hrec";
+    write_recording(file, *recording);
+    Job job;
+    const ReplayResult again = replay(read_recording(file), small_patient(), job, 0);
+    EXPECT_FALSE(again.diverged_at);
+    EXPECT_EQ(again.state_hash, session->state_hash());
+}
+
+TEST(ToolSession, OnlyForcepsHaveJaws) {
+    const auto session = new_session(touchable());
+    session->post(CloseForceps{});  // nothing to close
+    session->step();
+    session->update_frame();
+    EXPECT_EQ(session->frame().statistics.message, "");
+    session->post(ball());
+    session->step();
+    session->post(CloseForceps{});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("no jaws"));
+}
+
 TEST(ToolSession, AFrameShowsTheToolWhatItTouchesAndWhatItFeels) {
     const auto session = new_session(touchable());
     session->update_frame();
@@ -250,7 +315,12 @@ TEST(ToolSession, WhatIsOutOfRangeIsNamed) {
         return Command(tool);
     };
     EXPECT_THAT(message_of(default_scene(), ball()), HasSubstr("contacts of the scene"));
-    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.kind = "hook"; })), HasSubstr("hook"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.kind = "saw"; })), HasSubstr("saw"));
+    EXPECT_THAT(message_of(touchable(), with([](auto& t) {
+                               t.kind = "hook";
+                               t.side = t.direction;
+                           })),
+                HasSubstr("side"));
     EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.radius_mm = 0.0; })),
                 HasSubstr("radius"));
     EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.length_mm = -1.0; })),
@@ -284,8 +354,12 @@ TEST(ToolSession, AScriptLeadsATool) {
          "direction": [0, 0, -1], "where": {"point_mm": [1, 2, 3]}},
         {"at_s": 0.2, "do": "move_tool", "by_mm": [0, 0, -3], "over_s": 0.3},
         {"at_s": 0.6, "do": "move_tool", "to_mm": [5, 6, 7], "over_s": 0.2},
-        {"at_s": 0.9, "do": "remove_tool"}]})";
-    const auto commands = schedule(read_script(file), small_patient()->tree, 0.1, 12);
+        {"at_s": 0.9, "do": "remove_tool"},
+        {"at_s": 1.0, "do": "tool", "tool": "forceps", "radius_mm": 1, "length_mm": 12,
+         "direction": [0, 0, -1], "side": [1, 0, 0], "where": {"point_mm": [1, 2, 3]}},
+        {"at_s": 1.0, "do": "close_forceps", "over_s": 0.2},
+        {"at_s": 1.2, "do": "open_forceps"}]})";
+    const auto commands = schedule(read_script(file), small_patient()->tree, 0.1, 14);
     const AddTool tool = std::get<AddTool>(commands[0][0]);
     EXPECT_EQ(tool.kind, "capsule");
     EXPECT_EQ(tool.radius_mm, 1.5);
@@ -299,10 +373,13 @@ TEST(ToolSession, AScriptLeadsATool) {
     EXPECT_EQ(std::get<MoveTool>(commands[7][0]).share, 1.0);
     EXPECT_EQ(std::get<MoveTool>(commands[7][0]).target_mm, Vec3(5, 6, 7));
     EXPECT_TRUE(std::holds_alternative<RemoveTool>(commands[9][0]));
-    for (const char* action :
-         {R"({"do": "tool", "tool": "hook", "where": {"point_mm": [1, 2, 3]}})",
-          R"({"do": "tool", "tool": "sphere"})", R"({"do": "move_tool"})",
-          R"({"do": "move_tool", "by_mm": [1, 2, 3], "to_mm": [1, 2, 3]})"}) {
+    EXPECT_EQ(std::get<AddTool>(commands[10][0]).side, Vec3(1, 0, 0));
+    EXPECT_EQ(std::get<CloseForceps>(commands[10][1]).share, 0.5);
+    EXPECT_EQ(std::get<CloseForceps>(commands[11][0]).share, 1.0);
+    EXPECT_EQ(std::get<OpenForceps>(commands[12][0]).share, 1.0);
+    for (const char* action : {R"({"do": "tool", "tool": "saw", "where": {"point_mm": [1, 2, 3]}})",
+                               R"({"do": "tool", "tool": "sphere"})", R"({"do": "move_tool"})",
+                               R"({"do": "move_tool", "by_mm": [1, 2, 3], "to_mm": [1, 2, 3]})"}) {
         std::ofstream(file) << R"({"actions": [)" << action << "]}";
         EXPECT_THROW(read_script(file), InputError) << action;
     }

@@ -108,6 +108,28 @@ TEST_F(ToolInHand, keys_turn_it_in_the_plane_of_the_picture) {
     EXPECT_LT((turns[0].by_rad + turns[1].by_rad).norm(), 1e-12);
 }
 
+TEST_F(ToolInHand, forceps_and_hook_come_across_the_picture_and_c_closes_and_opens) {
+    for (const auto& [key, kind] : {std::pair{Qt::Key_6, "forceps"}, {Qt::Key_7, "hook"}}) {
+        take(key);
+        const AddTool tool = commands_of_type<AddTool>().back();
+        EXPECT_EQ(tool.kind, kind);
+        ASSERT_TRUE(tool.side);
+        EXPECT_NEAR(tool.side->dot(axes().forward), 0.0, 1e-9);
+        EXPECT_NEAR(tool.side->dot(tool.direction), 0.0, 1e-9);
+        EXPECT_GE(tool.side->dot(axes().up), -1e-9);
+        // Across the trunk, which runs upwards in the picture.
+        EXPECT_NEAR(std::abs(tool.side->dot(axes().right)), 1.0, 1e-6);
+        EXPECT_NEAR(tool.direction.dot(axes().forward), 0.8, 1e-6);
+        for (int i = 0; i < 3; ++i) QTest::keyClick(&window_, Qt::Key_C);
+    }
+    EXPECT_EQ(count<CloseForceps>(), 2u) << "a hook has no jaws";
+    EXPECT_EQ(count<OpenForceps>(), 1u);
+    // Another pair comes open.
+    take(Qt::Key_6);
+    QTest::keyClick(&window_, Qt::Key_C);
+    EXPECT_EQ(count<CloseForceps>(), 3u);
+}
+
 TEST_F(ToolInHand, escape_puts_it_away_and_another_mode_too) {
     for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_2, Qt::Key_3, Qt::Key_1}) {
         take(Qt::Key_4);
@@ -193,7 +215,8 @@ TEST_F(ToolInHand, a_new_patient_is_told_that_there_will_be_tools) {
 
 TEST_F(ToolInHand, stands_in_the_tool_bar_with_icon_key_and_tip) {
     auto* bar = window_.findChild<QToolBar*>("Tools");
-    for (const ActionId id : {ActionId::pull_mode, ActionId::sphere_tool, ActionId::capsule_tool}) {
+    for (const ActionId id : {ActionId::pull_mode, ActionId::sphere_tool, ActionId::capsule_tool,
+                              ActionId::forceps_tool, ActionId::hook_tool}) {
         EXPECT_TRUE(bar->actions().contains(&action(id)));
         const QImage icon = action(id).icon().pixmap(32, 32).toImage();
         int painted = 0;

@@ -111,6 +111,7 @@ ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
         sum.force_un -= force;
         sum.torque_un_mm -= (contact.at_mm - centre).cross(force);
         sum.grip_un -= force.dot(tool_->parts[contact.part].opens);
+        sum.closed = sum.closed || !std::isfinite(contact.energy_nj);
     }
     return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/tool_friction.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/deform/potentials/point_stiffness.h"
@@ -18,7 +19,11 @@ void ToolFriction::begin_step(const BodyState& start, double dt_s,
     held_ = held;
     if (!contact_.tool() || contact_.tool()->friction == 0.0) return;
     creep_mm_ = creep_edges_per_s * body_.mean_edge_mm * dt_s;
-    for (const PadContact& contact : contact_.contacts_before_led(start.positions_mm)) {
+    std::vector<PadContact> touching = contact_.contacts_before_led(start.positions_mm);
+    // In a later part of a step the body may have come to where the tool was.
+    const auto closed = [](const PadContact& contact) { return !std::isfinite(contact.energy_nj); };
+    if (std::ranges::any_of(touching, closed)) touching = contact_.contacts(start.positions_mm);
+    for (const PadContact& contact : touching) {
         Grip grip{contact_.nodes_of(contact), contact.weights, contact.normal,
                   contact_.tool()->friction * contact.force_un, Vec3::Zero()};
         // Where its axis has gone, there the point is taken.

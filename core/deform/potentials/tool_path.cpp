@@ -23,13 +23,18 @@ struct Way {
     void turn(const Vec3& by_rad);
     void open(double by_mm);
 
-    // The largest share of a motion, by halving, where `too_strong` does not hold of its pose.
+    // The share of a motion with this end that may be gone, found by halving: all of it where the
+    // pad stays open and the motion is not `too_strong`ly held back.
     template <class Pose, class TooStrong>
-    double share_within(const Pose& pose, const TooStrong& too_strong) const {
+    double share_within(const Pose& pose, const ToolResistance& end,
+                        const TooStrong& too_strong) const {
+        const auto stops_at = [&](const ToolResistance& r) { return r.closed || too_strong(r); };
+        const auto stops = [&](double share) { return stops_at(resistance(pose(share))); };
+        if (!stops_at(end)) return 1.0;
         double low = 0.0, high = 1.0;
         for (int i = 0; i < halvings_to_limit; ++i) {
             const double middle = 0.5 * (low + high);
-            (too_strong(resistance(pose(middle))) ? high : low) = middle;
+            (stops(middle) ? high : low) = middle;
         }
         return low;
     }
@@ -43,11 +48,12 @@ void Way::go(const Vec3& motion_mm) {
         for (Capsule& shape : moved) shape.centre_mm += share * gone;
         return moved;
     };
-    const auto too_strong = [&](const ToolResistance& r) {
-        return r.force_un.norm() > tool.force_limit_un;
-    };
     const ToolResistance end = resistance(there(1.0));
-    if (too_strong(end) && gone.dot(end.force_un) < 0.0) gone *= share_within(there, too_strong);
+    const bool against = gone.dot(end.force_un) < 0.0;
+    const double share = share_within(there, end, [&](const ToolResistance& r) {
+        return against && r.force_un.norm() > tool.force_limit_un;
+    });
+    if (share < 1.0) gone *= share;
     for (ToolPart& part : tool.parts) {
         part.shape.centre_mm += gone;
         part.led_by_mm = gone;
@@ -77,13 +83,12 @@ void Way::turn(const Vec3& by_rad) {
             }
             return turned;
         };
-        const auto too_strong = [&](const ToolResistance& r) {
-            return r.torque_un_mm.norm() > limit_un_mm;
-        };
         share = sweep_share(begin, there(1.0), surface, positions_mm, keep_mm);
         const ToolResistance end = resistance(there(1.0));
-        if (too_strong(end) && end.torque_un_mm.dot(axis) < 0.0)
-            share *= share_within(there, too_strong);
+        const bool against = end.torque_un_mm.dot(axis) < 0.0;
+        share *= share_within(there, end, [&](const ToolResistance& r) {
+            return against && r.torque_un_mm.norm() > limit_un_mm;
+        });
         const std::vector<Capsule> turned = there(1.0);
         const Eigen::AngleAxisd rotation(share * angle / count, axis);
         for (std::size_t p = 0; p < turned.size(); ++p) {
@@ -108,10 +113,9 @@ void Way::open(double by_mm) {
         return moved;
     };
     gone *= sweep_share(begin, there(1.0), surface, positions_mm, keep_mm);
-    const auto too_strong = [&](const ToolResistance& r) {
-        return r.grip_un > tool.force_limit_un;
-    };
-    if (gone < 0.0 && too_strong(resistance(there(1.0)))) gone *= share_within(there, too_strong);
+    gone *= share_within(there, resistance(there(1.0)), [&](const ToolResistance& r) {
+        return by_mm < 0.0 && r.grip_un > tool.force_limit_un;
+    });
     tool.opening_mm += gone;
     for (ToolPart& part : tool.parts) {
         part.shape.centre_mm += gone * part.opens;

@@ -17,6 +17,7 @@ struct ToolResistance {
     Vec3 force_un = Vec3::Zero();
     Vec3 torque_un_mm = Vec3::Zero();  // about the centre
     double grip_un = 0.0;              // against closing
+    bool closed = false;               // a gap of the pad has closed: it must not stand there
 };
 using ResistanceAt = std::function<ToolResistance(std::span<const Capsule>)>;
 

@@ -15,12 +15,28 @@ namespace {
 
 using Make = void (*)(Tool&, const ToolChoice&, const Vec3& direction, const Vec3& point_mm);
 
-constexpr std::array<std::pair<std::string_view, Make>, 2> kinds{{
+constexpr std::array<std::pair<std::string_view, Make>, 4> kinds{{
     {"sphere", make_probe},
     {"capsule", make_probe},
+    {"forceps", make_forceps},
+    {"hook", make_hook},
 }};
 
 }  // namespace
+
+Vec3 side_of(const ToolChoice& choice, const Vec3& direction) {
+    if (!choice.side) return direction.unitOrthogonal();
+    const Vec3 square = *choice.side - choice.side->dot(direction) * direction;
+    if (!(square.norm() > 1e-6 * choice.side->norm()) || !square.allFinite())
+        throw InputError("has a side that is not beside its direction", "the tool",
+                         "Give three finite numbers that are not along the direction");
+    return square.normalized();
+}
+
+double widest_opening_mm(const Tool& tool) {
+    const ToolPart& part = tool.parts.front();
+    return part.opens.isZero(0.0) ? 0.0 : jaws_open_to_radii * part.shape.radius_mm;
+}
 
 Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa) {
     const auto require = [](bool good, const std::string& problem, const std::string& remedy) {

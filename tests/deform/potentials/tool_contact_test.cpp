@@ -208,6 +208,27 @@ Tool wide_ball(double gap_mm) {
     return tool;
 }
 
+// In a later part of a step, in which a tool that was led away is so no longer where the body is.
+TEST(ToolFriction, DoesNotRubWhatHasComeToWhereTheToolWas) {
+    const Body body = brick();
+    PotentialList list(body);
+    Tool tool = pressing(false);
+    const Vec3 away(0, 0, 3);
+    tool.parts[0].led_by_mm = away;
+    tool.parts[0].shape.centre_mm += away;
+    list.set_tool(tool);
+    std::vector<Vec3> risen = body.rest_positions_mm;
+    for (Vec3& x : risen) x.z() += 1.5;
+    list.begin_step({risen, {}}, 1.0 / 60.0, {});
+    std::vector<Vec3> force(risen.size(), Vec3::Zero());
+    list.all().back()->add_forces(risen, force);
+    EXPECT_EQ(size_of(force), 0.0);
+    // Where it has only come nearer it is rubbed as it was pressed before.
+    list.begin_step({body.rest_positions_mm, {}}, 1.0 / 60.0, {});
+    list.all().back()->add_forces(body.rest_positions_mm, force);
+    EXPECT_GT(size_of(force), 0.0);
+}
+
 // A tetrahedron's top under a ball so wide that it is flat there: A p g / (1 - g). A is what
 // the top's corners stand for, a third of all their triangles.
 TEST(ToolContact, ThePadsLawInClosedForm) {

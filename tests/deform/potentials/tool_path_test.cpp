@@ -156,6 +156,14 @@ TEST(ToolPath, StopsWhereTheBodyPushesBackWithItsLimit) {
         return ToolResistance{.force_un = Vec3(0, 0, 50.0 * (40.0 - shapes[0].centre_mm.z()))};
     });
     EXPECT_NEAR(down.centre_mm().z(), 35.0, 20.0 / 4000.0);
+    // Nor does it stand where its pad would be closed, however weakly that pushes.
+    Tool near = rod(40, 5);
+    near.target_mm.z() = 20.0;
+    floor.lead(near, 1.0, [](std::span<const Capsule> shapes) {
+        return ToolResistance{.closed = shapes[0].centre_mm.z() < 33.0};
+    });
+    EXPECT_NEAR(near.centre_mm().z(), 33.0, 20.0 / 4000.0);
+    EXPECT_GE(near.centre_mm().z(), 33.0);
     // A turn is limited by the torque of that force at its farthest end.
     Tool turned = rod(40, 5);
     turned.force_limit_un = 250.0;
