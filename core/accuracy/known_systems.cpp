@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/image/section.h"
 
 namespace hepatica {
 
@@ -31,6 +32,14 @@ void require_truths(std::span<const SystemTruth> truths, const Mask* liver, cons
 
 std::optional<Mask> cropped(const Mask* mask, const IndexBox& box) {
     return mask != nullptr ? std::optional(crop(*mask, box)) : std::nullopt;
+}
+
+// The voxels of an object that lie inside a region, or outside of it.
+Mask part_of(const Mask& object, const Mask& region, bool inside) {
+    Mask part = object;
+    for (std::size_t i = 0; i < part.voxels.size(); ++i)
+        if ((region.voxels[i] != 0) != inside) part.voxels[i] = 0;
+    return part;
 }
 
 const Mask* pointer_to(const std::optional<Mask>& mask) {
@@ -92,15 +101,19 @@ std::uint8_t KnownSystems::system_at(const Vec3& p, double reach_mm) const {
 
 std::vector<Vec3> KnownSystems::trunk_ends(const KnownSystem& known) const {
     std::vector<Vec3> ends;
-    if (known.tree_given)
+    if (known.tree_given) {
         for (const int root : roots(known.tree))
             ends.push_back(known.tree.segments[root].points_mm.front());
-    else if (known.system == VascularSystem::hepatic)
+    } else if (known.system == VascularSystem::hepatic) {
         for (std::size_t i = 0; i < cava_.voxels.size(); ++i)
             if (cava_.voxels[i] != 0 && known.lumen.voxels[i] != 0) {
                 const auto [x, y, z] = cava_.grid.index_of(i);
                 ends.push_back(cava_.grid.to_mm(x, y, z));
             }
+    } else if (const std::optional<Section> section = largest_section(
+                   part_of(known.lumen, judged_, true), part_of(known.lumen, judged_, false))) {
+        ends.push_back(section->middle_mm);
+    }
     if (!ends.empty()) return ends;
     if (const std::optional<int> end = widest_end(known.samples))
         ends.push_back(known.samples.samples[*end].position_mm);

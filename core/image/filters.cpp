@@ -68,6 +68,18 @@ IndexBox grow_box(const IndexBox& box, const Grid& grid, double margin_mm) {
     return grown;
 }
 
+Eigen::AlignedBox3d box_mm(const IndexBox& box, const Grid& grid) {
+    Eigen::AlignedBox3d space;
+    if (box.empty()) return space;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto along = [&](int axis) {
+            return (corner >> axis & 1) != 0 ? box.end[axis] - 1 : box.begin[axis];
+        };
+        space.extend(grid.to_mm(along(0), along(1), along(2)));
+    }
+    return space;
+}
+
 Grid crop(const Grid& grid, const IndexBox& box) {
     const IndexBox inside = clipped(box, grid);
     Grid part = grid;

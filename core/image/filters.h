@@ -3,6 +3,8 @@
 // same bytes for any number of threads.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
@@ -20,6 +22,8 @@ struct IndexBox {
 IndexBox bounding_box(const Mask& mask);
 // The box grown by margin_mm on each side and clipped to the grid.
 IndexBox grow_box(const IndexBox& box, const Grid& grid, double margin_mm);
+// The box in space that holds the middles of a box's voxels; empty where that is.
+Eigen::AlignedBox3d box_mm(const IndexBox& box, const Grid& grid);
 
 // The voxels of the box, in the same place in space. The box is clipped to the grid first; throws
 // InputError where nothing is left.

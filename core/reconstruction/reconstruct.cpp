@@ -52,6 +52,7 @@ struct Anatomy {
     Mask vessels;                 // numbers of systems
     Mask organs;                  // organ_label; empty where no liver was given or found
     ContrastStatistics contrast;  // zero where the vessels were given
+    std::optional<Vec3> portal_trunk_mm;
 };
 
 // The liver as a case keeps it, cut to what it fills.
@@ -98,6 +99,7 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
     require_vessels(found.mask, options.ct.string());
     anatomy.vessels = std::move(found.mask);
     anatomy.contrast = found.statistics;
+    anatomy.portal_trunk_mm = found.trunk_mm;
     if (!segmentation.liver) anatomy.organs = organs_of(found.liver);
     return anatomy;
 }
@@ -124,24 +126,16 @@ bool has_systems(const Mask& vessels) {
     });
 }
 
-Eigen::AlignedBox3d liver_box(const Mask& organs) {
-    Eigen::AlignedBox3d box;
-    const IndexBox voxels = bounding_box(organs);
-    if (voxels.empty()) return box;
-    const auto& [begin, end] = voxels;
-    box.extend(organs.grid.to_mm(begin[0], begin[1], begin[2]));
-    box.extend(organs.grid.to_mm(end[0] - 1, end[1] - 1, end[2] - 1));
-    return box;
-}
-
 // Fills tree and bridges of the case; its voxels take the systems of the tree.
-void build_tree(const ReconstructOptions& options, const Volume& ct, Reconstruction& result,
+void build_tree(const ReconstructOptions& options, const Volume& ct,
+                const std::optional<Vec3>& portal_trunk_mm, Reconstruction& result,
                 std::vector<std::string>& warnings, Job& job) {
     PatientCase& patient = result.patient;
     TreeOptions tree_options;
     tree_options.seeds = options.seeds;
     tree_options.find_systems = !options.seeds.empty() || !has_systems(patient.mask);
-    tree_options.liver_mm = liver_box(patient.organs);
+    tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);
+    tree_options.portal_trunk_mm = portal_trunk_mm;
     tree_options.bridging.confidence = options.bridge_confidence;
     job.begin_stage("Extracting the tree");
     TreeExtraction extraction =
@@ -182,7 +176,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     result.skeleton = counts_of(patient.skeleton);
     result.crowded_points = crowded_point_count(patient.skeleton);
 
-    build_tree(options, ct, result, warnings, job);
+    build_tree(options, ct, anatomy.portal_trunk_mm, result, warnings, job);
     patient.doubts->contrast_hu = anatomy.contrast.contrast_hu();
     patient.doubts->noise_hu = anatomy.contrast.noise_hu;
     patient.doubts->coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();

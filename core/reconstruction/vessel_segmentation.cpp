@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/reconstruction/round_lumen.h"
 #include "core/segmentation/gaussian_refinement.h"
+#include "core/segmentation/hilum_vessels.h"
 #include "core/segmentation/liver_frame.h"
 #include "core/segmentation/liver_region.h"
 #include "core/segmentation/tissue_contrast.h"
@@ -19,6 +21,7 @@
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/extraction/tree_extraction.h"
+#include "core/tree/systems/anatomical_anchors.h"
 
 namespace hepatica {
 
@@ -112,14 +115,27 @@ void require_contrast(const ContrastStatistics& found, const Mask& vessels, cons
         "phase for arteries), or give a vessel mask.");
 }
 
-Mask with_thin_vessels_round(const Mask& vessels, const Volume& ct, Job& job) {
-    const Mask skeleton = unit_width(thin(vessels, ThinningMethod::queue, job), job);
-    Mask round = round_thin_lumens(
-        vessels, extract_tree(skeleton, vessels, &ct, TreeOptions{}, job), thin_radius_mm, job);
-    job.advance(0.8);
+Mask with_thin_vessels_round(const Mask& vessels, const Mask& skeleton, const VesselTree& tree,
+                             Job& job) {
+    Mask round = round_thin_lumens(vessels, tree, thin_radius_mm, job);
     rejoin(skeleton, kept_branch_mm, round);
-    job.advance(0.9);
     return hysteresis(skeleton, round, 0.0);  // no crumbs of the outline
+}
+
+// Adds the vessels of the hilum and returns where the trunk comes in.
+std::optional<Vec3> add_hilum(const LiverFrame& frame, const VesselTree& tree,
+                              const ContrastStatistics& found, Mask& vessels, Job& job) {
+    const AnatomicalAnchors anchors = find_anchors(pieces_of(to_graph(tree), nullptr).pieces,
+                                                   box_mm(bounding_box(frame.liver), vessels.grid));
+    const HilumVessels hilum = hilum_vessels(frame, vessels,
+                                             {.at_mm = anchors.hilum_mm,
+                                              .confluence_mm = anchors.confluence_mm,
+                                              .parenchyma_hu = found.parenchyma_hu,
+                                              .vessel_hu = found.vessel_hu},
+                                             job);
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
+        vessels.voxels[i] |= hilum.vessels.voxels[i];
+    return hilum.trunk_mm;
 }
 
 }  // namespace
@@ -157,9 +173,13 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     require_contrast(result.statistics, inner, tissue.interior, options.window_hu);
 
     job.begin_stage("Drawing thin vessels");
+    const Mask skeleton = unit_width(thin(detection.vessels, ThinningMethod::queue, job), job);
+    const VesselTree tree = extract_tree(skeleton, detection.vessels, &ct, TreeOptions{}, job);
     if (options.method == SegmentationMethod::coherent &&
         result.statistics.contrast_hu() >= measurable_contrast * tissue.noise_hu)
-        detection.vessels = with_thin_vessels_round(detection.vessels, ct, job);
+        detection.vessels = with_thin_vessels_round(detection.vessels, skeleton, tree, job);
+    job.advance(0.8);
+    result.trunk_mm = add_hilum(frame, tree, result.statistics, detection.vessels, job);
 
     job.begin_stage("Refining the surface");
     result.mask = refine(detection.vessels, options.refinement_recursions, job);

@@ -38,20 +38,22 @@ struct ContrastStatistics {
 };
 
 struct Segmentation {
-    // 0 background, else the number of an unknown system. On a grid that
-    // covers the liver with cubic voxels and lies in the CT's frame.
+    // 0 background, else the number of an unknown system. On a grid that covers the liver with
+    // cubic voxels and lies in the CT's frame.
     Mask mask;
     Mask liver;             // closed; same grid as the mask
     FloatVolume intensity;  // CT resampled to that grid, in HU: for radii below the voxel
     Mask centreline;        // where the fast-marching fronts collide; multi_layer only, else empty
     ContrastStatistics statistics;
+    // Where the portal trunk comes into what was segmented, if it was found outside of the liver.
+    std::optional<Vec3> trunk_mm;
     int components = 0;                 // 26-connected pieces of the mask
     std::vector<std::string> warnings;  // for the user, such as a slice spacing above 1.5 mm
 };
 
 // Throws InputError where the CT shows no contrast between vessels and liver (naming what was
-// measured), where no liver can be found, or an option is outside
-// its range; Cancelled. Begins its own stages of the job. Same bytes for any number of threads.
+// measured), where no liver can be found, or an option is outside its range; Cancelled. Begins its
+// own stages of the job. Same bytes for any number of threads.
 Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job);
 
 }  // namespace hepatica

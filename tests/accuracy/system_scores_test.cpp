@@ -114,6 +114,24 @@ TEST(SystemScores, ATruthAgainstItselfIsPerfect) {
     EXPECT_LT(by_mask.systems[1].root_error_mm, 5.0);
 }
 
+// The portal vein's true trunk goes on beyond the liver, where a wider end is not its end.
+TEST(SystemScores, ATrunkEndsWhereItLeavesWhatIsJudged) {
+    VesselGraph graph;
+    for (const double x : {0.0, 60.0}) graph.nodes.push_back({Vec3(x, 0, 0), 3.0});
+    graph.links = {straight_link(graph, 0, 1, 5, 3, portal)};
+    const VesselTree known = directed(graph);
+    const std::vector<SystemTruth> truth{{portal, lumen(known, portal), {}}};
+    Mask liver(truth[0].mask.grid);
+    for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+        const auto [x, y, z] = liver.grid.index_of(i);
+        liver.voxels[i] = liver.grid.to_mm(x, y, z).x() < 20.5;
+    }
+    const SystemScores s = judged(known, truth, &liver);
+    ASSERT_TRUE(s.systems[0].trunk_at_mm);
+    EXPECT_LT((*s.systems[0].trunk_at_mm - Vec3(20, 0, 0)).norm(), 1.5);
+    EXPECT_NEAR(*s.systems[0].root_error_mm, 20.0, 1.5);
+}
+
 TEST(SystemScores, SwappedLabelsAreNowhereRight) {
     const SystemScores s = judged(directed(swapped(two_systems())));
     EXPECT_DOUBLE_EQ(s.system_right, 0.0);

@@ -13,6 +13,7 @@
 #include "core/tree/extraction/system_assignment.h"
 #include "core/tree/extraction/vessel_graph.h"
 #include "core/tree/systems/loop_opening.h"
+#include "core/tree/systems/portal_trunk.h"
 
 namespace hepatica {
 
@@ -48,10 +49,28 @@ std::vector<RootWish> wishes_of(const TreeOptions& options, const VesselGraph& g
     return wishes;
 }
 
-// The first wish of a component counts: a person's before anatomy's.
+// The portal end nearest to the place where the trunk was seen.
+std::vector<RootWish> trunk_wish(const VesselGraph& graph, const std::optional<Vec3>& trunk_mm) {
+    double nearest_mm = 15.0;
+    std::vector<RootWish> wish;
+    if (!trunk_mm) return wish;
+    const auto at_node = links_of_nodes(graph);
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+        if (at_node[n].size() != 1) continue;
+        const VascularSystem system = graph.links[at_node[n].front()].system;
+        const double away = (graph.nodes[n].position_mm - *trunk_mm).norm();
+        if (system != VascularSystem::portal || away >= nearest_mm) continue;
+        nearest_mm = away;
+        wish = {{static_cast<int>(n), system}};
+    }
+    return wish;
+}
+
+// The first wish of a component counts: a person's, then the trunk that was seen, then anatomy's.
 std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& graph,
                                  const AnatomicalAnchors& anchors) {
     std::vector<RootWish> wishes = wishes_of(options, graph);
+    std::ranges::copy(trunk_wish(graph, options.portal_trunk_mm), std::back_inserter(wishes));
     std::ranges::copy(anatomical_roots(graph, anchors), std::back_inserter(wishes));
     return wishes;
 }
@@ -60,6 +79,7 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
                         TreeExtraction& result) {
     result.systems = tell_systems_apart(graph, ct, {options.seeds, options.liver_mm});
     const AnatomicalAnchors& anchors = result.systems->anchors;
+    if (options.portal_trunk_mm) lead_trunk_to(*options.portal_trunk_mm, graph);
     result.tree = directed(graph, all_wishes(options, graph, anchors));
     OpenedLoops opened = open_loops(result.tree);
     result.opened_loops = opened.count;

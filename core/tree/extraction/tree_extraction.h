@@ -24,6 +24,8 @@ struct TreeOptions {
     // (system_assignment.h).
     bool find_systems = false;
     Eigen::AlignedBox3d liver_mm;  // for find_systems; empty: not known
+    // Where the portal trunk comes in, if known: for find_systems.
+    std::optional<Vec3> portal_trunk_mm;
     // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
     // position. A component without one begins at its widest end.
     std::vector<Vec3> roots_mm;

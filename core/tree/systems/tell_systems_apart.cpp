@@ -322,8 +322,20 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     return found;
 }
 
+// The greatest within 10 mm: the lumen of a trunk that the image or the liver's border cuts off
+// tapers over its last millimetres.
+double radius_near_end(const VesselLink& link, int node) {
+    constexpr double reach_mm = 10.0;
+    const Vec3& end = node == link.from ? link.points_mm.front() : link.points_mm.back();
+    double radius = 0.0;
+    for (std::size_t i = 0; i < link.points_mm.size(); ++i)
+        if ((link.points_mm[i] - end).norm() <= reach_mm)
+            radius = std::max(radius, link.radii_mm[i]);
+    return radius;
+}
+
 std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors) {
-    constexpr double mm_per_radius = 3.0;  // that far a wider end may lie from the anchor
+    constexpr double mm_per_radius = 5.0;  // that far a wider end may lie from the anchor
     const auto at_node = links_of_nodes(graph);
     const std::vector<int> component = component_of_nodes(graph);
     std::map<int, std::pair<double, RootWish>> best;
@@ -333,10 +345,8 @@ std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const Anatomica
         if (link.system == VascularSystem::unknown) continue;
         const Vec3& anchor =
             link.system == VascularSystem::hepatic ? anchors.confluence_mm : anchors.hilum_mm;
-        double radius = 0.0;
-        for (const double r : link.radii_mm)
-            radius += r / static_cast<double>(link.radii_mm.size());
-        const double away = (graph.nodes[n].position_mm - anchor).norm() - mm_per_radius * radius;
+        const double away = (graph.nodes[n].position_mm - anchor).norm() -
+                            mm_per_radius * radius_near_end(link, static_cast<int>(n));
         const auto [entry, is_new] =
             best.try_emplace(component[n], away, RootWish{static_cast<int>(n), link.system});
         if (!is_new && away < entry->second.first)
