@@ -106,17 +106,20 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
 
 void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,
                       std::vector<std::string>& warnings) {
-    const auto say = [&](const RemovedPieces& pieces, const std::string& why) {
+    const auto say = [&](const RemovedPieces& pieces, const std::string& what,
+                         const std::string& why) {
         if (pieces.count == 0) return;
         const bool one = pieces.count == 1;
-        warnings.push_back(std::to_string(pieces.count) + (one ? " piece" : " pieces") +
-                           " of vessels, " + std::to_string(std::lround(pieces.length_mm)) +
-                           " mm in all, " + (one ? "was" : "were") + " left out of the tree: " +
-                           why + ". A seed inside such a piece keeps it.");
+        warnings.push_back(std::to_string(pieces.count) + (one ? " piece" : " pieces") + what +
+                           ", " + std::to_string(std::lround(pieces.length_mm)) + " mm in all, " +
+                           (one ? "was" : "were") + " left out of the tree: " + why +
+                           ". A seed inside such a piece keeps it.");
     };
-    say(extraction.too_short, "pieces shorter than " +
-                                  std::to_string(std::lround(options.minimum_component_mm)) +
-                                  " mm that nothing joins are often noise");
+    say(extraction.too_short, " of vessels",
+        "pieces shorter than " + std::to_string(std::lround(options.minimum_component_mm)) +
+            " mm that nothing joins are often noise");
+    say(extraction.blobs, " as wide as an organ",
+        "what hangs on a vessel by a neck and is wide and short is hardly one");
 }
 
 // Whether somebody has said already which voxels belong to which system.

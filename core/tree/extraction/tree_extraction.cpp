@@ -12,6 +12,7 @@
 #include "core/tree/extraction/spur_pruning.h"
 #include "core/tree/extraction/system_assignment.h"
 #include "core/tree/extraction/vessel_graph.h"
+#include "core/tree/systems/blob_removal.h"
 #include "core/tree/systems/loop_opening.h"
 #include "core/tree/systems/portal_trunk.h"
 
@@ -85,6 +86,8 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
     result.opened_loops = opened.count;
     if (opened.count > 0)
         result.tree = directed(opened.graph, all_wishes(options, opened.graph, anchors));
+    result.blobs = remove_blobs(result.tree, options.seeds, graph);
+    if (result.blobs.count > 0) result.tree = directed(graph, all_wishes(options, graph, anchors));
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ struct TreeExtraction {
     RemovedPieces too_short;              // left out, before and after gaps were bridged
     std::optional<SystemsFound> systems;  // where they were looked for
     int opened_loops = 0;
+    RemovedPieces blobs;  // what is no vessel, left out where systems were looked for
 };
 
 // Both masks lie on one grid; `vessels` holds numbers of systems (vascular_system.h). Radii are
