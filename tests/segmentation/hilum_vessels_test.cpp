@@ -37,7 +37,7 @@ bool in_fissure(const Vec3& p) {
     return std::abs(p.x() - 50) < 11 && p.y() < 52;
 }
 bool in_groove(const Vec3& p) {
-    return std::abs(p.x() - 56) < 8 && p.y() > 68;
+    return std::abs(p.x() - 56) < 8 && p.y() > 58;
 }
 
 Anatomy liver_with(const std::vector<Tube>& tubes) {
@@ -66,7 +66,7 @@ Anatomy liver_with(const std::vector<Tube>& tubes) {
 }
 
 const Hilum hilum{.at_mm = Vec3(50, 40, 33),
-                  .confluence_mm = Vec3(56, 74, 60),
+                  .confluence_mm = Vec3(56, 64, 60),
                   .parenchyma_hu = tissue_hu,
                   .vessel_hu = vessel_hu};
 // From the right lobe through the fissure into the left one, and the trunk that joins it there.
@@ -119,8 +119,8 @@ TEST(HilumVessels, JoinsLeftAndRightThroughTheFissureAndFindsTheTrunk) {
 
 // It is as bright, and joined with hepatic veins that are as wide.
 TEST(HilumVessels, LeavesOutTheVenaCava) {
-    const Tube cava{Vec3(56, 74, -6), Vec3(56, 74, 60), 6.0};
-    const Tube vein{Vec3(56, 74, 60), Vec3(40, 60, 55), 4.0};
+    const Tube cava{Vec3(56, 64, -6), Vec3(56, 64, 60), 6.0};
+    const Tube vein{Vec3(56, 64, 60), Vec3(36, 54, 55), 4.0};
     const Anatomy made = liver_with({cava, vein});
     Job job;
     const HilumVessels found = hilum_vessels(made.frame, made.known, hilum, job);
@@ -129,7 +129,7 @@ TEST(HilumVessels, LeavesOutTheVenaCava) {
 }
 
 TEST(HilumVessels, LeavesOutWhatIsNoWideVesselOfTheLiver) {
-    const Tube thin{branches.from_mm, branches.to_mm, 1.2};                       // an artery
+    const Tube thin{branches.from_mm, branches.to_mm, 1.45, 215};                 // an artery
     const Tube bone{Vec3(20, 40, 33), Vec3(80, 40, 33), 4.0, 400};                // too bright
     const Tube apart{Vec3(50, 20, 20), Vec3(50, 40, 50), 4.0};                    // a bowel
     const Tube bile{Vec3(20, 40, 33), Vec3(80, 40, 33), 4.0, tissue_hu + 15.0F};  // too dark
@@ -137,7 +137,8 @@ TEST(HilumVessels, LeavesOutWhatIsNoWideVesselOfTheLiver) {
         const Anatomy made = liver_with({tube});
         Job job;
         const HilumVessels found = hilum_vessels(made.frame, made.known, hilum, job);
-        EXPECT_EQ(count(found.vessels), 0u) << tube.radius_mm << " mm, " << tube.hu << " HU";
+        EXPECT_LT(share_found(found.vessels, made, tube), 0.05)
+            << tube.radius_mm << " mm, " << tube.hu << " HU";
         EXPECT_FALSE(found.trunk_mm);
     }
 }

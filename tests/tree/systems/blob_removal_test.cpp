@@ -50,6 +50,15 @@ TEST(BlobRemoval, KeepsVessels) {
     EXPECT_EQ(removed_from(test::forked_tree(), graph).count, 0);
 }
 
+TEST(BlobRemoval, KeepsAWideBranchWithoutANeck) {
+    VesselGraph graph;
+    graph.nodes = {
+        {Vec3(0, 0, 0), 6}, {Vec3(60, 0, 0), 5}, {Vec3(80, 20, 0), 4}, {Vec3(80, -20, 0), 4}};
+    graph.links = {straight_link(graph, 0, 1, 6, 5), straight_link(graph, 1, 2, 4.6, 4.2),
+                   straight_link(graph, 1, 3, 4.1, 5.9)};  // 1.44 times as wide
+    EXPECT_EQ(removed_from(directed(graph), graph).count, 0);
+}
+
 // The trunk itself is wide and has no neck before it.
 TEST(BlobRemoval, KeepsTheRoot) {
     VesselGraph graph;
