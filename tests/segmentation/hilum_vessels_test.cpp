@@ -129,7 +129,7 @@ TEST(HilumVessels, LeavesOutTheVenaCava) {
 }
 
 TEST(HilumVessels, LeavesOutWhatIsNoWideVesselOfTheLiver) {
-    const Tube thin{branches.from_mm, branches.to_mm, 1.4, 215};                 // an artery
+    const Tube thin{branches.from_mm, branches.to_mm, 1.45, 225};                 // an artery
     const Tube bone{Vec3(20, 40, 33), Vec3(80, 40, 33), 4.0, 400};                // too bright
     const Tube apart{Vec3(50, 20, 20), Vec3(50, 40, 50), 4.0};                    // a bowel
     const Tube bile{Vec3(20, 40, 33), Vec3(80, 40, 33), 4.0, tissue_hu + 15.0F};  // too dark
@@ -137,7 +137,7 @@ TEST(HilumVessels, LeavesOutWhatIsNoWideVesselOfTheLiver) {
         const Anatomy made = liver_with({tube});
         Job job;
         const HilumVessels found = hilum_vessels(made.frame, made.known, hilum, job);
-        EXPECT_LT(share_found(found.vessels, made, tube), 0.05)
+        EXPECT_LT(share_found(found.vessels, made, tube), 0.1)
             << tube.radius_mm << " mm, " << tube.hu << " HU";
         EXPECT_FALSE(found.trunk_mm);
     }
