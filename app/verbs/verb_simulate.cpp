@@ -12,7 +12,9 @@
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/deform/step/damping_regression.h"
+#include "core/mesh/mesh_io.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/crossings.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
@@ -28,6 +30,7 @@ struct Options {
     std::filesystem::path patient;
     std::filesystem::path script;
     std::filesystem::path record;
+    std::filesystem::path final_mesh;
     int steps = 600;
     int threads = 0;
     double dt_s = 0.0;
@@ -46,9 +49,11 @@ struct Play {
     std::string degraded_because;  // of the first such step
     int setting_changes = 0;
     Json velocity_error_fit;  // null unless asked for
-    int contacts_max = 0;     // triangles that touch a tool
+    int contacts_max = 0;     // points in a tool's pad and pairs of features in the vessels' own
+    int rows_max = 0;         // normal and, against a tool, two of friction
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
+    double momentum_error_relative = 0.0;  // see MomentumBalance
     bool finite = true;
 };
 
@@ -95,8 +100,15 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
         result.degraded_steps += step.deform.degraded ? 1 : 0;
         if (result.degraded_because.empty()) result.degraded_because = step.deform.message;
         const ToolLoad& tool = step.deform.tool;
-        result.contacts_max = std::max(result.contacts_max, tool.contacts);
-        result.penetration_max_mm = std::max(result.penetration_max_mm, -tool.least_gap_mm);
+        const SelfLoad& self = step.deform.self;
+        result.contacts_max = std::max(result.contacts_max, tool.contacts + self.contacts);
+        result.rows_max = std::max(result.rows_max, 3 * tool.contacts + self.contacts);
+        result.penetration_max_mm =
+            std::max({result.penetration_max_mm, -tool.least_gap_mm, -self.least_gap_mm});
+        if (step.deform.momentum_exchanged_g_mm_per_s > 0.0)
+            result.momentum_error_relative = std::max(
+                result.momentum_error_relative,
+                step.deform.momentum_error_g_mm_per_s / step.deform.momentum_exchanged_g_mm_per_s);
         result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
@@ -113,6 +125,16 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
     return result;
 }
 
+void write_final_mesh(const World& world, const std::filesystem::path& file) {
+    if (world.deform() == nullptr)
+        throw InputError("has no deform, so its vessels keep their shape", "the scene",
+                         "Leave out --final-mesh");
+    TetMesh mesh = world.deform()->body().mesh;
+    const auto positions_mm = world.deform()->positions_mm();
+    mesh.vertices_mm.assign(positions_mm.begin(), positions_mm.end());
+    write_vtu(file, mesh);
+}
+
 SceneSpec scene_of(const Options& options, const Script& script) {
     SceneSpec spec = script.scene.value_or(default_scene());
     if (options.dt_s > 0.0) spec.dt_s = options.dt_s;
@@ -125,6 +147,7 @@ Json run(const Options& options, Job& job) {
     if (options.backend != "cpu")
         throw InputError("this build has no CUDA back end", "--backend", "Use --backend cpu");
     if (!options.record.empty()) require_writable(options.record);
+    if (!options.final_mesh.empty()) require_writable(options.final_mesh);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
@@ -148,39 +171,46 @@ Json run(const Options& options, Job& job) {
     session.update_frame();
     const FrameStatistics& statistics = session.frame().statistics;
     const bool moves = session.world().deform() != nullptr;
-    const bool touches = spec.contact && spec.contact->tools;
+    const bool tools = spec.contact && spec.contact->tools;
+    const bool self = spec.contact && spec.contact->self;
+    const bool touches = tools || self;
+    if (!options.final_mesh.empty()) write_final_mesh(session.world(), options.final_mesh);
     const bool known = moves && statistics.expected_error > 0.0;
-    return {{"script", script.name},
-            {"steps", played.times.steps()},
-            {"steps_asleep", played.times.asleep()},
-            {"dt_s", spec.dt_s},
-            {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0},
-            {"step_ms",
-             {{"median", played.times.quantile(0.5)},
-              {"p95", played.times.quantile(0.95)},
-              {"max", played.times.quantile(1.0)}}},
-            {"frames_in_time", played.times.frames_in_time()},
-            {"real_time_factor", played.real_time_factor},
-            {"linear_iterations_max", played.linear_iterations_max},
-            {"degraded_steps", played.degraded_steps},
-            {"degraded_because", played.degraded_because},
-            {"expected_error", known ? Json(statistics.expected_error) : Json(nullptr)},
-            {"error_reference", known ? Json(statistics.error_reference) : Json(nullptr)},
-            {"quality", moves ? Json(statistics.quality) : Json(nullptr)},
-            {"setting", moves ? Json(statistics.setting) : Json(nullptr)},
-            {"setting_changes", played.setting_changes},
-            {"velocity_error_fit", played.velocity_error_fit},
-            {"contacts_max", touches ? Json(played.contacts_max) : Json(nullptr)},
-            {"rows_max", touches ? Json(3 * played.contacts_max) : Json(nullptr)},
-            {"penetration_max_mm", touches ? Json(played.penetration_max_mm) : Json(nullptr)},
-            {"tool_force_max_un", touches ? Json(played.tool_force_max_un) : Json(nullptr)},
-            {"joints_broken", nullptr},
-            {"vertices_split", nullptr},
-            {"entropy", nullptr},
-            {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
-            {"finite", played.finite},
-            {"stopped_because", statistics.diverged ? Json(statistics.message) : Json(nullptr)},
-            {"state_hash", to_hex(session.state_hash())}};
+    return {
+        {"script", script.name},
+        {"steps", played.times.steps()},
+        {"steps_asleep", played.times.asleep()},
+        {"dt_s", spec.dt_s},
+        {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0},
+        {"step_ms",
+         {{"median", played.times.quantile(0.5)},
+          {"p95", played.times.quantile(0.95)},
+          {"max", played.times.quantile(1.0)}}},
+        {"frames_in_time", played.times.frames_in_time()},
+        {"real_time_factor", played.real_time_factor},
+        {"linear_iterations_max", played.linear_iterations_max},
+        {"degraded_steps", played.degraded_steps},
+        {"degraded_because", played.degraded_because},
+        {"expected_error", known ? Json(statistics.expected_error) : Json(nullptr)},
+        {"error_reference", known ? Json(statistics.error_reference) : Json(nullptr)},
+        {"quality", moves ? Json(statistics.quality) : Json(nullptr)},
+        {"setting", moves ? Json(statistics.setting) : Json(nullptr)},
+        {"setting_changes", played.setting_changes},
+        {"velocity_error_fit", played.velocity_error_fit},
+        {"contacts_max", touches ? Json(played.contacts_max) : Json(nullptr)},
+        {"rows_max", touches ? Json(played.rows_max) : Json(nullptr)},
+        {"penetration_max_mm", touches ? Json(played.penetration_max_mm) : Json(nullptr)},
+        {"tool_force_max_un", tools ? Json(played.tool_force_max_un) : Json(nullptr)},
+        {"intersections_at_end",
+         self ? Json(crossing_pairs(*session.world().deform())) : Json(nullptr)},
+        {"momentum_error_relative", self ? Json(played.momentum_error_relative) : Json(nullptr)},
+        {"joints_broken", nullptr},
+        {"vertices_split", nullptr},
+        {"entropy", nullptr},
+        {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
+        {"finite", played.finite},
+        {"stopped_because", statistics.diverged ? Json(statistics.message) : Json(nullptr)},
+        {"state_hash", to_hex(session.state_hash())}};
 }
 
 }  // namespace
@@ -211,6 +241,7 @@ void add_simulate(CommandLine& line) {
         ->check(CLI::Range(1, 1024));
     verb.add_option("--record", options->record,
                     "Recording to write, NAME.hrec; it grows as the play goes");
+    verb.add_option("--final-mesh", options->final_mesh, "Last shape to write, NAME.vtu");
     CLI::Option* as_published = verb.add_flag(
         "--as-published", options->as_published,
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay refinement of one implicit tube body by CGAL's Mesh_3: the only room of the program that
-// compiles CGAL.
+// Delaunay refinement of one implicit tube body by CGAL's Mesh_3: this is the only room of the
+// program that compiles CGAL.
 #pragma once
 
 #include <functional>

@@ -38,7 +38,8 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
 }  // namespace
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
-                       const LiveRegionOptions& live_region, DeformBackEnd back_end, bool touchable)
+                       const LiveRegionOptions& live_region, DeformBackEnd back_end,
+                       const std::optional<ContactSpec>& contact)
     : region_(live_region),
       back_end_(std::move(back_end)),
       wall_mm_(spec.wall_mm),
@@ -49,7 +50,8 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     setting_ = spec.setting ? *spec.setting : dial_of(patient).at(spec.quality).options;
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
-    body_.touchable = touchable;
+    body_.touchable = contact && contact->tools;
+    if (contact && contact->self) body_.self.emplace();
     body_.material = material_named(spec.material);
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
     body_.skeleton = skeleton_of(patient.tree);

@@ -56,10 +56,11 @@ class DeformPart {
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
     // Another region is for measurements: nothing freezes where still_radii_per_s is 0. Tools may
-    // be had where it is touchable.
+    // be had, and vessels touch each other, where `contact` says so.
     DeformPart(const PatientCase& patient, const DeformSpec& spec,
                const LiveRegionOptions& live_region = region,
-               DeformBackEnd back_end = cpu_back_end(), bool touchable = false);
+               DeformBackEnd back_end = cpu_back_end(),
+               const std::optional<ContactSpec>& contact = {});
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within

@@ -107,16 +107,16 @@ FlowSpec flow_from(const Json& json) {
     return spec;
 }
 
-// Vessels among each other, and obstacles, are refused until they are there.
+// All that is there, or what is named. Obstacles are refused until they are there.
 ContactSpec contact_from(const Json& json) {
-    ContactSpec spec;
+    const bool all = json.is_object() && json.empty();
+    ContactSpec spec{.tools = all, .self = all};
     Fields fields(json, "contact");
     fields.read("tools", spec.tools);
-    for (const char* later : {"self", "obstacles"}) {
-        bool wanted = false;
-        fields.read(later, wanted);
-        if (wanted) fields.refuse("is not there yet", later);
-    }
+    fields.read("self", spec.self);
+    bool obstacles = false;
+    fields.read("obstacles", obstacles);
+    if (obstacles) fields.refuse("is not there yet", "obstacles");
     fields.refuse_unknown();
     return spec;
 }
@@ -150,7 +150,8 @@ Json to_json(const SceneSpec& spec) {
         if (error.alpha_per_s != 0.0 || error.beta_s != 0.0)
             json["deform"]["velocity_error"] = {error.alpha_per_s, error.beta_s};
     }
-    if (spec.contact) json["contact"] = {{"tools", spec.contact->tools}};
+    if (spec.contact)
+        json["contact"] = {{"tools", spec.contact->tools}, {"self", spec.contact->self}};
     if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
     return json;
 }

@@ -41,6 +41,7 @@ struct FlowSpec {
 // What may touch what. Needs "deform".
 struct ContactSpec {
     bool tools = true;  // a tool and the vessels
+    bool self = false;  // the vessels among each other, and each with itself
 };
 
 struct SceneSpec {

@@ -51,8 +51,10 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
             deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
-                                                   back_end, spec_.contact && spec_.contact->tools);
+                                                   back_end, spec_.contact);
         }));
+    // Built with the body; what it costs is known from the first step on.
+    if (spec_.contact && spec_.contact->self) parts_.push_back({.name = "self-contact"});
     job.advance(0.8);
     if (spec_.flow)
         parts_.push_back(cost_of("flow", [&] {
@@ -78,6 +80,19 @@ Vec3 World::vertex_mm(int vertex) const {
     return deform_ ? deform_->positions_mm()[vertex] : rest_positions_mm()[vertex];
 }
 
+// From the deforming body's cost.
+void World::part_out_self_contact(const SelfCost& cost) {
+    for (PartCost& part : parts_) {
+        if (part.name == "self-contact") {
+            if (cost.bytes > 0) part.bytes = cost.bytes;
+            if (cost.build_ms > 0.0) part.build_ms = cost.build_ms;
+            part.frame_ms = cost.step_ms;
+        } else if (part.name == "deform") {
+            part.frame_ms -= cost.step_ms;
+        }
+    }
+}
+
 StepReport World::step() {
     StepReport report;
     report.dt_s = spec_.dt_s;
@@ -87,6 +102,7 @@ StepReport World::step() {
         else if (part.name == "flow")
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
+    if (spec_.contact && spec_.contact->self) part_out_self_contact(report.self_cost);
     time_s_ += spec_.dt_s;
     return report;
 }

@@ -82,6 +82,8 @@ class World {
     std::uint64_t state_hash() const;
 
   private:
+    void part_out_self_contact(const SelfCost& cost);
+
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
     std::optional<BodyTopology> topology_;

@@ -335,14 +335,19 @@ TEST(ToolSession, ASceneNamesItsContacts) {
     const SceneSpec all = scene_from_json(Json::parse(R"({"deform": {}, "contact": {}})"));
     ASSERT_TRUE(all.contact);
     EXPECT_TRUE(all.contact->tools);
+    EXPECT_TRUE(all.contact->self);
     EXPECT_EQ(to_json(all)["contact"]["tools"], true);
+    const SceneSpec self =
+        scene_from_json(Json::parse(R"({"deform": {}, "contact": {"self": true}})"));
+    EXPECT_TRUE(self.contact->self);
+    EXPECT_FALSE(self.contact->tools);
+    EXPECT_EQ(to_json(self)["contact"]["self"], true);
     EXPECT_FALSE(scene_from_json(Json::parse(R"({"deform": {}})")).contact);
     EXPECT_FALSE(default_scene().contact);
     EXPECT_FALSE(scene_from_json(Json::parse(R"({"deform": {}, "contact": {"tools": false}})"))
                      .contact->tools);
     for (const char* text :
-         {R"({"deform": {}, "contact": {"self": true}})", R"({"flow": {}, "contact": {}})",
-          R"({"deform": {}, "contact": {"obstacles": true}})",
+         {R"({"flow": {}, "contact": {}})", R"({"deform": {}, "contact": {"obstacles": true}})",
           R"({"deform": {}, "contact": {"tool": true}})", R"({"deform": {}, "contact": 1})"})
         EXPECT_THROW(scene_from_json(Json::parse(text)), InputError) << text;
 }

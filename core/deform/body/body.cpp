@@ -235,6 +235,12 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     body.damping = rayleigh_of(description.material);
     body.mean_edge_mm = mean_edge(body);
     if (description.touchable) body.surface = surface_of_elements(description);
+    if (const auto& self = description.self) {
+        body.self_surface = surface_of_elements(description);
+        body.self_pad = {self->thickness_edges * body.mean_edge_mm,
+                         self->pressure_moduli * description.material.young_modulus_pa,
+                         self->friction};
+    }
     return body;
 }
 

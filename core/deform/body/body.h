@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,13 @@
 #include "core/mesh/tet_mesh.h"
 
 namespace hepatica {
+
+// The pad between two surfaces of a body, in terms of the body: see SelfContact.
+struct SelfPad {
+    double thickness_edges = 0.1;  // of the mean edge at rest, > 0
+    double pressure_moduli = 2.0;  // pressed to half, of the material's Young modulus, > 0
+    double friction = 0.2;         // Coulomb's coefficient, >= 0
+};
 
 // Everything a scene says about a body. Sizes that do not fit and values out of range are refused
 // with InputError when a stepper is made of it.
@@ -31,8 +39,9 @@ struct BodyDescription {
     std::vector<double> density_factor;
     // Pull of the surrounding tissue back to the place at rest, per volume: Pa/mm2. 0: none.
     double tether_pa_per_mm2 = 0.0;
-    CoarseSkeleton skeleton;  // may be empty
-    bool touchable = false;   // tools may touch it; without it nothing is built for them
+    CoarseSkeleton skeleton;        // may be empty
+    bool touchable = false;         // tools may touch it; without it nothing is built for them
+    std::optional<SelfPad> self{};  // its surfaces touch each other; none: nothing is built for it
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.
@@ -71,7 +80,12 @@ struct Body {
     std::vector<ElementGroup> groups;
     RayleighDamping damping;
     std::vector<std::array<int, 3>>
-        surface;                // counter-clockwise from outside; empty: not touchable
+        surface;  // counter-clockwise from outside; empty: not touchable
+    struct Pad {
+        double thickness_mm = 0.0, pressure_pa = 0.0, friction = 0.0;
+    };
+    std::optional<Pad> self_pad;                   // where its surfaces touch each other, and
+    std::vector<std::array<int, 3>> self_surface;  // these, as `surface`
     double mean_edge_mm = 0.0;  // of the elements at rest: the yardstick of tolerances
 
     int node_count() const { return static_cast<int>(rest_positions_mm.size()); }

@@ -49,6 +49,12 @@ class Potential {
                              std::span<const Vec3> d, const BlockMatrix& pattern,
                              std::span<Vec3> product) const = 0;
 
+    // Stiffness between nodes that have no block in the matrix and is not lumped, either: the true
+    // product is that of add_product and this one. `coupled` says whether there is any.
+    virtual bool coupled(std::span<const Vec3> /*positions_mm*/) const { return false; }
+    virtual void add_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
+                              std::span<const Vec3> /*d*/, std::span<Vec3> /*product*/) const {}
+
     // Sets held[i] for the nodes that it ties to a place where they are, so that the body's
     // momentum is not its own. Weight ties none.
     virtual void mark_held(std::span<const Vec3> /*positions_mm*/, std::span<char> /*held*/) const {
@@ -76,7 +82,8 @@ class Potential {
         return 1.0;
     }
 
-    // Writes `energy_nj` (with the start of the step as reference) into its term of the ledger.
+    // Writes `energy_nj` (with the start of the step as reference) into its term of the ledger, or
+    // adds it to one that it shares and that was 0 before.
     virtual void book(double energy_nj, EnergyLedger& ledger) const = 0;
 };
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
+#include "core/deform/potentials/self_contact.h"
 #include "core/deform/potentials/tether.h"
 #include "core/deform/potentials/tool_contact.h"
 #include "core/deform/potentials/tool_friction.h"
@@ -20,6 +22,11 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
     all_.push_back(std::move(gravity));
     all_.push_back(std::make_unique<Tether>(body));
     all_.push_back(std::move(grabs));
+    if (body.self_pad) {
+        auto self = std::make_unique<SelfContact>(body);
+        self_ = self.get();
+        all_.push_back(std::move(self));
+    }
     if (body.surface.empty()) return;
     auto contact = std::make_unique<ToolContact>(body);
     auto friction = std::make_unique<ToolFriction>(body, *contact);
@@ -146,9 +153,26 @@ void PotentialList::add_product(std::span<const Vec3> positions_mm, double facto
         potential->add_product(positions_mm, factor, d, pattern, product);
 }
 
+void PotentialList::set_overlaps(const OverlapsKept& kept) {
+    if (!self_ || !self_->set_overlaps(kept))
+        throw InputError("has surfaces that touch otherwise", "the checkpoint of a body",
+                         "Make the stepper of the body that it was taken of");
+}
+
+bool PotentialList::coupled(std::span<const Vec3> positions_mm) const {
+    return std::ranges::any_of(
+        all_, [&](const auto& potential) { return potential->coupled(positions_mm); });
+}
+
+void PotentialList::add_coupling(std::span<const Vec3> positions_mm, double factor,
+                                 std::span<const Vec3> d, std::span<Vec3> product) const {
+    for (const auto& potential : all_) potential->add_coupling(positions_mm, factor, d, product);
+}
+
 double PotentialList::book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                            EnergyLedger& ledger) const {
     double sum = 0.0;
+    ledger.contact = ledger.friction_loss = 0.0;  // several potentials add to them
     for (const auto& potential : all_) {
         const double energy = potential->energy(positions_mm, reference_mm);
         potential->book(energy, ledger);

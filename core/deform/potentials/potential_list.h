@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The potentials that act on one body: weight, the surrounding tissue, the hand's grabs and, where
-// the body may be touched, a tool's contact and friction; each function is the sum over them in
-// this order.
+// the body may be touched, a tool's contact and friction, and that of its surfaces; each function
+// is the sum over them in this order.
 #pragma once
 
 #include <memory>
@@ -21,6 +21,8 @@ class Gravity;
 class GrabSprings;
 class ToolContact;
 class ToolFriction;
+class SelfContact;
+struct OverlapsKept;
 
 // Keeps a reference to the body. Not thread-safe.
 class PotentialList {
@@ -47,6 +49,12 @@ class PotentialList {
     // Friction is there until end_step().
     ToolLoad tool_load(std::span<const Vec3> positions_mm) const;
 
+    // The body's surfaces among each other; null where they do not touch.
+    SelfContact* self() const { return self_; }
+    // As a checkpoint kept them. Throws InputError, and changes nothing, where they are of another
+    // body.
+    void set_overlaps(const OverlapsKept& kept);
+
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
 
     // What the potentials keep of a step while it is made; all of it is gone with end_step().
@@ -63,6 +71,9 @@ class PotentialList {
                        BlockMatrix& matrix) const;
     void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                      const BlockMatrix& pattern, std::span<Vec3> product) const;
+    bool coupled(std::span<const Vec3> positions_mm) const;
+    void add_coupling(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
+                      std::span<Vec3> product) const;
     // Every term of the ledger that a potential has; returns the sum of their energies.
     double book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                 EnergyLedger& ledger) const;
@@ -73,6 +84,7 @@ class PotentialList {
     GrabSprings* grabs_;
     ToolContact* contact_ = nullptr;  // of a body that may be touched
     ToolFriction* friction_ = nullptr;
+    SelfContact* self_ = nullptr;  // where its surfaces touch each other
     std::size_t nodes_;
 };
 

@@ -72,7 +72,9 @@ class ToolContact final : public Potential {
     }
     void end_step() override { held_ = {}; }
     void mark_held(std::span<const Vec3> positions_mm, std::span<char> held) const override;
-    void book(double energy_nj, EnergyLedger& ledger) const override { ledger.contact = energy_nj; }
+    void book(double energy_nj, EnergyLedger& ledger) const override {
+        ledger.contact += energy_nj;
+    }
     // Every gap keeps a tenth of itself, or of the pad where it is wider.
     double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const override;
     // The share of the motion after which a triangle that was farther away is half into the pad.

@@ -47,7 +47,7 @@ class ToolFriction final : public Potential {
     void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                      const BlockMatrix& pattern, std::span<Vec3> product) const override;
     void book(double energy_nj, EnergyLedger& ledger) const override {
-        ledger.friction_loss = energy_nj;
+        ledger.friction_loss += energy_nj;
     }
 
   private:

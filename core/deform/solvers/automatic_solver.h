@@ -27,6 +27,9 @@ class AutomaticSolver final : public LinearSolver {
                       const SolveLimits& limits) override {
         return chosen_->solve(rhs, x, limits);  // the report names the method used
     }
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
+        chosen_->precondition(r, z);
+    }
     std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
     bool made_from_latest() const override { return chosen_->made_from_latest(); }
     std::vector<double> memory() const override;

@@ -32,15 +32,19 @@ void BlockJacobiSolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
 
 SolveReport BlockJacobiSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                                      const SolveLimits& limits) {
-    const auto precondition = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
-        z.resize(r.size());
-        parallel_blocks(r.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) z[i] = inverse_[i] * r[i];
-        });
+    const auto inverse = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
+        precondition(r, z);
     };
-    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits);
+    SolveReport report = iteration_.solve(*matrix_, inverse, rhs, x, limits);
     report.method = name();
     return report;
+}
+
+void BlockJacobiSolver::precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) {
+    z.resize(r.size());
+    parallel_blocks(r.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) z[i] = inverse_[i] * r[i];
+    });
 }
 
 std::vector<double> BlockJacobiSolver::memory() const {

@@ -118,6 +118,14 @@ SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     return solve_by(*double_, rhs, x, limits);
 }
 
+void CholeskySolver::precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) {
+    z.resize(r.size());
+    if (in_double_)
+        double_->solve(r, z);
+    else
+        single_->solve(r, z);
+}
+
 std::vector<double> CholeskySolver::memory() const {
     return {in_double_ ? 1.0 : 0.0, iteration_.smallest_ritz()};
 }

@@ -21,6 +21,7 @@ class CholeskySolver final : public LinearSolver {
                 std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
 
     // The factor is always that of the latest matrix.

@@ -111,6 +111,15 @@ class ErrorBound {
 SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                                      std::span<const Vec3> rhs, std::span<Vec3> x,
                                      const SolveLimits& limits) {
+    const auto apply = [&](const std::vector<Vec3>& a, std::vector<Vec3>& product) {
+        multiply(matrix, a, product);
+    };
+    return solve(apply, precondition, rhs, x, limits);
+}
+
+SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner& precondition,
+                                     std::span<const Vec3> rhs, std::span<Vec3> x,
+                                     const SolveLimits& limits) {
     SolveReport report;
     const double rhs_squared = dot(rhs, rhs);
     if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
@@ -126,7 +135,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     if (warm_work != 0.0) {
         // Scaled to minimise the error in the energy norm, so a warm start is never worse than
         // zero.
-        multiply(matrix, direction_, product_);
+        apply(direction_, product_);
         const double warm_energy = dot(direction_, product_);
         const double scale = warm_energy > 0.0 ? warm_work / warm_energy : 0.0;
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -155,7 +164,7 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
         return report.converged || report.iterations >= limits.max_iterations;
     };
     while (!finished()) {
-        multiply(matrix, direction_, product_);
+        apply(direction_, product_);
         const double curvature = dot(direction_, product_);
         if (!(curvature > 0.0) || !std::isfinite(curvature)) break;
         const double step = work / curvature;

@@ -16,6 +16,8 @@ class ConjugateGradient {
   public:
     // z = M^-1 r for a symmetric positive definite M. Sizes are the matrix's.
     using Preconditioner = std::function<void(const std::vector<Vec3>& r, std::vector<Vec3>& z)>;
+    // y = A x for a symmetric positive definite A.
+    using Product = std::function<void(const std::vector<Vec3>& x, std::vector<Vec3>& y)>;
 
     // Forgets the smallest Ritz value of earlier solves.
     void forget() { smallest_ritz_ = 0.0; }
@@ -23,6 +25,8 @@ class ConjugateGradient {
     void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
     SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
+                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
+    SolveReport solve(const Product& apply, const Preconditioner& precondition,
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
     // Smallest Ritz value of M^-1 A in the solves so far, raised a little at each solve because the

@@ -53,6 +53,11 @@ class LinearSolver {
     virtual SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                               const SolveLimits& limits) = 0;
 
+    // z near A^-1 r, by an operator that is symmetric, positive semidefinite and the same until the
+    // next update(): for iterations on a matrix that is near this one. Changes no later answer but
+    // by preparing what solve() would have prepared.
+    virtual void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) = 0;
+
     virtual std::string_view name() const = 0;
 
     // State carried from one matrix to the next: a factor or preconditioner of an earlier matrix,

@@ -65,6 +65,9 @@ class SkeletonSolver final : public LinearSolver {
                 std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
+        preconditioner_.apply(r, z);
+    }
     std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
     bool made_from_latest() const override { return fresh_; }
     std::vector<double> memory() const override;

@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/node_loops.h"
+#include "core/deform/step/momentum_check.h"
 
 namespace hepatica {
 namespace {
@@ -49,7 +51,8 @@ StepReport BackwardEuler::advance(BodyState& state, double dt_s, const Potential
     std::optional<StepReport> report;
     double left_s = dt_s;
     int solves_left = settings_.iterations + settings_.extra_solves;
-    for (int impacts_left = potentials.tool() ? most_impacts : 0;; --impacts_left) {
+    for (int impacts_left = potentials.tool() || potentials.self() ? most_impacts : 0;;
+         --impacts_left) {
         double part_s = left_s;
         if (impacts_left > 0 && solves_left >= 2)
             part_s *= std::max(least_part, share_until_touch(state, left_s, potentials));
@@ -72,11 +75,11 @@ double BackwardEuler::share_until_touch(const BodyState& state, double dt_s,
     return potentials.share_until_touch(state.positions_mm, ahead);
 }
 
-void BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
-                                 StepReport& report) {
+MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
+                                         StepReport& report) {
     const auto outcome = limiter_.limit(step, report.energy, potential_.assembly(),
                                         potential_.live().held(), velocities);
-    if (!outcome.limited) return;
+    if (!outcome.limited) return MomentumLost::none;
     const double moving = report.energy.kinetic;
     report.energy.kinetic = kinetic_energy(body_, velocities);
     report.energy.limiter_loss = moving - report.energy.kinetic;
@@ -84,6 +87,25 @@ void BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& ve
     report.message = "the body was slowed down: the step would have made energy";
     if (outcome.lost == MomentumLost::angular) report.message += "; a free piece lost spin";
     if (outcome.lost == MomentumLost::linear) report.message += "; a free piece lost momentum";
+    return outcome.lost;
+}
+
+// After a step that was tried whole, of which the report counts the effort.
+StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
+                                            const PotentialList& potentials, int halvings_left,
+                                            int solves_left, const StepReport& tried) {
+    // The first half leaves the second at least as many solves as it may take, but for one.
+    const StepReport first =
+        advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1, (solves_left + 1) / 2);
+    const StepReport second = advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1,
+                                               solves_left - first.linear_solves);
+    StepReport halves = in_sequence(first, second);
+    halves.newton_iterations += tried.newton_iterations;
+    halves.linear_solves += tried.linear_solves;
+    halves.linear_iterations += tried.linear_iterations;
+    halves.degraded = true;
+    halves.message = "the step was cut in halves: it would have made energy";
+    return halves;
 }
 
 StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
@@ -107,31 +129,37 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     if (settings_.line_search) limiter_.begin(step, potential_.assembly());
     const bool stuck = !newton_.find_velocity(step, most_solves, report);
     const int solves_left = most_solves - report.linear_solves;
-    if (stuck && halvings_left > 0 && solves_left >= 2) {
-        // The first half leaves the second at least as many solves as it may take, but for one.
-        const StepReport first = advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1,
-                                                  (solves_left + 1) / 2);
-        const StepReport second = advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1,
-                                                   solves_left - first.linear_solves);
-        StepReport halves = in_sequence(first, second);
-        halves.newton_iterations += report.newton_iterations;
-        halves.linear_solves += report.linear_solves;
-        halves.linear_iterations += report.linear_iterations;
-        halves.degraded = true;
-        halves.message = "the step was cut in halves: it would have made energy";
-        return halves;
-    }
+    const bool may_halve = halvings_left > 0 && solves_left >= 2;
+    if (stuck && may_halve)
+        return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);
     if (stuck) {
         report.degraded = true;
         report.message = "the body was stopped: no step lowers its energy";
     }
     books_.book(step, newton_, settings_.audit, report);
     std::vector<Vec3> velocities = std::move(step.velocity);
-    if (settings_.line_search) limit_energy(step, velocities, report);
+    if (settings_.line_search) {
+        const MomentumLost lost = limit_energy(step, velocities, report);
+        // Surfaces that met gave each other momentum, which a shorter step keeps.
+        if (lost == MomentumLost::linear && potentials.self() && may_halve) {
+            forget();
+            return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);
+        }
+    }
+    if (potentials.self()) {
+        const MomentumBalance balance = momentum_balance(body_, step, potential_.live().held(),
+                                                         velocities, potential_.elastic_force());
+        report.momentum_error_g_mm_per_s = balance.error_g_mm_per_s;
+        report.momentum_exchanged_g_mm_per_s = balance.exchanged_g_mm_per_s;
+    }
     state.velocities_mm_per_s = std::move(velocities);
     state.positions_mm = std::move(step.positions);
     report.tool = potentials.tool_load(state.positions_mm);
     report.tool.impulse_un_s = dt_s * report.tool.force_un;
+    if (potentials.self()) {
+        report.self = potentials.self()->load(state.positions_mm);
+        report.self_cost = potentials.self()->take_cost();
+    }
     return report;
 }
 

@@ -26,12 +26,12 @@ class BackwardEuler {
 
     // Advances `state` by dt_s > 0 under `potentials`; fills everything in the report but
     // tool_work, which only the caller knows. A step that cannot be made without an increase of the
-    // incremental potential is tried again in halves, and those again, as far as
-    // iterations + extra_solves linear solves reach; where they end, the shortened step stands
-    // or the body is stopped. Energy is never made (but as published) and positions stay finite;
-    // the report says what was done. Where the body flies against a tool, the step is cut where it
-    // touches, into four parts at most, which share the solves. What potentials keep of a step is
-    // there until their end_step().
+    // incremental potential (or, where surfaces may touch, of a free piece's energy) is tried again
+    // in halves, and those again, as far as iterations + extra_solves linear solves reach; where
+    // they end, the shortened step stands or the body is stopped. Energy is never made (but as
+    // published) and positions stay finite; the report says what was done. Where the body flies
+    // against a tool, the step is cut where it touches, into four parts at most, which share the
+    // solves. What potentials keep of a step is there until their end_step().
     StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials);
 
     // From the next step on. One iterate and more of them need another tangent each: another
@@ -68,7 +68,10 @@ class BackwardEuler {
                              const PotentialList& potentials) const;
     StepReport advance_in_parts(BodyState& state, double dt_s, const PotentialList& potentials,
                                 int halvings_left, int most_solves);
-    void limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities, StepReport& report);
+    StepReport advance_in_halves(BodyState& state, double dt_s, const PotentialList& potentials,
+                                 int halvings_left, int solves_left, const StepReport& tried);
+    MomentumLost limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
+                              StepReport& report);
 
     const Body& body_;
     NewtonSettings settings_;

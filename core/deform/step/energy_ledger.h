@@ -18,7 +18,7 @@ struct EnergyLedger {
     double elastic = 0.0;
     double grab = 0.0;             // stored in grab springs
     double tether = 0.0;           // stored in the springs of the surrounding tissue
-    double contact = 0.0;          // stored in the pads of tools
+    double contact = 0.0;          // stored in the pads of tools and between surfaces
     double gravity_work = 0.0;     // done on the body during the step
     double tool_work = 0.0;        // done by moving targets during the step
     double damping_loss = 0.0;     // >= 0

@@ -139,6 +139,8 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
     std::iota(joined.begin(), joined.end(), 0);
     for (const auto& potential : step.potentials.all())
         potential->join_pieces(piece_of_node_, joined);
+    // They have given each other momentum on the way.
+    if (step.together) std::ranges::fill(joined, 0);
     Outcome outcome;
     for (int first = 0; first < pieces(); ++first) {
         double excess = 0.0, size = 0.0, kinetic = 0.0;

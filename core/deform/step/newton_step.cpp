@@ -6,6 +6,8 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/deform/potentials/self_contact.h"
+#include "core/deform/solvers/coupled_solve.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/stepper/stepper_input.h"
 
@@ -14,9 +16,9 @@ namespace {
 
 constexpr double armijo = 1e-4;  // of the predicted decrease must come true
 constexpr double shortest_step_length = 1e-3;
-// Where a tool may be met on the way: what rests on its pad is pressed into it by far less than it
-// would fall in a step, so that a direction from just above it goes much too far.
-constexpr double shortest_onto_tool = 1e-7;
+// Where a pad may be met on the way: what rests on it is pressed into it by far less than it would
+// fall in a step, so that a direction from just above it goes much too far.
+constexpr double shortest_onto_pad = 1e-7;
 constexpr double at_rest = 1e-9;    // a move in mean edges that is rounding errors alone
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
 
@@ -79,22 +81,42 @@ void NewtonStep::add_to_free(double factor, const BlockMatrix& matrix, const std
     });
 }
 
+void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
+                              std::span<Vec3> product) const {
+    step.potentials.add_coupling(step.positions, step.dt_s * step.dt_s, d, product);
+}
+
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
+    const bool coupled = step.potentials.coupled(step.positions);
     solver_->update(potential_.matrix(), step.positions, potential_.assembled_rows());
     // The first system is solved for the change of velocity, whose relative error means something
     // for a body in flight, too.
     if (step.iterate == 0 && !step.predicted) {
         add_to_free(-1.0, potential_.matrix(), step.start.velocities_mm_per_s);
+        if (coupled) {
+            product_.assign(residual_.size(), Vec3::Zero());
+            add_coupling(step, step.start.velocities_mm_per_s, product_);
+            for_each_node(residual_.size(), [&](std::size_t i) { residual_[i] -= product_[i]; });
+        }
         if (velocity_error_.any())
             add_to_free(1.0, velocity_error_.matrix(), step.start.velocities_mm_per_s);
     }
     std::ranges::fill(change_, Vec3::Zero());
-    const SolveReport solved = solver_->solve(residual_, change_, settings_.linear);
+    const SolveReport solved =
+        coupled ? solve_coupled(
+                      *solver_, potential_.matrix(),
+                      [&](std::span<const Vec3> d, std::span<Vec3> product) {
+                          add_coupling(step, d, product);
+                      },
+                      potential_.live().held(), residual_, change_, settings_.linear)
+                : solver_->solve(residual_, change_, settings_.linear);
     if (solver_->made_from_latest()) {
         made_from_ = origin_of(step);
         made_with_.reset();
         if (step.potentials.tool())
             made_with_ = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
+        made_while_.reset();
+        if (step.potentials.self()) made_while_ = step.potentials.self()->kept_overlaps();
     }
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;
@@ -121,8 +143,10 @@ MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
             .velocity_error = settings_.velocity_error};
 }
 
-// Assembles the potential's matrix as the step that `origin` is of did.
-void NewtonStep::assemble_again(const MatrixOrigin& origin, const std::optional<ToolOrigin>& with) {
+// Assembles the potential's matrix as the step that made it did.
+void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
+    const MatrixOrigin& origin = *checkpoint.made_from;
+    const std::optional<ToolOrigin>& with = checkpoint.tool;
     validate_time_step(origin.dt_s);
     const std::size_t nodes = body_.rest_positions_mm.size();
     validate_state(origin.first_mm, origin.first_mm, nodes);
@@ -135,11 +159,12 @@ void NewtonStep::assemble_again(const MatrixOrigin& origin, const std::optional<
                          "Make the stepper of the body that it was taken of");
     PotentialList potentials(body_);
     potentials.set_grabs(origin.grabs);
+    if (checkpoint.overlaps) potentials.set_overlaps(*checkpoint.overlaps);
     if (with) {
         validate_state(with->start_mm, with->start_mm, nodes);
         potentials.set_tool(with->tool);
-        potentials.begin_step({with->start_mm, {}}, origin.dt_s, origin.held);
     }
+    potentials.begin_step({with ? with->start_mm : origin.first_mm, {}}, origin.dt_s, origin.held);
     VelocityError error;
     error.set(origin.velocity_error);
     const BodyState start{origin.first_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
@@ -170,7 +195,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         if (origin) potential_.freeze(held);
         potential_.forget_matrix();
     };
-    if (origin) assemble_again(*origin, checkpoint.tool);
+    if (origin) assemble_again(checkpoint);
     const std::vector<Vec3> none;
     const bool first = !origin || origin->iterate_mm.empty();
     try {
@@ -184,6 +209,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
     back_to_present();
     made_from_ = origin;
     made_with_ = checkpoint.tool;
+    made_while_ = checkpoint.overlaps;
 }
 
 // While the slots are those of the start.
@@ -192,10 +218,12 @@ void NewtonStep::keep_linearised_work(StepUnderway& step) {
     const double elastic_form = potential_.assembly().quadratic_form(dx);
     product_.assign(dx.size(), Vec3::Zero());
     step.potentials.add_product(step.positions, 1.0, dx, potential_.matrix(), product_);
+    step.potentials.add_coupling(step.positions, 1.0, dx, product_);
     step.linearised.start_force = dot(dx, step.start_force);
     step.linearised.curvature = elastic_form + dot(dx, product_);
     direction_form_ = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
     multiply(potential_.matrix(), change_, product_);
+    add_coupling(step, change_, product_);
     step.linearised.residual = dot(direction_, product_) - dot(direction_, residual_);
     if (!velocity_error_.any()) return;
     multiply(velocity_error_.matrix(), change_, product_);
@@ -242,7 +270,12 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
     return false;
 }
 
-// How much of the direction may be taken so that nothing passes through a tool.
+// Whether a tool is there, surfaces touch, or the last direction was cut lest they pass.
+bool NewtonStep::meets_pads(const StepUnderway& step) const {
+    return step.potentials.tool() || step.free < 1.0 || step.potentials.coupled(step.positions);
+}
+
+// How much of the direction may be taken so that nothing passes through anything.
 double NewtonStep::free_length(const StepUnderway& step) const {
     std::vector<Vec3> whole(step.positions.size());
     for_each_node(whole.size(),
@@ -255,8 +288,9 @@ double NewtonStep::free_length(const StepUnderway& step) const {
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
     damping_before_ = step.damping_force;
-    const double shortest = step.potentials.tool() ? shortest_onto_tool : shortest_step_length;
-    for (double length = free_length(step); length > shortest; length *= 0.5)
+    step.free = free_length(step);
+    const double shortest = meets_pads(step) ? shortest_onto_pad : shortest_step_length;
+    for (double length = step.free; length > shortest; length *= 0.5)
         if (try_step_length(step, length, slope)) {
             step.step_length = length;
             step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
@@ -324,22 +358,50 @@ double NewtonStep::longest_move_mm(const StepUnderway& step) const {
 void NewtonStep::predict(StepUnderway& step) {
     const std::vector<Vec3>& velocity = step.start.velocities_mm_per_s;
     if (std::ranges::all_of(velocity, [](const Vec3& v) { return v.isZero(0.0); })) return;
+    if (begin_at(step, velocity)) return;
+    const bool meets = all_finite(step.positions) && step.potentials.self() &&
+                       !step.potentials.tool() &&
+                       (step.potentials.coupled(step.positions) ||
+                        step.potentials.free_share(step.start.positions_mm, step.positions) < 1.0);
+    if (meets)
+        if (const auto common = common_velocity(velocity); common && begin_at(step, *common)) {
+            step.together = true;
+            return;
+        }
+    stay_at_start(step);
+}
+
+// False where the way there is not free, or costs more than standing still.
+bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity) {
     step.velocity = velocity;
     for_each_node(velocity.size(), [&](std::size_t i) {
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * velocity[i];
     });
     step.predicted = true;
-    if (all_finite(step.positions) &&
-        step.potentials.free_share(step.start.positions_mm, step.positions) == 1.0) {
-        potential_.evaluate(step.positions);
-        step.value = potential_.value(step);
-        if (step.value <= step.standing) return;
+    if (!all_finite(step.positions) ||
+        step.potentials.free_share(step.start.positions_mm, step.positions) < 1.0)
+        return false;
+    potential_.evaluate(step.positions);
+    step.value = potential_.value(step);
+    return step.value <= step.standing;
+}
+
+// That of the centre of mass, for all nodes: what is about to collide keeps its momentum, and
+// nothing meets. None where a node is held.
+std::optional<std::vector<Vec3>> NewtonStep::common_velocity(
+    const std::vector<Vec3>& velocity) const {
+    Vec3 momentum = Vec3::Zero();
+    double mass = 0.0;
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+        if (potential_.held(i)) return std::nullopt;
+        momentum += body_.mass_g[i] * velocity[i];
+        mass += body_.mass_g[i];
     }
-    stay_at_start(step);
+    return std::vector<Vec3>(velocity.size(), Vec3(momentum / mass));
 }
 
 void NewtonStep::stay_at_start(StepUnderway& step) {
-    step.predicted = false;
+    step.predicted = step.together = false;
     step.value = step.standing;
     step.iterate = 0;
     step.step_length = 1.0;
@@ -374,7 +436,7 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
             break;
         }
         if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
-        if (settings_.iterations == 1 && (!step.predicted || step.potentials.tool()))
+        if (settings_.iterations == 1 && (!step.predicted || meets_pads(step)))
             most = step.step_length < 1.0 ? std::min(1 + rescue_iterates, most_solves) : 1;
         if (step.iterate + 1 >= most) break;
     }

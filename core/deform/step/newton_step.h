@@ -51,13 +51,17 @@ class NewtonStep {
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit
     // and leaves the potential at other positions; it throws InputError where the checkpoint does
     // not fit the body or the solver.
-    SolverCheckpoint checkpoint() const { return {made_from_, solver_->memory(), made_with_}; }
+    SolverCheckpoint checkpoint() const {
+        return {made_from_, solver_->memory(), made_with_, made_while_};
+    }
     void restore(const SolverCheckpoint& checkpoint);
 
   private:
     MatrixOrigin origin_of(const StepUnderway& step) const;
-    void assemble_again(const MatrixOrigin& origin, const std::optional<ToolOrigin>& with);
+    void assemble_again(const SolverCheckpoint& checkpoint);
     void predict(StepUnderway& step);
+    bool begin_at(StepUnderway& step, const std::vector<Vec3>& velocity);
+    std::optional<std::vector<Vec3>> common_velocity(const std::vector<Vec3>& velocity) const;
     void stay_at_start(StepUnderway& step);
     bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
     bool iterate(StepUnderway& step, StepReport& report);
@@ -67,8 +71,11 @@ class NewtonStep {
     void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
     void solve(const StepUnderway& step, StepReport& report);
+    void add_coupling(const StepUnderway& step, std::span<const Vec3> d,
+                      std::span<Vec3> product) const;
     void keep_linearised_work(StepUnderway& step);
     double free_length(const StepUnderway& step) const;
+    bool meets_pads(const StepUnderway& step) const;
     bool search_line(StepUnderway& step);
     bool try_step_length(StepUnderway& step, double step_length, double slope);
     double longest_move_mm(const StepUnderway& step) const;
@@ -78,9 +85,10 @@ class NewtonStep {
     std::unique_ptr<LinearSolver> solver_;
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    std::optional<MatrixOrigin> made_from_;  // see LinearSolver::made_from_latest
-    std::optional<ToolOrigin> made_with_;    // of the same matrix
-    std::vector<Vec3> first_mm_;             // where the first iterate's matrix was made
+    std::optional<MatrixOrigin> made_from_;   // see LinearSolver::made_from_latest
+    std::optional<ToolOrigin> made_with_;     // of the same matrix
+    std::optional<OverlapsKept> made_while_;  // of the same matrix
+    std::vector<Vec3> first_mm_;              // where the first iterate's matrix was made
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction
     std::vector<Vec3> direction_;  // of the velocity

@@ -19,6 +19,11 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     if (both.message.empty()) both.message = first.message;
     both.energy = in_sequence(first.energy, second.energy);
     both.tool.impulse_un_s += first.tool.impulse_un_s;
+    both.self.contacts = std::max(first.self.contacts, second.self.contacts);
+    both.self.least_gap_mm = std::min(first.self.least_gap_mm, second.self.least_gap_mm);
+    both.self_cost.step_ms += first.self_cost.step_ms;
+    both.momentum_error_g_mm_per_s += first.momentum_error_g_mm_per_s;
+    both.momentum_exchanged_g_mm_per_s += first.momentum_exchanged_g_mm_per_s;
     both.audit_gap_nj += first.audit_gap_nj;
     both.audit_error_nj += first.audit_error_nj;
     return both;

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/energy_ledger.h"
 
@@ -25,6 +26,10 @@ struct StepReport {
     std::string message;     // why degraded, in words
     EnergyLedger energy;
     ToolLoad tool;  // at the end of the step; of a sleeping body that of its last
+    SelfLoad self;  // as `tool`
+    SelfCost self_cost;
+    // Where surfaces may touch: see MomentumBalance.
+    double momentum_error_g_mm_per_s = 0.0, momentum_exchanged_g_mm_per_s = 0.0;
     // Of an audited step: what its energies have lost more than its forces have worked on the way,
     // which is part of the ledger's imbalance; and how exactly that work is known.
     double audit_gap_nj = 0.0;

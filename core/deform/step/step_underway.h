@@ -30,13 +30,15 @@ struct StepUnderway {
     std::vector<Vec3> start_force{};  // elastic and of the potentials, at x_n [uN]
     // Where the first iterate begins: at w = v_n, where the body is on its way, or at w = 0.
     bool predicted = false;
+    bool together = false;  // it begins at the velocity of the centre of mass for all nodes
     std::vector<Vec3> damping_force{};  // beta K w, of the velocity; K is that of the first iterate
     double value = 0.0;                 // of the incremental potential at `velocity`
     double standing = 0.0;              // of it at velocity 0
     double damping_form = 0.0;          // velocity . damping_force
     int iterate = 0;
     double step_length = 1.0;  // of the last direction that was taken: 1 is all of it
-    bool whole = false;        // one iterate, taken whole: the linearised equations hold
+    double free = 1.0;   // the share of that direction on which nothing passes through anything
+    bool whole = false;  // one iterate, taken whole: the linearised equations hold
     LinearisedWork linearised{};
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/deform/potentials/potential_list.h"
+#include "core/deform/potentials/self_contact.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/inversion_recovery.h"
 #include "core/deform/step/step_books.h"
@@ -66,6 +67,13 @@ class CpuBackEnd final : public StepBackEnd {
         return potentials_.free_of_tool(positions_mm);
     }
 
+    std::optional<OverlapsKept> overlaps() const override {
+        if (!potentials_.self()) return std::nullopt;
+        return potentials_.self()->kept_overlaps();
+    }
+    void set_overlaps(const OverlapsKept& kept) override { potentials_.set_overlaps(kept); }
+    std::vector<std::array<int, 2>> touching_nodes() const override;
+
     bool set_options(const StepperOptions& options) override {
         if (options.model != options_.model || options.order != options_.order ||
             options.solver != options_.solver ||
@@ -82,6 +90,7 @@ class CpuBackEnd final : public StepBackEnd {
     StepReport advance(double dt_s) override {
         const StepReport report = integrator_.advance(state_, dt_s, potentials_);
         potentials_.end_step();
+        if (potentials_.self()) potentials_.self()->let_go(state_.positions_mm);
         return report;
     }
 
@@ -90,6 +99,7 @@ class CpuBackEnd final : public StepBackEnd {
     const BodyState& state() const override { return state_; }
     void set_state(const BodyState& state) override {
         state_ = state;
+        if (potentials_.self()) potentials_.self()->find_overlaps(state_.positions_mm);
         integrator_.forget();
     }
     void set_velocities(const std::vector<Vec3>& velocities_mm_per_s) override {
@@ -126,6 +136,16 @@ class CpuBackEnd final : public StepBackEnd {
     BackwardEuler integrator_;
     BodyState state_;
 };
+
+std::vector<std::array<int, 2>> CpuBackEnd::touching_nodes() const {
+    std::vector<std::array<int, 2>> touching;
+    if (!potentials_.self()) return touching;
+    for (const SurfaceContact& contact : potentials_.self()->contacts(state_.positions_mm))
+        for (int a = 0; a < contact.at.in_first; ++a)
+            for (int b = contact.at.in_first; b < 4; ++b)
+                touching.push_back({contact.at.nodes[a], contact.at.nodes[b]});
+    return touching;
+}
 
 bool CpuBackEnd::recover_from_inversion(StepReport& report) {
     const auto energy = [&](std::span<const Vec3> x) {

@@ -170,6 +170,17 @@ void GovernedStepper::open_tool(double opening_mm) {
     change_tool_goal([&](Tool& tool) { tool.opening_target_mm = opening_mm; });
 }
 
+// What lies still does not stop what comes against it: it is woken.
+void GovernedStepper::wake_touched() {
+    if (!region_) return;
+    std::vector<int> touched;
+    for (const auto& [a, b] : back_end_->touching_nodes()) {
+        if (region_->restless(a) && !region_->live(b)) touched.push_back(b);
+        if (region_->restless(b) && !region_->live(a)) touched.push_back(a);
+    }
+    if (!touched.empty() && region_->wake(touched)) change_region();
+}
+
 void GovernedStepper::wake_near_tool() {
     if (region_ && region_->wake(back_end_->vertices_near_tool())) change_region();
 }
@@ -203,6 +214,7 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
         other->set_grabs(grabs_);
         other->set_state(back_end_->state());
         other->set_tool(back_end_->tool());
+        if (const auto overlaps = back_end_->overlaps()) other->set_overlaps(*overlaps);
         if (region_) other->freeze(frozen_nodes());
         back_end_ = std::move(other);
     }
@@ -228,6 +240,7 @@ StepReport GovernedStepper::step(double dt_s) {
     validate_time_step(dt_s);
     StepReport report;
     if (tool_led_) wake_near_tool();
+    wake_touched();
     const bool sleeps = asleep();
     if (sleeps) {
         if (tool_led_) lead_tool_for(dt_s, 1.0);
@@ -239,6 +252,7 @@ StepReport GovernedStepper::step(double dt_s) {
         report.energy.tether = resting_.tether;
         report.energy.contact = resting_.contact;
         report.tool = tool_load_;
+        report.self = self_load_;
     } else {
         const double part_s = dt_s / options_.substeps;
         for (int s = 0; s < options_.substeps; ++s) {
@@ -253,6 +267,7 @@ StepReport GovernedStepper::step(double dt_s) {
     if (!sleeps) {
         look_for_inversion(dt_s, report);
         tool_load_ = report.tool;
+        self_load_ = report.self;
         resting_ = report.energy;
         watch(dt_s, report);
     }
@@ -334,6 +349,8 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
                            .solver = back_end_->checkpoint(),
                            .region = {}};
     if (region_) kept.region = region_->checkpoint();
+    if (const auto overlaps = back_end_->overlaps())
+        kept.self = SelfCheckpoint{*overlaps, self_load_, resting_.contact};
     if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
     return kept;
 }
@@ -344,12 +361,25 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
         throw InputError(checkpoint.region ? "is of a stepper that computes a part"
                                            : "is of a stepper that computes the whole body",
                          "the checkpoint of a body", "Make a stepper of that kind");
+    if (checkpoint.self.has_value() != back_end_->overlaps().has_value())
+        throw InputError(checkpoint.self ? "is of a body whose surfaces touch each other"
+                                         : "is of a body whose surfaces do not touch each other",
+                         "the checkpoint of a body", "Make a stepper of that kind");
     std::optional<LiveRegion> region = region_;
     if (region) region->restore(*checkpoint.region);
-    back_end_->restore(checkpoint.solver);
+    const std::optional<OverlapsKept> overlaps = back_end_->overlaps();
+    if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
+    try {
+        back_end_->restore(checkpoint.solver);
+    } catch (...) {
+        if (overlaps) back_end_->set_overlaps(*overlaps);
+        throw;
+    }
     // Nothing below throws, so the restored state is complete.
     region_ = std::move(region);
     back_end_->set_state(checkpoint.nodes);
+    if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
+    self_load_ = checkpoint.self ? checkpoint.self->last_load : SelfLoad{};
     const std::optional<ToolCheckpoint>& tool = checkpoint.tool;
     back_end_->set_tool(tool ? std::optional(tool->tool) : std::nullopt);
     tool_led_ = tool && tool->led;
@@ -368,7 +398,8 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     resting_.elastic = checkpoint.last_elastic;
     resting_.grab = checkpoint.last_grab;
     resting_.tether = checkpoint.last_tether;
-    resting_.contact = tool ? tool->last_contact : 0.0;
+    if (checkpoint.self) resting_.contact = checkpoint.self->last_contact;
+    if (tool) resting_.contact = tool->last_contact;
 }
 
 LiveStepper::Extent GovernedStepper::extent() const {

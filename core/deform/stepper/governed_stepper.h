@@ -54,6 +54,7 @@ class GovernedStepper final : public LiveStepper {
     template <class Change>
     void change_tool_goal(const Change& change);
     void wake_near_tool();
+    void wake_touched();
     void lead_tool_for(double dt_s, double share);
     void watch(double dt_s, StepReport& report);
     void look_for_inversion(double dt_s, StepReport& report);
@@ -68,6 +69,7 @@ class GovernedStepper final : public LiveStepper {
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
     bool tool_led_ = false;   // the tool is on its way
     ToolLoad tool_load_;      // of the last step
+    SelfLoad self_load_;      // as well
     double tool_work_ = 0.0;  // of grabs and tool since the last step [nJ]
     double lost_ = 0.0;       // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold

@@ -53,6 +53,10 @@ class LiveRegion {
     void restore(const RegionCheckpoint& checkpoint);
 
     bool live(int vertex) const { return live_[node_of_[vertex]] != 0; }
+    // Whether its node is live and has moved lately.
+    bool restless(int vertex) const {
+        return live(vertex) && still_s_[node_of_[vertex]] < options_.still_s;
+    }
     const std::vector<char>& live_nodes() const { return live_; }
     int live_count() const;
 

@@ -69,7 +69,7 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
-    value.last_load;
+    value.led;
 }
 {
     fields(visit, value.tool);
@@ -82,6 +82,27 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.last_load.contacts);
     visit(value.last_load.least_gap_mm);
     visit(value.last_load.touched);
+    visit(value.last_contact);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.buried;
+}
+{
+    visit(value.touching);
+    visit(value.buried);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.overlaps;
+    value.last_contact;
+}
+{
+    fields(visit, value.overlaps);
+    visit(value.last_load.contacts);
+    visit(value.last_load.least_gap_mm);
     visit(value.last_contact);
 }
 
@@ -130,7 +151,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);
-    visit.behind_all(value.tool, value.solver.tool);
+    visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps);
 }
 
 // Gives the bytes of every field to a sink.
@@ -159,10 +180,15 @@ class Writer {
         put_length(value ? 1 : 0);
         if (value) put_record(*value);
     }
-    void behind_all(const auto& first, const auto& second) {
-        if (!first && !second) return;
-        (*this)(first);
-        (*this)(second);
+    void behind_all(const auto& tool, const auto& made_with, const auto& self,
+                    const auto& overlaps) {
+        const bool of_surfaces = self || overlaps;
+        if (!tool && !made_with && !of_surfaces) return;
+        (*this)(tool);
+        (*this)(made_with);
+        if (!of_surfaces) return;
+        (*this)(self);
+        (*this)(overlaps);
     }
 
   private:
@@ -231,11 +257,16 @@ class Reader {
     void operator()(std::optional<Record>& value) {
         if (take_flag()) take_record(value.emplace());
     }
-    void behind_all(auto& first, auto& second) {
+    void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps) {
         if (rest_.empty()) return;
-        (*this)(first);
-        (*this)(second);
-        if (!first && !second) refuse("goes on after its end");
+        (*this)(tool);
+        (*this)(made_with);
+        const bool of_surfaces = !rest_.empty();
+        if (of_surfaces) {
+            (*this)(self);
+            (*this)(overlaps);
+        }
+        if (of_surfaces ? !self && !overlaps : !tool && !made_with) refuse("goes on after its end");
     }
 
     void expect_end() const {

@@ -15,6 +15,7 @@
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/body/material.h"
+#include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/stepper/stepper.h"
 
@@ -39,9 +40,10 @@ struct ToolOrigin {
 
 // What a linear solver carries from one step to the next.
 struct SolverCheckpoint {
-    std::optional<MatrixOrigin> made_from;  // of its factor or preconditioner, where it has one
-    std::vector<double> memory;             // see LinearSolver::memory
-    std::optional<ToolOrigin> tool{};       // none where the matrix knew no tool
+    std::optional<MatrixOrigin> made_from;   // of its factor or preconditioner, where it has one
+    std::vector<double> memory;              // see LinearSolver::memory
+    std::optional<ToolOrigin> tool{};        // none where the matrix knew no tool
+    std::optional<OverlapsKept> overlaps{};  // of that matrix; none where surfaces do not touch
 };
 
 // The live part of the tree, with one entry per skeleton node.
@@ -60,6 +62,13 @@ struct ToolCheckpoint {
     double last_contact = 0.0;  // of the last step [nJ]
 };
 
+// Surfaces among each other.
+struct SelfCheckpoint {
+    OverlapsKept overlaps;
+    SelfLoad last_load;         // of the last step
+    double last_contact = 0.0;  // of the last step [nJ]
+};
+
 struct StepperCheckpoint {
     BodyState nodes;  // vertices, then edge middles
     std::vector<Grab> grabs;
@@ -75,6 +84,7 @@ struct StepperCheckpoint {
     SolverCheckpoint solver;
     std::optional<RegionCheckpoint> region;  // of a stepper with a live region
     std::optional<ToolCheckpoint> tool{};    // where there is a tool
+    std::optional<SelfCheckpoint> self{};    // where surfaces touch each other
 };
 
 // Hash of every field. Without a tool it is the hash of the others alone.
@@ -83,7 +93,8 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 // "hepatica checkpoint 3\n", then the fields in the order above, little-endian: numbers as 8 bytes
 // (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
 // their length; an optional field after a length of 0 or 1. The two optional
-// fields of tools stand behind all others, and not at all where there is neither.
+// fields of tools stand behind all others, then those of surfaces: not at all where there is none
+// of them or behind them.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number

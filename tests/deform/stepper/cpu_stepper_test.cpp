@@ -278,6 +278,7 @@ class BrokenSolver final : public LinearSolver {
         report.dropped_pivots = dropped_pivots_;
         return report;
     }
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override { z = r; }
     std::string_view name() const override { return "broken"; }
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override { return {}; }

@@ -30,6 +30,9 @@ class OddSolver final : public LinearSolver {
         }
         return report;
     }
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
+        solver_->precondition(r, z);
+    }
     std::string_view name() const override { return "odd"; }
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override { return {}; }

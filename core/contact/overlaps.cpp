@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hepatica {
+namespace {
+
+// Along no edge that a mesh is likely to have; the majority of them decides.
+const std::array<Vec3, 3> rays{Vec3(0.5377, 0.8339, 0.1247), Vec3(-0.2259, 0.8622, -0.4534),
+                               Vec3(0.3188, -0.4077, 0.8558)};
+
+bool meets(const Box& box, const Vec3& from, const Vec3& ray) {
+    double first = 0.0, last = INFINITY;
+    for (int c = 0; c < 3; ++c) {
+        const double a = (box.low[c] - from[c]) / ray[c], b = (box.high[c] - from[c]) / ray[c];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    return first <= last;
+}
+
+// +1 where the ray leaves by the triangle, -1 where it enters, 0 where it misses it.
+int crossing(const Triangle& x, const Vec3& from, const Vec3& ray) {
+    const Vec3 a = x[0] - from, b = x[1] - from, c = x[2] - from;
+    const double u = ray.dot(b.cross(c)), v = ray.dot(c.cross(a)), w = ray.dot(a.cross(b));
+    const double side = a.dot((x[1] - x[0]).cross(x[2] - x[0]));
+    if (u > 0.0 && v > 0.0 && w > 0.0 && side > 0.0) return 1;
+    if (u < 0.0 && v < 0.0 && w < 0.0 && side < 0.0) return -1;
+    return 0;
+}
+
+std::array<int, 2> ordered(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+std::vector<Box> Overlaps::boxes_of_patches(std::span<const Vec3> positions_mm) const {
+    std::vector<Box> boxes;
+    for (std::size_t p = 0; p < features_.surface().size(); ++p)
+        boxes.push_back(features_.surface().box(p, positions_mm));
+    return boxes;
+}
+
+bool Overlaps::nearer_than(double gap_mm, int patch, int other,
+                           std::span<const Vec3> positions_mm) const {
+    const SurfacePatches& surface = features_.surface();
+    for (const int a : surface.triangles_of(patch)) {
+        const Triangle first = corners_of(surface.triangles()[a], positions_mm);
+        for (const int b : surface.triangles_of(other))
+            if (squared_distance_mm2(first, corners_of(surface.triangles()[b], positions_mm)) <=
+                gap_mm * gap_mm)
+                return true;
+    }
+    return false;
+}
+
+bool Overlaps::within(const Vec3& point, int piece, std::span<const Box> boxes,
+                      std::span<const Vec3> positions_mm) const {
+    const SurfacePatches& surface = features_.surface();
+    int votes = 0;
+    for (const Vec3& ray : rays) {
+        int leaves = 0;
+        for (std::size_t p = 0; p < surface.size(); ++p) {
+            if (features_.piece_of_patch(static_cast<int>(p)) != piece) continue;
+            if (!meets(boxes[p], point, ray)) continue;
+            for (const int t : surface.triangles_of(p))
+                leaves += crossing(corners_of(surface.triangles()[t], positions_mm), point, ray);
+        }
+        votes += leaves > 0 ? 1 : 0;
+    }
+    return votes >= 2;
+}
+
+bool Overlaps::lies_in(int patch, int piece, std::span<const Box> boxes,
+                       std::span<const Vec3> positions_mm) const {
+    return std::ranges::any_of(features_.surface().vertices_of(patch), [&](int v) {
+        return within(positions_mm[v], piece, boxes, positions_mm);
+    });
+}
+
+void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm) {
+    touching_.clear();
+    buried_.clear();
+    if (features_.pieces() < 2) return;
+    const std::vector<Box> boxes = boxes_of_patches(positions_mm);
+    std::vector<Box> pieces(features_.pieces());
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+        Box& piece = pieces[features_.piece_of_patch(static_cast<int>(p))];
+        piece.add(boxes[p].low);
+        piece.add(boxes[p].high);
+    }
+    const int patches = static_cast<int>(boxes.size());
+    for (int p = 0; p < patches; ++p) {
+        Box wide = boxes[p];
+        wide.grow(touch_mm);
+        for (int q = p + 1; q < patches; ++q)
+            if (features_.piece_of_patch(p) != features_.piece_of_patch(q) &&
+                wide.meets(boxes[q]) && nearer_than(touch_mm, p, q, positions_mm))
+                touching_.push_back({p, q});
+        for (int piece = 0; piece < features_.pieces(); ++piece)
+            if (piece != features_.piece_of_patch(p) && pieces[piece].meets(boxes[p]) &&
+                lies_in(p, piece, boxes, positions_mm))
+                buried_.push_back({p, piece});
+    }
+}
+
+bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
+    if (!any()) return false;
+    const std::vector<Box> boxes = boxes_of_patches(positions_mm);
+    const auto near = [&](int p, int q) {
+        Box wide = boxes[p];
+        wide.grow(reach_mm);
+        return wide.meets(boxes[q]) && nearer_than(reach_mm, p, q, positions_mm);
+    };
+    const std::size_t before = touching_.size() + buried_.size();
+    Pairs still, come_near;
+    for (const auto& [patch, piece] : buried_) {
+        if (lies_in(patch, piece, boxes, positions_mm)) {
+            still.push_back({patch, piece});
+            continue;
+        }
+        // It has come out somewhere, and is near there.
+        for (int q = 0; q < static_cast<int>(boxes.size()); ++q)
+            if (features_.piece_of_patch(q) == piece && near(patch, q))
+                come_near.push_back(ordered(patch, q));
+    }
+    const bool freed = still.size() < buried_.size();
+    buried_ = std::move(still);
+    std::erase_if(touching_, [&](const auto& pair) { return !near(pair[0], pair[1]); });
+    touching_.insert(touching_.end(), come_near.begin(), come_near.end());
+    std::ranges::sort(touching_);
+    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+    return freed || touching_.size() + buried_.size() != before;
+}
+
+bool Overlaps::left_out(int patch, int other) const {
+    if (!any()) return false;
+    const int first = features_.piece_of_patch(patch), second = features_.piece_of_patch(other);
+    if (first == second) return false;
+    return std::ranges::binary_search(touching_, ordered(patch, other)) ||
+           std::ranges::binary_search(buried_, std::array<int, 2>{patch, second}) ||
+           std::ranges::binary_search(buried_, std::array<int, 2>{other, first});
+}
+
+bool Overlaps::set(const Pairs& touching, const Pairs& buried) {
+    const int patches = static_cast<int>(features_.surface().size());
+    const auto all_below = [](const Pairs& pairs, int first, int second) {
+        return std::ranges::is_sorted(pairs) && std::ranges::all_of(pairs, [&](const auto& pair) {
+                   return pair[0] >= 0 && pair[0] < first && pair[1] >= 0 && pair[1] < second;
+               });
+    };
+    if (!all_below(touching, patches, patches) || !all_below(buried, patches, features_.pieces()))
+        return false;
+    touching_ = touching;
+    buried_ = buried;
+    return true;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of a body that were meshed apart may overlap at rest. What does is left out of contact
+// until it has come apart, gently, since nothing pushes it, and counts from then on:
+//   a pair of patches of two pieces whose triangles cross or nearly touch, until all of them are
+//   farther from each other than a reach;
+//   a patch that has a vertex within another piece, with all patches of that piece, until none is.
+// Within is where rays meet the surface more often from behind than from before. One piece does not
+// overlap itself: its surface bounds tetrahedra that share faces.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/contact/surface_features.h"
+
+namespace hepatica {
+
+// Not thread-safe.
+class Overlaps {
+  public:
+    // Keeps a reference.
+    explicit Overlaps(const SurfaceFeatures& features) : features_(features) {}
+
+    // All that overlaps at these positions, where triangles nearer than touch_mm do, too.
+    void find(std::span<const Vec3> positions_mm, double touch_mm);
+
+    // Lets go what has come apart; true where something has. Nothing begins to overlap by it.
+    bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
+
+    // Whether a pair of patches does not count.
+    bool left_out(int patch, int other) const;
+    bool any() const { return !touching_.empty() || !buried_.empty(); }
+
+    // What a checkpoint keeps: pairs of patches (a < b), and of a patch and the piece that it lies
+    // in; both ascending. set() takes what pairs() gave; false where it cannot be of this surface.
+    using Pairs = std::vector<std::array<int, 2>>;
+    const Pairs& touching() const { return touching_; }
+    const Pairs& buried() const { return buried_; }
+    bool set(const Pairs& touching, const Pairs& buried);
+
+  private:
+    std::vector<Box> boxes_of_patches(std::span<const Vec3> positions_mm) const;
+    bool nearer_than(double gap_mm, int patch, int other, std::span<const Vec3> positions_mm) const;
+    bool within(const Vec3& point, int piece, std::span<const Box> boxes,
+                std::span<const Vec3> positions_mm) const;
+    bool lies_in(int patch, int piece, std::span<const Box> boxes,
+                 std::span<const Vec3> positions_mm) const;
+
+    const SurfaceFeatures& features_;
+    Pairs touching_, buried_;
+};
+
+}  // namespace hepatica

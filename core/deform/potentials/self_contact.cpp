@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/potentials/self_contact.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/contact/time_of_contact.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double least_part = 0.1;         // of a gap, that a motion leaves
+constexpr double touched = 0.5;            // of the pad
+constexpr double deepest = 1.0 - 1e-12;    // of the pad, for forces where the gap has closed
+constexpr double nearly_parallel = 0.01;   // sin^2 of the angle between edges
+constexpr double touching_at_rest = 0.05;  // of the pad
+constexpr double slack_edges = 0.1;        // of the search, see PairCover
+constexpr double band = 1e-3;              // of a gap, for times of contact
+constexpr std::size_t pairs_per_block = 64;
+
+// Adds the time of its life.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms) {}
+    ~Stopwatch() {
+        const std::chrono::duration<double, std::milli> gone = Clock::now() - begin_;
+        sum_ms_ += gone.count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_ms_;
+    Clock::time_point begin_ = Clock::now();
+};
+
+Segment segment(const FeaturePair& pair, int first, std::span<const Vec3> x) {
+    return {x[pair.nodes[first]], x[pair.nodes[first + 1]]};
+}
+
+Triangle triangle(const FeaturePair& pair, std::span<const Vec3> x) {
+    return {x[pair.nodes[1]], x[pair.nodes[2]], x[pair.nodes[3]]};
+}
+
+// Where the two are nearest.
+PointPair nearest(const FeaturePair& pair, std::span<const Vec3> x) {
+    PointPair at{.nodes = pair.nodes, .in_first = pair.of_edges ? 2 : 1};
+    if (pair.of_edges) {
+        const SegmentSegment on = closest(segment(pair, 0, x), segment(pair, 2, x));
+        at.weights = {1.0 - on.along_first, on.along_first, on.along_second - 1.0,
+                      -on.along_second};
+    } else {
+        const PointTriangle on = closest(x[pair.nodes[0]], triangle(pair, x));
+        at.weights = {1.0, -on.weights[0], -on.weights[1], -on.weights[2]};
+    }
+    return at;
+}
+
+double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
+    return std::sqrt(pair.of_edges ? closest(segment(pair, 0, x), segment(pair, 2, x)).squared_mm2
+                                   : closest(x[pair.nodes[0]], triangle(pair, x)).squared_mm2);
+}
+
+// How much nearer the two come at most.
+double approach_mm(const FeaturePair& pair, std::span<const Vec3> from, std::span<const Vec3> to) {
+    const auto moved = [&](int a) -> Vec3 { return to[pair.nodes[a]] - from[pair.nodes[a]]; };
+    const int in_first = pair.of_edges ? 2 : 1;
+    double squared = 0.0;
+    for (int a = 0; a < in_first; ++a)
+        for (int b = in_first; b < 4; ++b)
+            squared = std::max(squared, (moved(a) - moved(b)).squaredNorm());
+    return std::sqrt(squared);
+}
+
+std::optional<double> time_to(const FeaturePair& pair, std::span<const Vec3> from,
+                              std::span<const Vec3> to, double keep_mm, double tolerance_mm) {
+    if (pair.of_edges)
+        return time_of_contact(Motion<Segment>{segment(pair, 0, from), segment(pair, 0, to)},
+                               Motion<Segment>{segment(pair, 2, from), segment(pair, 2, to)},
+                               keep_mm, tolerance_mm);
+    return time_of_contact(Motion<Vec3>{from[pair.nodes[0]], to[pair.nodes[0]]},
+                           Motion<Triangle>{triangle(pair, from), triangle(pair, to)}, keep_mm,
+                           tolerance_mm);
+}
+
+std::vector<int> one_by_one(const Overlaps::Pairs& pairs) {
+    std::vector<int> all;
+    for (const auto& pair : pairs) all.insert(all.end(), pair.begin(), pair.end());
+    return all;
+}
+
+Overlaps::Pairs in_pairs(const std::vector<int>& all) {
+    Overlaps::Pairs pairs;
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2) pairs.push_back({all[i], all[i + 1]});
+    return pairs;
+}
+
+Mat3 along_normal(const SurfaceContact& contact) {
+    return contact.stiffness_un_per_mm * contact.normal * contact.normal.transpose();
+}
+
+}  // namespace
+
+SelfContact::SelfContact(const Body& body)
+    : body_(body),
+      pad_(*body.self_pad),
+      features_(SurfacePatches(body.self_surface), body.rest_positions_mm),
+      overlaps_(features_),
+      at_rest_(features_),
+      cover_(features_, pad_.thickness_mm, slack_edges * body.mean_edge_mm) {
+    const Stopwatch watch(build_ms_);
+    at_rest_.find(body.rest_positions_mm, touching_at_rest * pad_.thickness_mm);
+    overlaps_.set(at_rest_.touching(), at_rest_.buried());
+}
+
+void SelfContact::let_go(std::span<const Vec3> positions_mm) {
+    const Stopwatch watch(spent_ms_);
+    if (!overlaps_.let_go(positions_mm, pad_.thickness_mm)) return;
+    cover_.forget();
+    looked_at_mm_.clear();
+}
+
+void SelfContact::find_overlaps(std::span<const Vec3> positions_mm) {
+    overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm);
+    cover_.forget();
+    looked_at_mm_.clear();
+}
+
+bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps) {
+    return kept.touching.size() % 2 == 0 && kept.buried.size() % 2 == 0 &&
+           overlaps.set(in_pairs(kept.touching), in_pairs(kept.buried));
+}
+
+bool SelfContact::set_overlaps(const OverlapsKept& kept) {
+    if (!set_pairs(kept, overlaps_)) return false;
+    cover_.forget();
+    looked_at_mm_.clear();
+    return true;
+}
+
+OverlapsKept SelfContact::kept_overlaps() const {
+    return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried())};
+}
+
+// What overlapped at rest has no distance there to go by.
+double SelfContact::pad_of(const FeaturePair& pair) const {
+    const auto patches = pair.of_edges
+                             ? features_.patches_of_edges(pair.first, pair.second)
+                             : features_.patches_of_vertex_triangle(pair.first, pair.second);
+    if (at_rest_.left_out(patches[0], patches[1])) return pad_.thickness_mm;
+    return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, body_.rest_positions_mm));
+}
+
+std::vector<FeaturePair> SelfContact::candidates(std::span<const Vec3> from_mm,
+                                                 std::span<const Vec3> to_mm) const {
+    return cover_.along(from_mm, to_mm,
+                        [&](int patch, int other) { return overlaps_.left_out(patch, other); });
+}
+
+std::optional<SurfaceContact> SelfContact::contact_of(const FeaturePair& pair,
+                                                      std::span<const Vec3> x) const {
+    SurfaceContact contact{.of = pair, .at = nearest(pair, x)};
+    const Vec3 apart = contact.at.between(x);
+    contact.gap_mm = apart.norm();
+    if (!(contact.gap_mm < pad_.thickness_mm)) return std::nullopt;
+    const double pad = pad_of(pair);
+    if (!(contact.gap_mm < pad)) return std::nullopt;
+    const double area = pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
+                                                features_.area_of_edge_mm2(pair.second))
+                                      : 0.5 * features_.area_of_node_mm2(pair.first);
+    const double strength = area * pad_.pressure_pa;
+    const double pressed = std::min(1.0 - contact.gap_mm / pad, deepest), left = 1.0 - pressed;
+    contact.normal = contact.gap_mm > 0.0 ? Vec3(apart / contact.gap_mm) : Vec3(Vec3::UnitZ());
+    contact.energy_nj = contact.gap_mm > 0.0 ? strength * pad * (-pressed - std::log1p(-pressed))
+                                             : std::numeric_limits<double>::infinity();
+    contact.force_un = strength * pressed / left;
+    contact.stiffness_un_per_mm = strength / (pad * left * left);
+    if (pair.of_edges) fade(contact, x);
+    return contact;
+}
+
+void SelfContact::fade(SurfaceContact& contact, std::span<const Vec3> x) const {
+    const auto& n = contact.of.nodes;
+    const auto& rest = body_.rest_positions_mm;
+    const Vec3 e = x[n[1]] - x[n[0]], f = x[n[3]] - x[n[2]];
+    const double full = nearly_parallel * (rest[n[1]] - rest[n[0]]).squaredNorm() *
+                        (rest[n[3]] - rest[n[2]]).squaredNorm();
+    const double c = e.cross(f).squaredNorm() / full;
+    if (c >= 1.0) return;
+    const double share = c * (2.0 - c);
+    // Of -energy * d share, by e and f.
+    const double slope = -contact.energy_nj * 2.0 * (1.0 - c) * 2.0 / full;
+    const Vec3 by_e = slope * (f.squaredNorm() * e - e.dot(f) * f);
+    const Vec3 by_f = slope * (e.squaredNorm() * f - e.dot(f) * e);
+    contact.turning_un = {-by_e, by_e, -by_f, by_f};
+    contact.energy_nj *= share;
+    contact.force_un *= share;
+    contact.stiffness_un_per_mm *= share;
+}
+
+const std::vector<SurfaceContact>& SelfContact::contacts(std::span<const Vec3> positions_mm) const {
+    if (std::ranges::equal(looked_at_mm_, positions_mm)) return contacts_;
+    const Stopwatch watch(spent_ms_);
+    const std::vector<FeaturePair> near = candidates(positions_mm, positions_mm);
+    const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
+    std::vector<std::vector<SurfaceContact>> found(blocks);
+    parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            if (const auto contact = contact_of(near[k], positions_mm))
+                found[begin / pairs_per_block].push_back(*contact);
+    });
+    contacts_.clear();
+    for (const auto& some : found) contacts_.insert(contacts_.end(), some.begin(), some.end());
+    std::ranges::sort(contacts_, {}, [](const SurfaceContact& contact) {
+        return std::tuple(contact.of.of_edges, contact.of.first, contact.of.second);
+    });
+    looked_at_mm_.assign(positions_mm.begin(), positions_mm.end());
+    return contacts_;
+}
+
+SelfLoad SelfContact::load(std::span<const Vec3> positions_mm) const {
+    SelfLoad load;
+    for (const SurfaceContact& contact : contacts(positions_mm)) {
+        ++load.contacts;
+        load.least_gap_mm = std::min(load.least_gap_mm, contact.gap_mm);
+    }
+    return load;
+}
+
+double SelfContact::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
+    double sum = 0.0;
+    for (const SurfaceContact& contact : contacts(positions_mm)) sum += contact.energy_nj;
+    return sum;
+}
+
+void SelfContact::add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3>,
+                                      std::span<const int> piece_of_node,
+                                      std::span<double> energy_nj) const {
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        energy_nj[piece_of_node[contact.of.nodes[0]]] += contact.energy_nj;
+}
+
+void SelfContact::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const {
+    for (const SurfaceContact& contact : contacts(positions_mm)) {
+        contact.at.add_force(contact.force_un * contact.normal, forces_un);
+        for (int a = 0; a < 4; ++a) forces_un[contact.of.nodes[a]] += contact.turning_un[a];
+    }
+}
+
+void SelfContact::add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                                BlockMatrix& matrix) const {
+    note_meeting(positions_mm);
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        add_within(contact.at, factor * along_normal(contact), held_, matrix);
+}
+
+void SelfContact::add_product(std::span<const Vec3> positions_mm, double factor,
+                              std::span<const Vec3> d, const BlockMatrix&,
+                              std::span<Vec3> product) const {
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        add_pair_product(contact.at, factor * along_normal(contact), true, {}, d, product);
+}
+
+void SelfContact::add_coupling(std::span<const Vec3> positions_mm, double factor,
+                               std::span<const Vec3> d, std::span<Vec3> product) const {
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        add_pair_product(contact.at, factor * along_normal(contact), false, held_, d, product);
+}
+
+void SelfContact::join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const {
+    const auto join = [&](int node, int other) {
+        const int a = joined[piece_of_node[node]], b = joined[piece_of_node[other]];
+        if (a != b) std::ranges::replace(joined, std::max(a, b), std::min(a, b));
+    };
+    for (const auto& [node, other] : met_) join(node, other);
+    for (const SurfaceContact& contact : contacts_) join(contact.of.nodes[0], contact.of.nodes[3]);
+}
+
+void SelfContact::begin_step(const BodyState& start, double, std::span<const std::uint8_t> held) {
+    held_ = held;
+    met_.clear();
+    note_meeting(start.positions_mm);
+}
+
+void SelfContact::note_meeting(std::span<const Vec3> positions_mm) const {
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        met_.push_back({contact.of.nodes[0], contact.of.nodes[3]});
+}
+
+void SelfContact::end_step() {
+    held_ = {};
+    met_.clear();
+}
+
+double SelfContact::least_share(
+    std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+    const std::function<double(double gap_mm, double pad_mm)>& kept) const {
+    const Stopwatch watch(spent_ms_);
+    const std::vector<FeaturePair> near = candidates(from_mm, to_mm);
+    const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
+    std::vector<double> share(blocks, 1.0);
+    parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
+        double& least = share[begin / pairs_per_block];
+        for (std::size_t k = begin; k < end; ++k) {
+            const double gap = distance_mm(near[k], from_mm);
+            const double most_kept = std::max(least_part * gap, touched * pad_.thickness_mm);
+            if (gap - approach_mm(near[k], from_mm, to_mm) > most_kept) continue;
+            const double keep = kept(gap, pad_of(near[k]));
+            if (keep < 0.0) continue;
+            const double tolerance = band * std::max(gap - keep, keep);
+            const auto time = time_to(near[k], from_mm, to_mm, keep, tolerance);
+            if (time) least = std::min(least, *time);
+        }
+    });
+    return share.empty() ? 1.0 : *std::ranges::min_element(share);
+}
+
+double SelfContact::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
+    return least_share(from_mm, to_mm,
+                       [](double gap, double pad) { return least_part * std::min(gap, pad); });
+}
+
+double SelfContact::share_until_touch(std::span<const Vec3> from_mm,
+                                      std::span<const Vec3> to_mm) const {
+    if (free_share(from_mm, to_mm) == 1.0) return 1.0;
+    return least_share(from_mm, to_mm,
+                       [](double gap, double pad) { return gap > pad ? touched * pad : -1.0; });
+}
+
+SelfCost SelfContact::take_cost() {
+    return {.bytes = features_.bytes() + cover_.bytes() + looked_at_mm_.capacity() * sizeof(Vec3) +
+                     contacts_.capacity() * sizeof(SurfaceContact),
+            .build_ms = build_ms_,
+            .step_ms = std::exchange(spent_ms_, 0.0)};
+}
+
+}  // namespace hepatica

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pairs of features against every pair there is, at many moments of every motion; and what overlaps
+// against boxes, whose insides are known.
+#include "core/contact/near_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "core/contact/overlaps.h"
+#include "core/contact/pair_cover.h"
+#include "core/mesh/brick_mesh.h"
+
+namespace hepatica {
+namespace {
+
+// Boxes of 6 x 2 x 2 mm, moved and turned about z.
+struct Boxes {
+    TetMesh mesh;
+    void add(const Vec3& at_mm, double angle_rad, double size = 1.0) {
+        TetMesh box = kuhn_brick(size * Vec3(6, 2, 2), {3, 1, 1});
+        const Eigen::AngleAxisd turn(angle_rad, Vec3::UnitZ());
+        const int first = static_cast<int>(mesh.vertices_mm.size());
+        for (const Vec3& x : box.vertices_mm)
+            mesh.vertices_mm.push_back(turn * (x - size * Vec3(3, 1, 1)) + at_mm);
+        for (auto nodes : box.tetrahedra) {
+            for (int& node : nodes) node += first;
+            mesh.tetrahedra.push_back(nodes);
+        }
+    }
+    SurfaceFeatures features(int in_patch = 8) const {
+        return {SurfacePatches(boundary_triangles(mesh), in_patch), mesh.vertices_mm};
+    }
+};
+
+using Key = std::array<int, 3>;
+
+std::vector<Vec3> between(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double share) {
+    std::vector<Vec3> x(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) x[i] = a[i] + share * (b[i] - a[i]);
+    return x;
+}
+
+// Without any search.
+std::set<Key> all_nearer(const SurfaceFeatures& features, const std::vector<Vec3>& x,
+                         double reach_mm) {
+    std::set<Key> found;
+    const auto& triangles = features.surface().triangles();
+    for (const int v : features.nodes())
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            if (std::ranges::count(triangles[t], v) == 0 &&
+                closest(x[v], corners_of(triangles[t], x)).squared_mm2 <= reach_mm * reach_mm)
+                found.insert({0, v, static_cast<int>(t)});
+    const auto& edges = features.edges();
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        for (std::size_t f = e + 1; f < edges.size(); ++f) {
+            const auto &a = edges[e], &b = edges[f];
+            if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) continue;
+            if (closest(Segment{x[a[0]], x[a[1]]}, Segment{x[b[0]], x[b[1]]}).squared_mm2 <=
+                reach_mm * reach_mm)
+                found.insert({1, static_cast<int>(e), static_cast<int>(f)});
+        }
+    return found;
+}
+
+std::set<Key> keys_of(const std::vector<FeaturePair>& pairs) {
+    std::set<Key> keys;
+    for (const FeaturePair& pair : pairs)
+        EXPECT_TRUE(keys.insert({pair.of_edges ? 1 : 0, pair.first, pair.second}).second);
+    return keys;
+}
+
+bool none_left_out(int, int) {
+    return false;
+}
+
+TEST(NearPairs, FindsWhatComesNearAtAnyMoment) {
+    Boxes boxes;
+    boxes.add(Vec3(0, 0, 0), 0.0);
+    boxes.add(Vec3(0.3, 0.2, 2.4), 1.3);
+    boxes.add(Vec3(7.0, 0.5, 0.3), 0.4);
+    const SurfaceFeatures features = boxes.features();
+    EXPECT_EQ(features.pieces(), 3);
+    const std::vector<Vec3>& from = boxes.mesh.vertices_mm;
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> in(-1.0, 1.0);
+    NearPairs search(features);
+    PairCover cover(features, 0.4, 0.3);
+    std::size_t met = 0;
+    for (const double size : {0.0, 0.2, 1.0, 4.0, 50.0})
+        for (int trial = 0; trial < 4; ++trial) {
+            std::vector<Vec3> to = from;
+            const std::size_t third = to.size() / 3;
+            for (int piece = 0; piece < 3; ++piece) {
+                const Vec3 way = size * Vec3(in(random), in(random), in(random));
+                for (std::size_t i = piece * third; i < (piece + 1) * third; ++i)
+                    to[i] += way + 0.1 * size * Vec3(in(random), in(random), in(random));
+            }
+            const auto found = keys_of(search.along(from, to, 0.4, none_left_out));
+            const auto covered = keys_of(cover.along(from, to, none_left_out));
+            for (int k = 0; k <= 20; ++k) {
+                const std::vector<Vec3> x = between(from, to, k / 20.0);
+                for (const Key& key : all_nearer(features, x, 0.4)) {
+                    EXPECT_TRUE(found.contains(key)) << size << " at " << k;
+                    EXPECT_TRUE(covered.contains(key)) << size << " at " << k;
+                    ++met;
+                }
+                // The same search holds for places on the way.
+                const auto there = keys_of(cover.along(x, x, none_left_out));
+                for (const Key& key : all_nearer(features, x, 0.4))
+                    EXPECT_TRUE(there.contains(key)) << size << " at " << k;
+            }
+        }
+    EXPECT_GT(met, 1000u);
+    EXPECT_LT(cover.searches(), 25);  // not one for every question
+}
+
+TEST(Overlaps, KnowWhatLiesInWhat) {
+    Boxes boxes;
+    boxes.add(Vec3(0, 0, 0), 0.0);
+    boxes.add(Vec3(0, 0, 0), 0.3, 0.3);  // within the first
+    boxes.add(Vec3(0.1, 0, 1.8), 1.2);   // half in it
+    boxes.add(Vec3(20, 0, 0), 0.0);      // far away
+    const SurfaceFeatures features = boxes.features(4);
+    Overlaps overlaps(features);
+    overlaps.find(boxes.mesh.vertices_mm, 0.01);
+    const auto patches_of = [&](int piece) {
+        std::vector<int> patches;
+        for (int p = 0; p < static_cast<int>(features.surface().size()); ++p)
+            if (features.piece_of_patch(p) == piece) patches.push_back(p);
+        return patches;
+    };
+    std::size_t buried = 0, crossing = 0;
+    for (const int p : patches_of(0)) {
+        for (const int q : patches_of(1)) buried += overlaps.left_out(q, p) ? 1 : 0;
+        for (const int q : patches_of(2)) crossing += overlaps.left_out(p, q) ? 1 : 0;
+        for (const int q : patches_of(3)) EXPECT_FALSE(overlaps.left_out(p, q));
+        for (const int q : patches_of(0)) EXPECT_FALSE(overlaps.left_out(p, q));
+    }
+    EXPECT_EQ(buried, patches_of(0).size() * patches_of(1).size());
+    EXPECT_GT(crossing, 0u);
+    EXPECT_LT(crossing, patches_of(0).size() * patches_of(2).size());
+    EXPECT_FALSE(overlaps.let_go(boxes.mesh.vertices_mm, 0.2));
+    // Taken out one after the other.
+    std::vector<Vec3> x = boxes.mesh.vertices_mm;
+    const std::size_t quarter = x.size() / 4;
+    for (std::size_t i = 2 * quarter; i < 3 * quarter; ++i) x[i].z() += 1.0;
+    EXPECT_TRUE(overlaps.let_go(x, 0.2));
+    EXPECT_TRUE(overlaps.any());
+    for (std::size_t i = quarter; i < 2 * quarter; ++i) x[i].y() += 1.65;  // out by less than that
+    EXPECT_TRUE(overlaps.let_go(x, 0.2));
+    EXPECT_TRUE(overlaps.any());
+    EXPECT_TRUE(overlaps.buried().empty());
+    for (std::size_t i = quarter; i < 2 * quarter; ++i) x[i].y() += 0.3;
+    EXPECT_TRUE(overlaps.let_go(x, 0.2));
+    EXPECT_FALSE(overlaps.any());
+    // What has come apart does not overlap again.
+    EXPECT_FALSE(overlaps.let_go(boxes.mesh.vertices_mm, 0.2));
+    EXPECT_FALSE(overlaps.any());
+    EXPECT_FALSE(overlaps.set({{0, 1000000}}, {}));
+    EXPECT_TRUE(overlaps.set({{0, 9}}, {{1, 2}}));
+}
+
+}  // namespace
+}  // namespace hepatica
