@@ -216,7 +216,7 @@ TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
 
 TEST_F(Tour, TradeoffOfAPatientEndsInItsBudget) {
     const Json measured =
-        answer({"tradeoff", path("p.hep"), "--out", path("tradeoff"), "--budget", "4"});
+        answer({"tradeoff", path("p.hep"), "--out", path("tradeoff"), "--budget", "15"});
     EXPECT_FALSE(measured["points"].empty());
     EXPECT_FALSE(measured["pareto"].empty());
     for (const Json& point : measured["not_measured"])
