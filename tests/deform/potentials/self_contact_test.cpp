@@ -136,6 +136,12 @@ TEST(SelfContact, ThePadsLawInClosedForm) {
         EXPECT_NEAR(force[4].z(), expected, 1e-9 * expected);
         EXPECT_NEAR(contact.energy(x, x),
                     0.5 * area * 1000.0 * 0.4 * (-pressed - std::log(1.0 - pressed)), 1e-9);
+        // Of that force by the gap.
+        std::vector<Vec3> upwards(x.size(), Vec3::Zero()), product = upwards;
+        for (int v = 4; v < 8; ++v) upwards[v].z() = 1.0;
+        contact.add_product(x, 1.0, upwards, BlockMatrix(), product);
+        const double stiffness = 0.5 * area * 1000.0 / (0.4 * (1.0 - pressed) * (1.0 - pressed));
+        EXPECT_NEAR(product[4].z(), stiffness, 1e-9 * stiffness);
         EXPECT_EQ(contact.load(x).contacts, 1);
         EXPECT_NEAR(contact.load(x).least_gap_mm, 0.4 * (1.0 - pressed), 1e-12);
     }
