@@ -7,10 +7,10 @@
 
 namespace hepatica {
 
-// Removes from a tree's graph what hangs on the neck of a segment and is, beyond the neck, at least
-// 4 mm in radius, 1.5 times as wide as the neck, and shorter in all than ten of its radii. What a
-// seed lies in (within its lumen, or 3 mm) stays. `graph` is left as it is where nothing is found;
-// else its nodes are numbered anew.
+// Removes from a tree what hangs on the neck of a segment and is, beyond the neck, at least
+// 4 mm in radius, 1.5 times as wide as the neck, and within a box whose diagonal is shorter than
+// ten of its radii. What a seed lies in (within its lumen, or 3 mm) stays. `graph` is left as it is
+// where nothing is found; else its nodes are numbered anew.
 RemovedPieces remove_blobs(const VesselTree& tree, const std::vector<VesselSeed>& seeds,
                            VesselGraph& graph);
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/test_trees.h"
 
 namespace hepatica {
@@ -37,8 +40,27 @@ TEST(BlobRemoval, RemovesWhatIsWideAndShortBehindANeck) {
     VesselGraph graph;
     const RemovedPieces removed = removed_from(with_end(6.0, 30.0), graph);
     EXPECT_EQ(removed.count, 1);
-    EXPECT_NEAR(removed.length_mm, 30.0, 1e-9);
-    EXPECT_NEAR(length_mm(directed(graph)), 60 + 50 + 50 + 12, 1e-9);
+    // The neck lies where the branch ends: its spur goes, too.
+    EXPECT_NEAR(removed.length_mm, 30.0 + 12.0, 1e-9);
+    EXPECT_NEAR(length_mm(directed(graph)), 60 + 50 + 50, 1e-9);
+}
+
+// Of a lump the skeleton has many spurs, far longer in all than it is wide.
+TEST(BlobRemoval, RemovesALumpWithManySpurs) {
+    VesselGraph graph = to_graph(with_end(6.0, 20.0));
+    const auto wide = std::ranges::find_if(
+        graph.nodes, [](const VesselNode& n) { return n.position_mm == Vec3(110, 40, 0); });
+    const int middle = static_cast<int>(wide - graph.nodes.begin());
+    for (int i = 0; i < 12; ++i) {
+        const double angle = i * 0.5236;
+        graph.nodes.push_back({Vec3(112, 40 + 8 * std::cos(angle), 8 * std::sin(angle)), 3});
+        graph.links.push_back(
+            straight_link(graph, middle, static_cast<int>(graph.nodes.size()) - 1, 5, 3));
+    }
+    const VesselTree tree = directed(graph);
+    const RemovedPieces removed = remove_blobs(tree, {}, graph);
+    EXPECT_EQ(removed.count, 1);
+    EXPECT_GT(removed.length_mm, 110.0);
 }
 
 TEST(BlobRemoval, KeepsVessels) {
