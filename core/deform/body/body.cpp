@@ -238,8 +238,7 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     if (const auto& self = description.self) {
         body.self_surface = surface_of_elements(description);
         body.self_pad = {self->thickness_edges * body.mean_edge_mm,
-                         self->pressure_moduli * description.material.young_modulus_pa,
-                         self->friction};
+                         self->pressure_moduli * description.material.young_modulus_pa};
     }
     return body;
 }

@@ -22,7 +22,6 @@ namespace hepatica {
 struct SelfPad {
     double thickness_edges = 0.1;  // of the mean edge at rest, > 0
     double pressure_moduli = 2.0;  // pressed to half, of the material's Young modulus, > 0
-    double friction = 0.2;         // Coulomb's coefficient, >= 0
 };
 
 // Everything a scene says about a body. Sizes that do not fit and values out of range are refused
@@ -82,7 +81,7 @@ struct Body {
     std::vector<std::array<int, 3>>
         surface;  // counter-clockwise from outside; empty: not touchable
     struct Pad {
-        double thickness_mm = 0.0, pressure_pa = 0.0, friction = 0.0;
+        double thickness_mm = 0.0, pressure_pa = 0.0;
     };
     std::optional<Pad> self_pad;                   // where its surfaces touch each other, and
     std::vector<std::array<int, 3>> self_surface;  // these, as `surface`

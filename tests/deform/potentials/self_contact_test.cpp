@@ -119,7 +119,7 @@ TEST(SelfContact, ThePadsLawInClosedForm) {
     d.mesh.tetrahedra = {{0, 2, 1, 3}, {4, 5, 6, 7}};
     d.self.emplace();
     Body body = built(d);
-    body.self_pad = {0.4, 1000.0, 0.0};  // half the distance at rest is more
+    body.self_pad = {0.4, 1000.0};  // half the distance at rest is more
     const SelfContact contact(body);
     double area = 0.0;
     for (const auto& triangle : body.self_surface) {
