@@ -77,6 +77,12 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
     if (order == ElementOrder::quadratic && (model == ElementModel::spring || !d.hexahedra.empty()))
         reject("there is no quadratic form of springs or hexahedra", "the body",
                "Choose linear order, or tetrahedra of the corotated or neohookean model");
+    if (d.tear) {
+        validate(*d.tear);
+        if (order == ElementOrder::quadratic || !d.hexahedra.empty())
+            reject("only linear tetrahedra tear", "the body",
+                   "Choose linear order, or a scene that does not tear");
+    }
     if (!d.fixed.empty() && d.fixed.size() != vertices)
         reject(
             std::to_string(d.fixed.size()) + " flags for " + std::to_string(vertices) + " vertices",
@@ -234,6 +240,7 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     }
     body.damping = rayleigh_of(description.material);
     body.mean_edge_mm = mean_edge(body);
+    body.tears = description.tear.has_value();
     if (description.touchable) body.surface = surface_of_elements(description);
     if (const auto& self = description.self) {
         body.self_surface = surface_of_elements(description);

@@ -15,6 +15,7 @@
 #include "core/deform/elements/tetrahedron_element.h"
 #include "core/deform/solvers/coarse_skeleton.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/tear/tear_law.h"
 
 namespace hepatica {
 
@@ -41,6 +42,7 @@ struct BodyDescription {
     CoarseSkeleton skeleton;        // may be empty
     bool touchable = false;         // tools may touch it; without it nothing is built for them
     std::optional<SelfPad> self{};  // its surfaces touch each other; none: nothing is built for it
+    std::optional<TearLaw> tear{};  // it tears; none: nothing is built for it. Linear tetrahedra only
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.
@@ -85,6 +87,10 @@ struct Body {
     };
     std::optional<Pad> self_pad;                   // where its surfaces touch each other, and
     std::vector<std::array<int, 3>> self_surface;  // these, as `surface`
+    bool tears = false;
+    // Nodes that stood for one before the body tore there, ascending: blocks of the matrix beside
+    // those of the elements.
+    std::vector<std::array<int, 2>> parted_pairs;
     double mean_edge_mm = 0.0;  // of the elements at rest: the yardstick of tolerances
 
     int node_count() const { return static_cast<int>(rest_positions_mm.size()); }

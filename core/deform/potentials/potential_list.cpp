@@ -7,6 +7,7 @@
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
 #include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/softening_ties.h"
 #include "core/deform/potentials/tether.h"
 #include "core/deform/potentials/tool_contact.h"
 #include "core/deform/potentials/tool_friction.h"
@@ -26,6 +27,11 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
         auto self = std::make_unique<SelfContact>(body);
         self_ = self.get();
         all_.push_back(std::move(self));
+    }
+    if (body.tears) {
+        auto ties = std::make_unique<SofteningTies>();
+        ties_ = ties.get();
+        all_.push_back(std::move(ties));
     }
     if (body.surface.empty()) return;
     auto contact = std::make_unique<ToolContact>(body);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The potentials that act on one body: weight, the surrounding tissue, the hand's grabs and, where
-// the body may be touched, a tool's contact and friction, and that of its surfaces; each function
-// is the sum over them in this order.
+// the body may be touched, a tool's contact and friction, and that of its surfaces, and, where it
+// tears, what binds parted joints; each function is the sum over them in this order.
 #pragma once
 
 #include <memory>
@@ -22,6 +22,7 @@ class GrabSprings;
 class ToolContact;
 class ToolFriction;
 class SelfContact;
+class SofteningTies;
 struct OverlapsKept;
 
 // Keeps a reference to the body. Not thread-safe.
@@ -51,6 +52,8 @@ class PotentialList {
 
     // The body's surfaces among each other; null where they do not touch.
     SelfContact* self() const { return self_; }
+    // What binds parted joints; null where the body does not tear.
+    SofteningTies* ties() const { return ties_; }
     // As a checkpoint kept them. Throws InputError, and changes nothing, where they are of another
     // body.
     void set_overlaps(const OverlapsKept& kept);
@@ -85,6 +88,7 @@ class PotentialList {
     ToolContact* contact_ = nullptr;  // of a body that may be touched
     ToolFriction* friction_ = nullptr;
     SelfContact* self_ = nullptr;  // where its surfaces touch each other
+    SofteningTies* ties_ = nullptr;  // where it tears
     std::size_t nodes_;
 };
 

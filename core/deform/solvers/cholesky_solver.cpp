@@ -31,6 +31,17 @@ void CholeskySolver::plan(const BlockMatrix& pattern, EliminationTree analysis) 
     iteration_.forget();
 }
 
+void CholeskySolver::plan_anew(const BlockMatrix& pattern) {
+    if (parents_.empty()) order_ = fill_reducing_order(pattern);
+    plan(pattern, hepatica::analyse(
+                      pattern, parents_.empty() ? order_ : order_of_split(order_, parents_)));
+}
+
+void CholeskySolver::follow_split(const BlockMatrix& pattern, std::span<const int> parents) {
+    if (order_.empty()) order_ = fill_reducing_order(pattern);
+    parents_.assign(parents.begin(), parents.end());
+}
+
 template <class T>
 void CholeskySolver::factor(std::optional<TreeFactor<T>>& factor,
                             std::span<const int> changed_rows) {
@@ -46,7 +57,7 @@ void CholeskySolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
                             std::span<const int> changed_rows) {
     matrix_ = &matrix;
     if (planned_rows_ != matrix.row_begin || planned_columns_ != matrix.column)
-        plan(matrix, analyse(matrix));
+        plan_anew(matrix);
     if (in_double_)
         factor(double_, changed_rows);
     else
@@ -134,7 +145,7 @@ void CholeskySolver::restore(const BlockMatrix& pattern, bool made_from_it, std:
                              std::span<const double> memory) {
     require_memory(memory.size() == 2 && !made_from_it && (memory[0] == 0.0 || memory[0] == 1.0));
     if (planned_rows_ != pattern.row_begin || planned_columns_ != pattern.column)
-        plan(pattern, analyse(pattern));
+        plan_anew(pattern);
     single_.reset();
     double_.reset();
     in_double_ = memory[0] == 1.0;

@@ -19,6 +19,7 @@ class CholeskySolver final : public LinearSolver {
   public:
     void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                 std::span<const int> changed_rows) override;
+    void follow_split(const BlockMatrix& pattern, std::span<const int> parents) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override;
@@ -43,6 +44,7 @@ class CholeskySolver final : public LinearSolver {
     bool in_single_precision() const { return !in_double_; }
 
   private:
+    void plan_anew(const BlockMatrix& pattern);
     template <class T>
     void factor(std::optional<TreeFactor<T>>& factor, std::span<const int> changed_rows);
     template <class T>
@@ -53,6 +55,7 @@ class CholeskySolver final : public LinearSolver {
 
     const BlockMatrix* matrix_ = nullptr;
     std::vector<int> planned_rows_, planned_columns_;  // of the pattern
+    std::vector<int> order_, parents_;  // of a body before it was split; how it was
     EliminationTree tree_;
     std::optional<TreePreconditioner> single_;
     std::optional<TreeCholesky> double_;

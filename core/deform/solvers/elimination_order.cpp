@@ -69,6 +69,22 @@ std::vector<int> fill_reducing_order(const BlockMatrix& pattern) {
     return {order.indices().data(), order.indices().data() + rows};
 }
 
+std::vector<int> order_of_split(std::span<const int> order, std::span<const int> parents) {
+    std::vector<int> origin(parents.size());
+    std::vector<std::vector<int>> split_from(order.size());
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        const bool own = parents[i] == static_cast<int>(i);
+        origin[i] = own ? parents[i] : origin[parents[i]];
+        if (!own) split_from[origin[i]].push_back(static_cast<int>(i));
+    }
+    std::vector<int> all;
+    for (const int v : order) {
+        all.push_back(v);
+        all.insert(all.end(), split_from[v].begin(), split_from[v].end());
+    }
+    return all;
+}
+
 std::vector<int> order_from_ends(const CoarseSkeleton& skeleton, const SkeletonBinding& binding) {
     const SkeletonTree tree = neighbours_of(skeleton);
     const std::vector<int> centre = centres_of(skeleton, binding, tree);

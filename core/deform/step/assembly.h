@@ -33,6 +33,9 @@ class Assembly {
     }
     double energy(std::span<const Vec3> positions_mm) const { return slots_.energy(positions_mm); }
     double quadratic_form(std::span<const Vec3> d) const { return slots_.quadratic_form(d); }
+    void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) const {
+        slots_.find_stress(stress_pa, energy_nj);
+    }
     void add_energy_by_piece(std::span<const int> piece_of_node,
                              std::span<double> energy_nj) const {
         slots_.add_energy_by_piece(piece_of_node, energy_nj);

@@ -64,6 +64,10 @@ void lay_out_pattern(const Body& body, AssemblyPlan& plan) {
                         entries.push_back(
                             {group.connectivity[first + a], group.connectivity[first + b]});
     }
+    for (const auto& [i, j] : body.parted_pairs) {
+        entries.push_back({i, j});
+        entries.push_back({j, i});
+    }
     std::ranges::sort(entries);
     entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
     plan.row_begin.assign(body.node_count() + 1, 0);
@@ -133,6 +137,14 @@ AssemblyPlan plan_assembly(const Body& body, Tangent tangent) {
 }
 
 std::vector<int> connected_pieces(const AssemblyPlan& plan) {
+    const auto empty = [](const GatherLists& lists, int k) {
+        return lists.begin[k] == lists.begin[k + 1];
+    };
+    const auto of_an_element = [&](int k) {
+        const int upper = std::min(k, plan.mirror[k]);
+        return !empty(plan.factors, upper) || !empty(plan.blocks, upper) ||
+               !empty(plan.transposed, upper);
+    };
     std::vector<int> piece(plan.diagonal.size(), -1), reached;
     int count = 0;
     for (std::size_t first = 0; first < piece.size(); ++first) {
@@ -144,7 +156,7 @@ std::vector<int> connected_pieces(const AssemblyPlan& plan) {
             reached.pop_back();
             for (int k = plan.row_begin[i]; k < plan.row_begin[i + 1]; ++k) {
                 const int j = plan.column[k];
-                if (piece[j] >= 0) continue;
+                if (piece[j] >= 0 || !of_an_element(k)) continue;
                 piece[j] = count;
                 reached.push_back(j);
             }

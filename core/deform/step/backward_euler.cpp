@@ -46,6 +46,20 @@ double BackwardEuler::potential_energy(std::span<const Vec3> positions_mm,
            potentials.energy(positions_mm, body_.rest_positions_mm);
 }
 
+void BackwardEuler::know_forces(const BodyState& state) {
+    if (!energies_known_)
+        potential_.evaluate_all_forces(state.positions_mm);
+    else if (!forces_known_)
+        potential_.evaluate_forces(state.positions_mm);
+    energies_known_ = forces_known_ = true;
+}
+
+void BackwardEuler::find_stress(const BodyState& state, std::vector<Mat3>& stress_pa,
+                                std::vector<double>& energy_nj) {
+    know_forces(state);
+    potential_.assembly().find_stress(stress_pa, energy_nj);
+}
+
 StepReport BackwardEuler::advance(BodyState& state, double dt_s, const PotentialList& potentials) {
     const int halvings = settings_.line_search ? most_halvings : 0;
     std::optional<StepReport> report;
@@ -111,11 +125,7 @@ StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
 StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
                                            const PotentialList& potentials, int halvings_left,
                                            int most_solves) {
-    if (!energies_known_)
-        potential_.evaluate_all_forces(state.positions_mm);
-    else if (!forces_known_)
-        potential_.evaluate_forces(state.positions_mm);
-    energies_known_ = forces_known_ = true;
+    know_forces(state);
     potentials.begin_step(state, dt_s, potential_.live().held());
     StepReport report;
     report.dt_s = dt_s;

@@ -47,6 +47,10 @@ class BackwardEuler {
         return potential_.assembly().energy(positions_mm);
     }
 
+    // Stress and energy of each tetrahedron at the state, see ElementSlots::find_stress.
+    void find_stress(const BodyState& state, std::vector<Mat3>& stress_pa,
+                     std::vector<double>& energy_nj);
+
     // To be called after the state was changed from outside.
     void forget() { energies_known_ = forces_known_ = false; }
 
@@ -63,7 +67,13 @@ class BackwardEuler {
         newton_.restore(checkpoint);
     }
 
+    // Of the matrices.
+    const BlockMatrix& pattern() { return potential_.matrix(); }
+    // The solver is gone then, and with it all that can still be asked.
+    std::unique_ptr<LinearSolver> release_solver() { return newton_.release_solver(); }
+
   private:
+    void know_forces(const BodyState& state);
     double share_until_touch(const BodyState& state, double dt_s,
                              const PotentialList& potentials) const;
     StepReport advance_in_parts(BodyState& state, double dt_s, const PotentialList& potentials,

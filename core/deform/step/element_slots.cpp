@@ -2,11 +2,13 @@
 #include "core/deform/step/element_slots.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/deform/elements/element_dispatch.h"
+#include "core/tear/joint.h"
 
 namespace hepatica {
 namespace {
@@ -235,6 +237,28 @@ double ElementSlots::evaluate_forces(std::span<const Vec3> positions_mm) {
 double ElementSlots::evaluate_all_forces(std::span<const Vec3> positions_mm) {
     find_forces(nullptr, positions_mm);
     return kept_energy();
+}
+
+void ElementSlots::find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) const {
+    const ElementGroup& group = body_.groups.front();
+    const bool first = stress_pa.empty();
+    stress_pa.resize(group.size());
+    energy_nj = energy_.front();
+    sum_over_packs(first ? nullptr : live_, [&](const Pack& pack) {
+        for (int lane = 0; lane < pack.count; ++lane) {
+            const int e = pack.first + lane;
+            std::array<Vec3, 4> force, rest;
+            for (int a = 0; a < 4; ++a) {
+                const Wide& own = force_[force_slot(pack) + 4 * lane + a];
+                force[a] = Vec3(own[0], own[1], own[2]);
+                rest[a] = body_.rest_positions_mm[nodes(pack, lane)[a]];
+            }
+            const bool springs = group.kind == Kind::spring;
+            stress_pa[e] = stress_of(force, rest,
+                                     springs ? group.springs[e].volume : group.tetrahedra[e].volume);
+        }
+        return 0.0;
+    });
 }
 
 double ElementSlots::energy(std::span<const Vec3> positions_mm) const {

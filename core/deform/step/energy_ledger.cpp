@@ -6,7 +6,8 @@
 namespace hepatica {
 
 double stored_energy(const EnergyLedger& ledger) {
-    return ledger.kinetic + ledger.elastic + ledger.grab + ledger.tether + ledger.contact;
+    return ledger.kinetic + ledger.elastic + ledger.grab + ledger.tether + ledger.contact +
+           ledger.cohesion;
 }
 
 double work_put_in(const EnergyLedger& ledger) {
@@ -16,7 +17,7 @@ double work_put_in(const EnergyLedger& ledger) {
 double explained_change(const EnergyLedger& ledger) {
     return work_put_in(ledger) - ledger.damping_loss - ledger.friction_loss -
            ledger.integrator_loss - ledger.nonlinear_loss - ledger.limiter_loss -
-           ledger.inversion_recovery_loss + ledger.solver_work;
+           ledger.tear_loss - ledger.inversion_recovery_loss + ledger.solver_work;
 }
 
 EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) {
@@ -28,6 +29,7 @@ EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) 
     sum.integrator_loss += first.integrator_loss;
     sum.nonlinear_loss += first.nonlinear_loss;
     sum.limiter_loss += first.limiter_loss;
+    sum.tear_loss += first.tear_loss;
     sum.inversion_recovery_loss += first.inversion_recovery_loss;
     sum.solver_work += first.solver_work;
     sum.imbalance += first.imbalance;
@@ -38,7 +40,8 @@ double energy_handled(const EnergyLedger& ledger) {
     return stored_energy(ledger) + std::abs(ledger.gravity_work) + std::abs(ledger.tool_work) +
            std::abs(ledger.damping_loss) + std::abs(ledger.friction_loss) +
            std::abs(ledger.integrator_loss) + std::abs(ledger.nonlinear_loss) +
-           std::abs(ledger.limiter_loss) + std::abs(ledger.inversion_recovery_loss) +
+           std::abs(ledger.limiter_loss) + std::abs(ledger.tear_loss) +
+           std::abs(ledger.inversion_recovery_loss) +
            std::abs(ledger.solver_work);
 }
 

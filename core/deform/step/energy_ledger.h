@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The energy ledger of a step, and over several. What a body has gained must equal what was put in
 // less what was lost:
-//   change of (kinetic + elastic + grab + tether + contact) = gravity_work + tool_work -
+//   change of (kinetic + elastic + grab + tether + contact + cohesion) = gravity_work + tool_work -
 //   damping_loss - friction_loss - integrator_loss - nonlinear_loss - limiter_loss -
-//   inversion_recovery_loss + solver_work + imbalance.
+//   tear_loss - inversion_recovery_loss + solver_work + imbalance.
 // Of these nonlinear_loss alone depends on whether forces are the gradients of the energies. In an
 // audited step (StepperOptions::audit) it is computed from forces alone, and a force that is not
 // shows up as imbalance. Otherwise it is taken from the energies, and the imbalance says that the
@@ -19,6 +19,7 @@ struct EnergyLedger {
     double grab = 0.0;             // stored in grab springs
     double tether = 0.0;           // stored in the springs of the surrounding tissue
     double contact = 0.0;          // stored in the pads of tools and between surfaces
+    double cohesion = 0.0;         // stored in what still binds parted joints
     double gravity_work = 0.0;     // done on the body during the step
     double tool_work = 0.0;        // done by moving targets during the step
     double damping_loss = 0.0;     // >= 0
@@ -30,13 +31,14 @@ struct EnergyLedger {
                                    // to end less that of the mean of start and end; of third order
                                    // in the step where the stiffness is exact, of either sign
     double limiter_loss = 0.0;     // taken from the velocities: the step would have made energy
+    double tear_loss = 0.0;      // fracture: what the ties of parted joints have given up for good
     double inversion_recovery_loss = 0.0;  // given up where elements inside out were put right
     double solver_work = 0.0;              // done by the forces that the linear solver left
                                            // unbalanced, and by E of eq. (11) where it is used
     double imbalance = 0.0;                // what does not add up; 0 but for rounding
 };
 
-// kinetic + elastic + grab + tether + contact [nJ].
+// kinetic + elastic + grab + tether + contact + cohesion [nJ].
 double stored_energy(const EnergyLedger& ledger);
 // gravity_work + tool_work [nJ].
 double work_put_in(const EnergyLedger& ledger);

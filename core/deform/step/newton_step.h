@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/deform/body/body.h"
@@ -44,6 +45,8 @@ class NewtonStep {
     // counts them. False where not even the first direction lowers the potential at any step
     // length: the velocity is then 0.
     bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
+
+    std::unique_ptr<LinearSolver> release_solver() { return std::move(solver_); }
 
     // Fills the step's damping_force, which a first iterate from rest leaves out.
     void find_damping(StepUnderway& step);

@@ -8,6 +8,7 @@
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/energy_ledger.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 
@@ -28,6 +29,7 @@ struct StepReport {
     ToolLoad tool;  // at the end of the step; of a sleeping body that of its last
     SelfLoad self;  // as `tool`
     SelfCost self_cost;
+    TearReport tear;  // at the end of the step, where the body may tear
     // Where surfaces may touch: see MomentumBalance.
     double momentum_error_g_mm_per_s = 0.0, momentum_exchanged_g_mm_per_s = 0.0;
     // Of an audited step: what its energies have lost more than its forces have worked on the way,

@@ -5,9 +5,12 @@
 
 #include "core/deform/potentials/potential_list.h"
 #include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/softening_ties.h"
+#include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/inversion_recovery.h"
 #include "core/deform/step/step_books.h"
+#include "core/base/error.h"
 #include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
@@ -25,6 +28,12 @@ CoarseSkeleton skeleton_for(const BodyDescription& description) {
 std::unique_ptr<LinearSolver> solver_for(const Body& body, const BodyDescription& description,
                                          const StepperOptions& options) {
     if (options.solver == LinearSolverKind::block_jacobi) return make_block_jacobi_solver();
+    if (description.tear) {
+        if (options.solver == LinearSolverKind::skeleton)
+            throw InputError("cannot follow a tear", "the solver \"skeleton\"",
+                             "Choose cholesky, automatic or block-jacobi");
+        return std::make_unique<CholeskySolver>();
+    }
     return make_linear_solver(options.solver, skeleton_for(description), body.rest_positions_mm);
 }
 
@@ -42,36 +51,36 @@ class CpuBackEnd final : public StepBackEnd {
     CpuBackEnd(const BodyDescription& description, const StepperOptions& options)
         : options_(options),
           body_(build_body(description, options.model, options.order)),
-          potentials_(body_),
-          recovery_(body_),
-          integrator_(body_, newton_of(options), solver_for(body_, description, options)) {
+          recovery_(std::in_place, body_) {
+        potentials_.emplace(body_);
+        integrator_.emplace(body_, newton_of(options), solver_for(body_, description, options));
         state_.positions_mm = body_.rest_positions_mm;
         state_.velocities_mm_per_s.assign(body_.node_count(), Vec3::Zero());
     }
 
     const Body& body() const override { return body_; }
-    void set_grabs(std::span<const Grab> grabs) override { potentials_.set_grabs(grabs); }
+    void set_grabs(std::span<const Grab> grabs) override { potentials_->set_grabs(grabs); }
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
-        potentials_.set_gravity(gravity_mm_per_s2);
+        potentials_->set_gravity(gravity_mm_per_s2);
     }
 
-    void set_tool(const std::optional<Tool>& tool) override { potentials_.set_tool(tool); }
-    const std::optional<Tool>& tool() const override { return potentials_.tool(); }
+    void set_tool(const std::optional<Tool>& tool) override { potentials_->set_tool(tool); }
+    const std::optional<Tool>& tool() const override { return potentials_->tool(); }
     void lead_tool(double share, double dt_s) override {
-        potentials_.lead_tool(state_.positions_mm, share, dt_s);
+        potentials_->lead_tool(state_.positions_mm, share, dt_s);
     }
     std::vector<int> vertices_near_tool() const override {
-        return potentials_.vertices_near_tool(state_.positions_mm);
+        return potentials_->vertices_near_tool(state_.positions_mm);
     }
     bool free_of_tool(std::span<const Vec3> positions_mm) const override {
-        return potentials_.free_of_tool(positions_mm);
+        return potentials_->free_of_tool(positions_mm);
     }
 
     std::optional<OverlapsKept> overlaps() const override {
-        if (!potentials_.self()) return std::nullopt;
-        return potentials_.self()->kept_overlaps();
+        if (!potentials_->self()) return std::nullopt;
+        return potentials_->self()->kept_overlaps();
     }
-    void set_overlaps(const OverlapsKept& kept) override { potentials_.set_overlaps(kept); }
+    void set_overlaps(const OverlapsKept& kept) override { potentials_->set_overlaps(kept); }
     std::vector<std::array<int, 2>> touching_nodes() const override;
 
     bool set_options(const StepperOptions& options) override {
@@ -80,27 +89,41 @@ class CpuBackEnd final : public StepBackEnd {
             (options.newton_iterations > 1) != (options_.newton_iterations > 1))
             return false;
         options_ = options;
-        integrator_.set_settings(newton_of(options));
+        integrator_->set_settings(newton_of(options));
         return true;
     }
 
-    void freeze(std::span<const std::uint8_t> frozen) override { integrator_.freeze(frozen); }
-    int live_elements() const override { return integrator_.live().live_elements(); }
+    void freeze(std::span<const std::uint8_t> frozen) override { integrator_->freeze(frozen); }
+    int live_elements() const override { return integrator_->live().live_elements(); }
 
     StepReport advance(double dt_s) override {
-        const StepReport report = integrator_.advance(state_, dt_s, potentials_);
-        potentials_.end_step();
-        if (potentials_.self()) potentials_.self()->let_go(state_.positions_mm);
+        StepReport report = integrator_->advance(state_, dt_s, *potentials_);
+        potentials_->end_step();
+        if (potentials_->ties()) {
+            report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
+            report.energy.cohesion -= report.energy.tear_loss;
+        }
+        if (potentials_->self()) potentials_->self()->let_go(state_.positions_mm);
         return report;
     }
 
     bool recover_from_inversion(StepReport& report) override;
 
+    void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
+        integrator_->find_stress(state_, stress_pa, energy_nj);
+    }
+    void tear(const BodyDescription& whole, const TornBody& tear) override;
+    std::span<const SofteningTie> ties() const override {
+        if (!potentials_->ties()) return {};
+        return potentials_->ties()->all();
+    }
+
     const BodyState& state() const override { return state_; }
     void set_state(const BodyState& state) override {
         state_ = state;
-        if (potentials_.self()) potentials_.self()->find_overlaps(state_.positions_mm);
-        integrator_.forget();
+        if (potentials_->self()) potentials_->self()->find_overlaps(state_.positions_mm);
+        if (potentials_->ties()) potentials_->ties()->turn(state_.positions_mm);
+        integrator_->forget();
     }
     void set_velocities(const std::vector<Vec3>& velocities_mm_per_s) override {
         state_.velocities_mm_per_s = velocities_mm_per_s;
@@ -109,7 +132,7 @@ class CpuBackEnd final : public StepBackEnd {
     EnergyLedger energies() const override {
         EnergyLedger now = outside_energies();
         now.kinetic = kinetic_energy();
-        now.elastic = integrator_.elastic_energy(state_.positions_mm);
+        now.elastic = integrator_->elastic_energy(state_.positions_mm);
         return now;
     }
     double grab_energy() const override { return outside_energies().grab; }
@@ -118,55 +141,76 @@ class CpuBackEnd final : public StepBackEnd {
         return hepatica::kinetic_energy(body_, state_.velocities_mm_per_s);
     }
 
-    SolverCheckpoint checkpoint() const override { return integrator_.checkpoint(); }
-    void restore(const SolverCheckpoint& checkpoint) override { integrator_.restore(checkpoint); }
+    SolverCheckpoint checkpoint() const override { return integrator_->checkpoint(); }
+    void restore(const SolverCheckpoint& checkpoint) override { integrator_->restore(checkpoint); }
 
   private:
     // Of the potentials.
     EnergyLedger outside_energies() const {
         EnergyLedger now;
-        potentials_.book(state_.positions_mm, state_.positions_mm, now);
+        potentials_->book(state_.positions_mm, state_.positions_mm, now);
         return now;
     }
 
     StepperOptions options_;
     Body body_;
-    PotentialList potentials_;
-    InversionRecovery recovery_;
-    BackwardEuler integrator_;
+    std::optional<PotentialList> potentials_;  // always there
+    std::optional<InversionRecovery> recovery_;  // always there
+    std::optional<BackwardEuler> integrator_;  // always there
     BodyState state_;
 };
 
 std::vector<std::array<int, 2>> CpuBackEnd::touching_nodes() const {
     std::vector<std::array<int, 2>> touching;
-    if (!potentials_.self()) return touching;
-    for (const SurfaceContact& contact : potentials_.self()->contacts(state_.positions_mm))
+    if (!potentials_->self()) return touching;
+    for (const SurfaceContact& contact : potentials_->self()->contacts(state_.positions_mm))
         for (int a = 0; a < contact.at.in_first; ++a)
             for (int b = contact.at.in_first; b < 4; ++b)
                 touching.push_back({contact.at.nodes[a], contact.at.nodes[b]});
     return touching;
 }
 
+void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
+    std::unique_ptr<LinearSolver> solver = integrator_->release_solver();
+    solver->follow_split(integrator_->pattern(), tear.parents);
+    const std::vector<Grab> grabs = potentials_->grabs();
+    const Vec3 gravity = potentials_->gravity_mm_per_s2();
+    const std::optional<Tool> tool = potentials_->tool();
+    body_ = build_body(torn(whole, tear), options_.model, options_.order);
+    body_.parted_pairs = tear.parted_pairs;
+    inherit(tear.parents, state_.positions_mm);
+    inherit(tear.parents, state_.velocities_mm_per_s);
+    recovery_.emplace(body_);
+    potentials_.emplace(body_);
+    potentials_->set_grabs(grabs);
+    potentials_->set_gravity(gravity);
+    potentials_->set_tool(tool);
+    potentials_->ties()->set(tear.law, tear.ties, state_.positions_mm);
+    if (potentials_->self()) potentials_->self()->find_overlaps(state_.positions_mm);
+    integrator_.emplace(body_, newton_of(options_), std::move(solver));
+}
+
 bool CpuBackEnd::recover_from_inversion(StepReport& report) {
     const auto energy = [&](std::span<const Vec3> x) {
-        return integrator_.potential_energy(x, potentials_);
+        return integrator_->potential_energy(x, *potentials_);
     };
-    const auto recovered = recovery_.recover(state_.positions_mm, energy);
-    if (!recovered || potentials_.free_share(state_.positions_mm, *recovered) < 1.0) return false;
+    const auto recovered = recovery_->recover(state_.positions_mm, energy);
+    if (!recovered || potentials_->free_share(state_.positions_mm, *recovered) < 1.0) return false;
     EnergyLedger& ledger = report.energy;
     ledger.inversion_recovery_loss =
         ledger.kinetic + energy(state_.positions_mm) - energy(*recovered);
     EnergyLedger after;
-    potentials_.book(*recovered, state_.positions_mm, after);
+    potentials_->book(*recovered, state_.positions_mm, after);
     ledger.gravity_work += after.gravity_work;
     ledger.grab = after.grab;
     ledger.tether = after.tether;
     ledger.contact = after.contact;
+    ledger.cohesion = after.cohesion;
     state_.positions_mm = *recovered;
     std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
     ledger.kinetic = 0.0;
-    ledger.elastic = integrator_.elastic_energy(state_.positions_mm);
-    integrator_.forget();
+    ledger.elastic = integrator_->elastic_energy(state_.positions_mm);
+    integrator_->forget();
     report.degraded = true;
     report.message = "elements that had turned inside out were put right";
     return true;

@@ -61,6 +61,7 @@ GovernedStepper::GovernedStepper(const BodyDescription& body, const StepperOptio
       make_(std::move(make)),
       back_end_(make_(description_, options)) {
     if (region) region_ = region_of(description_, *region);
+    if (body.tear) tearing_.emplace(body.mesh, *body.tear, body.stiffness_factor);
 }
 
 void GovernedStepper::wake() {
@@ -210,6 +211,7 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
     if (options.order != options_.order) return false;
     if (!back_end_->set_options(options)) {
         std::unique_ptr<StepBackEnd> other = make_(description_, options);
+        if (tearing_) follow_tear(*other);
         other->set_gravity(gravity_mm_per_s2_);
         other->set_grabs(grabs_);
         other->set_state(back_end_->state());
@@ -251,6 +253,8 @@ StepReport GovernedStepper::step(double dt_s) {
         report.energy.grab = resting_.grab;
         report.energy.tether = resting_.tether;
         report.energy.contact = resting_.contact;
+        report.energy.cohesion = resting_.cohesion;
+        if (tearing_) report.tear = tearing_->report();
         report.tool = tool_load_;
         report.self = self_load_;
     } else {
@@ -266,6 +270,7 @@ StepReport GovernedStepper::step(double dt_s) {
     tool_led_ = tool() && tool()->speed_mm_per_s() >= slow_mm_per_s();
     if (!sleeps) {
         look_for_inversion(dt_s, report);
+        if (tearing_) tear(report);
         tool_load_ = report.tool;
         self_load_ = report.self;
         resting_ = report.energy;
@@ -305,6 +310,71 @@ void GovernedStepper::look_for_inversion(double dt_s, StepReport& report) {
     if (!region_) return;
     region_->wake_all();
     change_region();
+}
+
+// Of the state at hand.
+TearLoads GovernedStepper::tear_loads() {
+    tearing_->take_openings(back_end_->ties());
+    back_end_->find_stress(stress_pa_, energy_nj_);
+    return {stress_pa_, energy_nj_, back_end_->state().positions_mm, back_end_->body().mass_g};
+}
+
+void GovernedStepper::tear(StepReport& report) {
+    const TearLoads loads = tear_loads();
+    tearing_->measure(loads);
+    if (tearing_->part_overloaded(loads)) follow_tear();
+    report.tear = tearing_->report();
+}
+
+void GovernedStepper::follow_tear(StepBackEnd& back_end) const {
+    back_end.tear(description_, torn_body_of(*tearing_));
+}
+
+// What was split begins to move, whatever slept.
+void GovernedStepper::follow_tear() {
+    const auto before = nodes();
+    follow_tear(*back_end_);
+    wake();
+    if (!region_) return;
+    const auto parents = tearing_->topology().parents();
+    region_->follow_split(parents);
+    std::vector<int> split;
+    for (std::size_t v = before; v < nodes(); ++v) split.push_back(static_cast<int>(v));
+    region_->wake(split);
+    change_region();
+}
+
+void GovernedStepper::weaken(std::span<const int> joints, double factor) {
+    if (!tearing_) return;
+    tearing_->weaken(joints, factor);
+    wake();
+    if (!region_) return;
+    std::vector<int> around;
+    for (const int j : joints)
+        for (int k = 0; k < 3; ++k)
+            around.push_back(
+                tearing_->topology().sides(tearing_->topology().joints()[j], k)[0]);
+    if (region_->wake(around)) change_region();
+}
+
+void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
+                          const Vec3& second_edge_mm) {
+    if (!tearing_) return;
+    const std::vector<int> joints =
+        tearing_->crossing(corner_mm, first_edge_mm, second_edge_mm, positions_mm());
+    if (joints.empty()) return;
+    tearing_->measure(tear_loads());
+    tearing_->cut(joints);
+    follow_tear();
+}
+
+void GovernedStepper::mend() {
+    if (!tearing_) return;
+    tearing_.emplace(description_.mesh, *description_.tear, description_.stiffness_factor);
+    stress_pa_.clear();
+    if (region_) region_ = region_of(description_, region_->options());
+    follow_tear(*back_end_);
+    wake();
 }
 
 void GovernedStepper::set_state(std::span<const Vec3> positions_mm,
@@ -351,12 +421,19 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
     if (region_) kept.region = region_->checkpoint();
     if (const auto overlaps = back_end_->overlaps())
         kept.self = SelfCheckpoint{*overlaps, self_load_, resting_.contact};
+    if (tearing_) kept.tear = tearing_->state();
     if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
     return kept;
 }
 
 void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
-    validate_checkpoint(checkpoint, nodes(), !back_end_->body().surface.empty());
+    const std::size_t whole = nodes() - (tearing_ ? tearing_->report().vertices_split : 0);
+    validate_checkpoint(checkpoint,
+                        whole + (checkpoint.tear ? checkpoint.tear->parents.size() : 0),
+                        !back_end_->body().surface.empty());
+    if (checkpoint.tear.has_value() != tearing_.has_value())
+        throw InputError(checkpoint.tear ? "is of a body that tears" : "is of a body that does not tear",
+                         "the checkpoint of a body", "Make a stepper of that kind");
     if (checkpoint.region.has_value() != region_.has_value())
         throw InputError(checkpoint.region ? "is of a stepper that computes a part"
                                            : "is of a stepper that computes the whole body",
@@ -365,16 +442,32 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
         throw InputError(checkpoint.self ? "is of a body whose surfaces touch each other"
                                          : "is of a body whose surfaces do not touch each other",
                          "the checkpoint of a body", "Make a stepper of that kind");
+    std::optional<Tearing> tearing = tearing_;
+    if (tearing) tearing->restore(*checkpoint.tear);
     std::optional<LiveRegion> region = region_;
+    if (region && tearing) {
+        region = region_of(description_, region->options());
+        region->follow_split(tearing->topology().parents());
+    }
     if (region) region->restore(*checkpoint.region);
     const std::optional<OverlapsKept> overlaps = back_end_->overlaps();
-    if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
+    const BodyState present = back_end_->state();
+    tearing_.swap(tearing);
     try {
+        if (tearing_) follow_tear(*back_end_);
+        if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
         back_end_->restore(checkpoint.solver);
     } catch (...) {
+        tearing_.swap(tearing);
+        if (tearing_) {
+            follow_tear(*back_end_);
+            back_end_->set_state(present);
+            if (region_) back_end_->freeze(frozen_nodes());
+        }
         if (overlaps) back_end_->set_overlaps(*overlaps);
         throw;
     }
+    stress_pa_.clear();
     // Nothing below throws, so the restored state is complete.
     region_ = std::move(region);
     back_end_->set_state(checkpoint.nodes);
@@ -398,6 +491,7 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     resting_.elastic = checkpoint.last_elastic;
     resting_.grab = checkpoint.last_grab;
     resting_.tether = checkpoint.last_tether;
+    resting_.cohesion = back_end_->energies().cohesion;
     if (checkpoint.self) resting_.contact = checkpoint.self->last_contact;
     if (tool) resting_.contact = tool->last_contact;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides what each step computes, for any back end: the number of substeps, whether the body
-// sleeps, which part is live (near the tools and where something moves, see live_region.h), and
-// when inverted elements are repaired. When the live part changes, no node is moved, so that
+// sleeps, which part is live (near the tools and where something moves, see live_region.h), when
+// inverted elements are repaired, and what tears (core/tear/tearing.h). When the live part changes, no node is moved, so that
 // nothing jumps.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/step_back_end.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 
@@ -44,6 +45,11 @@ class GovernedStepper final : public LiveStepper {
     StepperCheckpoint checkpoint() const override;
     void restore(const StepperCheckpoint& checkpoint) override;
     Extent extent() const override;
+    const Tearing* tearing() const override { return tearing_ ? &*tearing_ : nullptr; }
+    void weaken(std::span<const int> joints, double factor) override;
+    void cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
+             const Vec3& second_edge_mm) override;
+    void mend() override;
 
   private:
     bool asleep() const;
@@ -58,6 +64,10 @@ class GovernedStepper final : public LiveStepper {
     void lead_tool_for(double dt_s, double share);
     void watch(double dt_s, StepReport& report);
     void look_for_inversion(double dt_s, StepReport& report);
+    TearLoads tear_loads();
+    void tear(StepReport& report);
+    void follow_tear(StepBackEnd& back_end) const;
+    void follow_tear();
     std::size_t nodes() const { return back_end_->body().rest_positions_mm.size(); }
 
     BodyDescription description_;
@@ -65,6 +75,9 @@ class GovernedStepper final : public LiveStepper {
     MakeBackEnd make_;
     std::unique_ptr<StepBackEnd> back_end_;
     std::optional<LiveRegion> region_;
+    std::optional<Tearing> tearing_;
+    std::vector<Mat3> stress_pa_;     // of each tetrahedron, after the last step
+    std::vector<double> energy_nj_;   // as well
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
     bool tool_led_ = false;   // the tool is on its way

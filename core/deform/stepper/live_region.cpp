@@ -46,6 +46,15 @@ void LiveRegion::connect(std::span<const int> vertices) {
     }
 }
 
+void LiveRegion::follow_split(std::span<const int> parents) {
+    for (std::size_t v = node_of_.size(); v < parents.size(); ++v) {
+        const int parent = parents[v];
+        node_of_.push_back(int(node_of_[parent]));
+        vertices_of_[node_of_[v]].push_back(static_cast<int>(v));
+        reference_mm_.push_back(Vec3(reference_mm_[parent]));
+    }
+}
+
 void LiveRegion::wake_all() {
     live_.assign(neighbours_.size(), 1);
     still_s_.assign(neighbours_.size(), 0.0);

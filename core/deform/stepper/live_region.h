@@ -35,6 +35,10 @@ class LiveRegion {
     // elements that join nodes without a common skeleton edge; may be called for all elements.
     void connect(std::span<const int> vertices);
 
+    // Vertices were split, as BodyTopology counts them: the new ones belong where their parents do.
+    void follow_split(std::span<const int> parents);
+
+    const LiveRegionOptions& options() const { return options_; }
     void wake_all();
     // Wakes the nodes around these vertices and keeps them live until the next call. Returns
     // whether any node woke.

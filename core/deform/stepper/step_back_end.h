@@ -13,6 +13,7 @@
 #include "core/base/vector.h"
 #include "core/deform/body/body.h"
 #include "core/deform/body/body_state.h"
+#include "core/deform/body/torn_body.h"
 #include "core/deform/potentials/grab.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/step_report.h"
@@ -58,6 +59,16 @@ class StepBackEnd {
     // Repairs inverted elements, books the energy in the report of the step just made and sets all
     // velocities to 0. Returns false where no element is inverted.
     virtual bool recover_from_inversion(StepReport& report) = 0;
+
+    // Of a body that tears, which not every back end can compute.
+    // Stress [Pa] and energy [nJ] of each tetrahedron at the present state; those that are not live
+    // keep their entries.
+    virtual void find_stress(std::vector<Mat3>& /*stress_pa*/,
+                             std::vector<double>& /*energy_nj*/) {}
+    // Goes on with the body torn so far; state and forces from outside stay, all is live.
+    virtual void tear(const BodyDescription& /*whole*/, const TornBody& /*tear*/) {}
+    // The ties of the last tear(), with how far they have been opened since.
+    virtual std::span<const SofteningTie> ties() const { return {}; }
 
     // Of every node. This is the only function that copies the state from a device, once per step.
     virtual const BodyState& state() const = 0;

@@ -17,6 +17,7 @@
 
 namespace hepatica {
 
+class Tearing;             // core/tear/tearing.h
 struct StepperCheckpoint;  // core/deform/stepper/stepper_checkpoint.h
 
 class Stepper {
@@ -54,6 +55,18 @@ class Stepper {
     // One per vertex of the mesh the stepper was built on.
     virtual std::span<const Vec3> positions_mm() const = 0;
     virtual std::span<const Vec3> velocities_mm_per_s() const = 0;
+
+    // How the body is torn; null where it does not tear. While it does, vertices are added behind
+    // the others: spans and states grow.
+    virtual const Tearing* tearing() const { return nullptr; }
+    // Of a body that tears; otherwise they do nothing.
+    // Multiplies the limit of these joints by a factor, see Tearing::weaken.
+    virtual void weaken(std::span<const int> /*joints*/, double /*factor*/) {}
+    // Cuts along a parallelogram with this corner and these edges, see Tearing::crossing.
+    virtual void cut(const Vec3& /*corner_mm*/, const Vec3& /*first_edge_mm*/,
+                     const Vec3& /*second_edge_mm*/) {}
+    // Makes it whole, without a cut line; vertices that were split off are gone.
+    virtual void mend() {}
 
     // Kinetic, elastic, grab, tether and contact energy of the present state, and the tool_work
     // that the next step will report; all other terms are 0.

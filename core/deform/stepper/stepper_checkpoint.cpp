@@ -133,6 +133,24 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
+    value.weakness;
+}
+{
+    visit(value.parents);
+    visit(value.tetrahedra);
+    visit(value.corners);
+    visit(value.parted);
+    visit(value.most_mm);
+    visit(value.weakened);
+    visit(value.weakness);
+    visit(value.begun);
+    visit(value.stopped);
+    visit(value.entropy_before_nats);
+    visit(value.entropy_nats);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
     value.solver;
 }
 {
@@ -151,7 +169,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);
-    visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps);
+    visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps, value.tear);
 }
 
 // Gives the bytes of every field to a sink.
@@ -181,14 +199,15 @@ class Writer {
         if (value) put_record(*value);
     }
     void behind_all(const auto& tool, const auto& made_with, const auto& self,
-                    const auto& overlaps) {
-        const bool of_surfaces = self || overlaps;
+                    const auto& overlaps, const auto& tear) {
+        const bool of_surfaces = self || overlaps || tear;
         if (!tool && !made_with && !of_surfaces) return;
         (*this)(tool);
         (*this)(made_with);
         if (!of_surfaces) return;
         (*this)(self);
         (*this)(overlaps);
+        if (tear) (*this)(tear);
     }
 
   private:
@@ -257,16 +276,21 @@ class Reader {
     void operator()(std::optional<Record>& value) {
         if (take_flag()) take_record(value.emplace());
     }
-    void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps) {
+    void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps, auto& tear) {
         if (rest_.empty()) return;
         (*this)(tool);
         (*this)(made_with);
-        const bool of_surfaces = !rest_.empty();
-        if (of_surfaces) {
+        bool used = tool || made_with;
+        if (!rest_.empty()) {
             (*this)(self);
             (*this)(overlaps);
+            used = self || overlaps;
         }
-        if (of_surfaces ? !self && !overlaps : !tool && !made_with) refuse("goes on after its end");
+        if (!rest_.empty()) {
+            (*this)(tear);
+            used = tear.has_value();
+        }
+        if (!used) refuse("goes on after its end");
     }
 
     void expect_end() const {

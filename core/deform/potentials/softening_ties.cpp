@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/potentials/softening_ties.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+Vec3 opening_of(const SofteningTie& tie, std::span<const Vec3> x) {
+    return x[tie.vertices[1]] - x[tie.vertices[0]];
+}
+
+void turn_one(SofteningTie& tie, std::span<const Vec3> x) {
+    const auto& [a, b, c] = tie.triangle;
+    const Vec3 doubled = (x[b] - x[a]).cross(x[c] - x[a]);
+    const double length = doubled.norm();
+    if (length > 0.0) tie.normal = doubled / length;
+}
+
+}  // namespace
+
+void SofteningTies::set(const SofteningLaw& law, std::vector<SofteningTie> ties,
+                        std::span<const Vec3> positions_mm) {
+    law_ = law;
+    ties_ = std::move(ties);
+    turn(positions_mm);
+}
+
+void SofteningTies::turn(std::span<const Vec3> positions_mm) {
+    for (SofteningTie& tie : ties_) turn_one(tie, positions_mm);
+}
+
+double SofteningTies::settle(std::span<const Vec3> positions_mm) {
+    double loss = 0.0;
+    for (SofteningTie& tie : ties_) {
+        const Vec3 opening = opening_of(tie, positions_mm);
+        const double before = energy_of(law_, tie, opening);
+        tie.most_mm = std::max(tie.most_mm, effective_opening_mm(tie, opening));
+        turn_one(tie, positions_mm);
+        loss += before - energy_of(law_, tie, opening);
+    }
+    return loss;
+}
+
+double SofteningTies::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
+    double sum = 0.0;
+    for (const SofteningTie& tie : ties_)
+        sum += energy_of(law_, tie, opening_of(tie, positions_mm));
+    return sum;
+}
+
+void SofteningTies::add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3>,
+                                        std::span<const int> piece_of_node,
+                                        std::span<double> energy_nj) const {
+    for (const SofteningTie& tie : ties_)
+        energy_nj[piece_of_node[tie.vertices[0]]] +=
+            energy_of(law_, tie, opening_of(tie, positions_mm));
+}
+
+void SofteningTies::add_forces(std::span<const Vec3> positions_mm,
+                               std::span<Vec3> forces_un) const {
+    for (const SofteningTie& tie : ties_) {
+        const Vec3 force = force_of(law_, tie, opening_of(tie, positions_mm));
+        forces_un[tie.vertices[0]] += force;
+        forces_un[tie.vertices[1]] -= force;
+    }
+}
+
+// The rows of nodes that do not move are not made anew in every step.
+void SofteningTies::add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                                  BlockMatrix& matrix) const {
+    for (const SofteningTie& tie : ties_) {
+        const auto& [a, b] = tie.vertices;
+        const Mat3 block = factor * stiffness_of(law_, tie, opening_of(tie, positions_mm));
+        if (!held(a)) matrix.block[matrix.diagonal[a]] += block;
+        if (!held(b)) matrix.block[matrix.diagonal[b]] += block;
+        if (held(a) || held(b)) continue;
+        matrix.block[matrix.find(a, b)] -= block;
+        matrix.block[matrix.find(b, a)] -= block;
+    }
+}
+
+void SofteningTies::add_product(std::span<const Vec3> positions_mm, double factor,
+                                std::span<const Vec3> d, const BlockMatrix&,
+                                std::span<Vec3> product) const {
+    for (const SofteningTie& tie : ties_) {
+        const auto& [a, b] = tie.vertices;
+        const Vec3 force = factor * (stiffness_of(law_, tie, opening_of(tie, positions_mm)) *
+                                     (d[a] - d[b]));
+        product[a] += force;
+        product[b] -= force;
+    }
+}
+
+void SofteningTies::join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const {
+    for (const SofteningTie& tie : ties_) {
+        if (tie.most_mm >= law_.opening_mm) continue;
+        const int a = joined[piece_of_node[tie.vertices[0]]];
+        const int b = joined[piece_of_node[tie.vertices[1]]];
+        if (a != b) std::ranges::replace(joined, std::max(a, b), std::min(a, b));
+    }
+}
+
+}  // namespace hepatica

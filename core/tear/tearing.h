@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a body tears, step after step: joints whose load reaches their limit part, are bound by a
+// softening traction until they have come apart, and no more of them part once the entropy that the
+// tear has produced, or the number of its vertices, reaches its budget.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/tear/tear_law.h"
+#include "core/tear/torn_topology.h"
+
+namespace hepatica {
+
+// All that determines how it goes on, apart from mesh and law.
+struct TearState {
+    std::vector<int> parents;        // of the vertices that were split off, in their order
+    std::vector<int> tetrahedra;     // whose corners changed, ascending,
+    std::vector<int> corners;        // and their corners, four each
+    std::vector<int> parted;         // joints, ascending,
+    std::vector<double> most_mm;     // and the widest opening of the three corners of each
+    std::vector<int> weakened;       // joints, ascending,
+    std::vector<double> weakness;    // and the factor of each
+    bool begun = false;              // a vertex was split
+    bool stopped = false;
+    double entropy_before_nats = 0.0;  // when the first was
+    double entropy_nats = 0.0;         // at the end of the last step
+};
+
+// What a body shows of it.
+struct TearReport {
+    int joints_parted = 0;
+    int joints_broken = 0;  // come apart wholly
+    int vertices_split = 0;
+    int pieces = 1;
+    double entropy_nats = 0.0;
+    double entropy_produced_nats = 0.0;  // since the first split, not below 0
+    bool stopped = false;                // by the law's stop
+    bool operator==(const TearReport&) const = default;
+};
+
+// A body after a step. All spans have one entry per tetrahedron but the last two, which have one
+// per vertex.
+struct TearLoads {
+    std::span<const Mat3> stress_pa;  // first Piola-Kirchhoff
+    std::span<const double> energy_nj;
+    std::span<const Vec3> positions_mm;
+    std::span<const double> mass_g;
+};
+
+// Not thread-safe; loops inside give the same bits for any number of threads.
+class Tearing {
+  public:
+    // `strength_factor` multiplies each tetrahedron's strength; empty: 1. Throws InputError for a
+    // law out of range.
+    Tearing(const TetMesh& mesh, const TearLaw& law, std::span<const double> strength_factor);
+
+    const TornTopology& topology() const { return topology_; }
+    const TearLaw& law() const { return law_; }
+
+    // Multiplies the limit of these joints by factor >= 0, unless they have parted. Throws
+    // InputError for another factor or a joint that does not exist.
+    void weaken(std::span<const int> joints, double factor);
+
+    // The joints between tetrahedra on different sides of the parallelogram with a corner and two
+    // edges, where the way between their centres crosses it.
+    std::vector<int> crossing(const Vec3& corner_mm, const Vec3& first_edge_mm,
+                              const Vec3& second_edge_mm, std::span<const Vec3> positions_mm) const;
+    // Parts them at once; nothing binds what is cut.
+    void cut(std::span<const int> joints);
+
+    // Parts what is overloaded, at most `most_joints` a step, the most loaded first. True where
+    // topology or ties changed.
+    bool part_overloaded(const TearLoads& loads);
+    static constexpr int most_joints = 256;
+
+    // Entropy, and with it the stop, after a step of a body.
+    void measure(const TearLoads& loads);
+
+    // Load over limit of each joint, 0 where it has parted: 1 tears.
+    void find_loads(const TearLoads& loads, std::vector<double>& load) const;
+
+    // What binds the parted joints. The caller keeps them while it makes steps, and gives back how
+    // far they were opened, in their order, before anything else is asked.
+    const std::vector<SofteningTie>& ties() const { return ties_; }
+    void take_openings(std::span<const SofteningTie> ties);
+    // Pairs of vertices that stood for one before a joint between them parted, whether it is still
+    // bound or not, ascending.
+    std::vector<std::array<int, 2>> parted_pairs() const;
+
+    const TearReport& report() const { return report_; }
+    TearState state() const;
+    // Throws InputError, and changes nothing, where the state is not of this mesh.
+    void restore(const TearState& state);
+
+  private:
+    struct Tied {
+        int joint;
+        int corner;
+    };
+
+    bool apart(double most_mm) const { return most_mm >= softening_.opening_mm; }
+    void part(std::span<const int> joints, double most_mm);
+    void make_ties();
+    void count();
+
+    TearLaw law_;
+    SofteningLaw softening_;
+    TornTopology topology_;
+    std::vector<std::array<int, 4>> whole_;  // tetrahedra before anything tore
+    std::vector<double> volume_mm3_;         // of each, at rest
+    std::vector<double> factor_;             // of each joint: times the strength, weakness apart
+    std::vector<double> weakness_;           // of each joint
+    std::vector<std::array<double, 3>> most_mm_;  // of each joint
+    std::vector<int> parted_;                // joints, ascending
+    std::vector<SofteningTie> ties_;
+    std::vector<Tied> tied_;  // what each tie binds
+    bool begun_ = false, stopped_ = false;
+    double entropy_before_ = 0.0, entropy_ = 0.0;
+    TearReport report_;
+    std::vector<double> load_;     // scratch
+    std::vector<double> weights_;  // scratch
+};
+
+}  // namespace hepatica

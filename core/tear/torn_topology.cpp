@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tear/torn_topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "core/base/disjoint_sets.h"
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+int opposite_corner(const std::array<int, 3>& corners) {
+    return 6 - corners[0] - corners[1] - corners[2];
+}
+
+}  // namespace
+
+TornTopology::TornTopology(const TetMesh& mesh)
+    : joints_(std::make_shared<const std::vector<Joint>>(joints_of(mesh))),
+      whole_vertices_(static_cast<int>(mesh.vertices_mm.size())),
+      tetrahedra_(mesh.tetrahedra),
+      parents_(mesh.vertices_mm.size()),
+      parted_(joints_->size(), 0) {
+    std::vector<std::array<int, 4>> opposite(tetrahedra_.size(), {-1, -1, -1, -1});
+    for (std::size_t j = 0; j < joints_->size(); ++j)
+        for (int side = 0; side < 2; ++side) {
+            const Joint& joint = (*joints_)[j];
+            opposite[joint.tetrahedra[side]][opposite_corner(joint.corners[side])] =
+                static_cast<int>(j);
+        }
+    joint_opposite_ = std::make_shared<const std::vector<std::array<int, 4>>>(std::move(opposite));
+    std::iota(parents_.begin(), parents_.end(), 0);
+    find_tetrahedra_of_vertices();
+}
+
+void TornTopology::find_tetrahedra_of_vertices() {
+    tetrahedra_of_.assign(parents_.size(), {});
+    for (std::size_t t = 0; t < tetrahedra_.size(); ++t)
+        for (const int v : tetrahedra_[t]) tetrahedra_of_[v].push_back(static_cast<int>(t));
+}
+
+std::array<int, 2> TornTopology::sides(const Joint& joint, int k) const {
+    return {tetrahedra_[joint.tetrahedra[0]][joint.corners[0][k]],
+            tetrahedra_[joint.tetrahedra[1]][joint.corners[1][k]]};
+}
+
+void TornTopology::part(std::span<const int> joints, std::span<const double> volume_mm3) {
+    std::vector<int> touched;
+    for (const int j : joints) {
+        parted_[j] = 1;
+        for (int k = 0; k < 3; ++k)
+            for (const int v : sides((*joints_)[j], k)) touched.push_back(v);
+    }
+    std::ranges::sort(touched);
+    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    for (const int v : touched) split(v, volume_mm3);
+}
+
+void TornTopology::split(int vertex, std::span<const double> volume_mm3) {
+    const std::vector<int> around = tetrahedra_of_[vertex];
+    std::vector<std::vector<int>> groups;
+    std::vector<std::uint8_t> seen(around.size(), 0);
+    for (std::size_t first = 0; first < around.size(); ++first) {
+        if (seen[first]) continue;
+        seen[first] = 1;
+        std::vector<int> group{around[first]};
+        for (std::size_t next = 0; next < group.size(); ++next) {
+            const int t = group[next];
+            for (int i = 0; i < 4; ++i) {
+                const int j = (*joint_opposite_)[t][i];
+                if (tetrahedra_[t][i] == vertex || j < 0 || parted_[j]) continue;
+                const auto& pair = (*joints_)[j].tetrahedra;
+                const int other = pair[0] == t ? pair[1] : pair[0];
+                const auto place = std::ranges::lower_bound(around, other) - around.begin();
+                if (seen[place]) continue;
+                seen[place] = 1;
+                group.push_back(other);
+            }
+        }
+        std::ranges::sort(group);
+        groups.push_back(std::move(group));
+    }
+    if (groups.size() < 2) return;
+    const auto volume = [&](const std::vector<int>& group) {
+        double sum = 0.0;
+        for (const int t : group) sum += volume_mm3[t];
+        return sum;
+    };
+    const auto largest = std::ranges::max_element(groups, {}, volume);
+    for (auto group = groups.begin(); group != groups.end(); ++group) {
+        const bool keeps = group == largest;
+        const int number = keeps ? vertex : vertex_count();
+        for (const int t : *group) std::ranges::replace(tetrahedra_[t], vertex, number);
+        if (keeps) {
+            tetrahedra_of_[vertex] = *group;
+        } else {
+            parents_.push_back(vertex);
+            tetrahedra_of_.push_back(*group);
+        }
+    }
+}
+
+void TornTopology::restore(std::span<const int> parted, std::span<const int> parents,
+                           std::span<const std::array<int, 4>> tetrahedra) {
+    const auto fits = [](bool condition) {
+        if (!condition)
+            throw InputError("is torn otherwise than this body can be", "the checkpoint of a body",
+                             "Make the stepper of the body that it was taken of");
+    };
+    const int count = static_cast<int>(parents.size());
+    fits(count >= whole_vertices_ && tetrahedra.size() == tetrahedra_.size());
+    for (int v = 0; v < count; ++v)
+        fits(v < whole_vertices_ ? parents[v] == v : parents[v] >= 0 && parents[v] < v);
+    for (const int j : parted) fits(j >= 0 && j < static_cast<int>(joints_->size()));
+    const auto origin = [&](int v) {
+        while (parents[v] != v) v = parents[v];
+        return v;
+    };
+    std::vector<std::uint8_t> used(parents.size(), 0);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (int i = 0; i < 4; ++i) {
+            const int v = tetrahedra[t][i];
+            fits(v >= 0 && v < count);
+            int mine = tetrahedra_[t][i];
+            while (parents_[mine] != mine) mine = parents_[mine];
+            fits(origin(v) == mine);
+            used[v] = 1;
+        }
+    fits(std::ranges::all_of(used, [](std::uint8_t is) { return is != 0; }));
+    parents_.assign(parents.begin(), parents.end());
+    tetrahedra_.assign(tetrahedra.begin(), tetrahedra.end());
+    std::ranges::fill(parted_, 0);
+    for (const int j : parted) parted_[j] = 1;
+    find_tetrahedra_of_vertices();
+}
+
+int TornTopology::pieces(std::span<const std::array<int, 2>> ties) const {
+    DisjointSets sets(parents_.size());
+    for (const auto& [a, b, c, d] : tetrahedra_)
+        for (const int other : {b, c, d}) sets.unite(a, other);
+    for (const auto& [a, b] : ties) sets.unite(a, b);
+    return static_cast<int>(sets.count());
+}
+
+}  // namespace hepatica
