@@ -3,110 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "core/deform/solvers/error_bound.h"
 #include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
-
-namespace {
-
-// Whether the Lanczos matrix of the iteration so far, less `shift`, is positive definite.
-bool all_above(double shift, std::span<const double> steps, std::span<const double> ratios) {
-    double pivot = 1.0 / steps[0] - shift;
-    for (std::size_t k = 1; k < steps.size() && pivot > 0.0; ++k) {
-        const double coupling_squared = ratios[k - 1] / (steps[k - 1] * steps[k - 1]);
-        pivot = 1.0 / steps[k] + ratios[k - 1] / steps[k - 1] - shift - coupling_squared / pivot;
-    }
-    return pivot > 0.0;
-}
-
-// Smallest eigenvalue of that matrix to 1 %, from below. It is at most `upper`.
-double smallest_eigenvalue(double upper, std::span<const double> steps,
-                           std::span<const double> ratios) {
-    double lower = upper;
-    while (!all_above(lower, steps, ratios)) lower *= 0.7;
-    if (lower == upper) return upper;
-    upper = lower / 0.7;
-    while (upper > 1.01 * lower) {
-        const double middle = std::sqrt(lower * upper);
-        (all_above(middle, steps, ratios) ? lower : upper) = middle;
-    }
-    return lower;
-}
-
-// Upper bound of the squared energy-norm error after steps.size() iterations, in units of (r, z).
-double radau_factor(double eigenvalue, std::span<const double> steps,
-                    std::span<const double> ratios) {
-    double factor = 1.0 / eigenvalue;
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        const double excess = std::max(factor - steps[k], 0.0);
-        factor = excess / (eigenvalue * excess + ratios[k]);
-    }
-    return factor;
-}
-
-// How much smaller than the smallest Ritz value the smallest eigenvalue is taken to be.
-constexpr double eigenvalue_margin = 0.8;
-
-// Factor by which the value of earlier solves grows at each solve, because the matrix has changed.
-constexpr double relaxation = 1.02;
-
-// Follows the spectrum and the error bound of one solve.
-class ErrorBound {
-  public:
-    explicit ErrorBound(double known_smallest) : known_(known_smallest) {}
-
-    // Factor of (r, z) that bounds the squared error before the first iteration.
-    double before() const { return known_ > 0.0 ? 1.0 / (eigenvalue_margin * known_) : INFINITY; }
-
-    // The same after each iteration, given its alpha and beta.
-    double after(double step, double ratio) {
-        steps_.push_back(step);
-        ratios_.push_back(ratio);
-        if (steps_.size() >= next_check_) update_spectrum();
-        const std::size_t done = std::exchange(factor_size_, steps_.size());
-        if (done == 0) return factor_ = radau_factor(eigenvalue_, steps_, ratios_);
-        const double excess = std::max(factor_ - step, 0.0);
-        return factor_ = excess / (eigenvalue_ * excess + ratio);
-    }
-
-    // Smallest Ritz value of this solve and of the earlier ones it was told of.
-    double smallest() const { return known_ > 0.0 ? std::min(known_, ritz_) : ritz_; }
-
-  private:
-    void update_spectrum() {
-        // After many iterations the Ritz value changes little, so it is computed less often.
-        next_check_ = steps_.size() + 1 + steps_.size() / 16;
-        const double upper = std::min(ritz_, 1.0 / steps_[0]);
-        ritz_ = smallest_eigenvalue(upper, steps_, ratios_);
-        history_.push_back({steps_.size(), ritz_});
-        double eigenvalue = eigenvalue_margin * smallest();
-        if (known_ == 0.0 || ritz_ < known_) {
-            // While it falls, assume that it falls again by as much as since half the iterations.
-            const auto half = std::lower_bound(
-                history_.begin(), history_.end(), steps_.size() / 2,
-                [](const auto& entry, std::size_t size) { return entry.first < size; });
-            const double fall = steps_.size() < 4 ? 0.3 : ritz_ / half->second;
-            eigenvalue *= fall * fall;
-        }
-        if (eigenvalue == eigenvalue_) return;
-        eigenvalue_ = eigenvalue;
-        factor_size_ = 0;
-    }
-
-    double known_;
-    double ritz_ = INFINITY;
-    double eigenvalue_ = 0.0;
-    std::size_t next_check_ = 1;
-    std::vector<double> steps_, ratios_;
-    std::vector<std::pair<std::size_t, double>> history_;  // iterations, Ritz value
-    double factor_ = 0.0;
-    std::size_t factor_size_ = 0;
-};
-
-}  // namespace
 
 SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                                      std::span<const Vec3> rhs, std::span<Vec3> x,
@@ -151,7 +53,7 @@ SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner&
     direction_ = preconditioned_;
     double work = dot(residual_, preconditioned_);
     double residual_squared = dot(residual_, residual_);
-    ErrorBound bound(relaxation * smallest_ritz_);
+    ErrorBound bound(ErrorBound::relaxation * smallest_ritz_);
     double error_squared = bound.before() * work;
     const auto finished = [&] {
         const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;

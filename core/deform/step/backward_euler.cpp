@@ -93,14 +93,7 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
                                          StepReport& report) {
     const auto outcome = limiter_.limit(step, report.energy, potential_.assembly(),
                                         potential_.live().held(), velocities);
-    if (!outcome.limited) return MomentumLost::none;
-    const double moving = report.energy.kinetic;
-    report.energy.kinetic = kinetic_energy(body_, velocities);
-    report.energy.limiter_loss = moving - report.energy.kinetic;
-    report.degraded = true;
-    report.message = "the body was slowed down: the step would have made energy";
-    if (outcome.lost == MomentumLost::angular) report.message += "; a free piece lost spin";
-    if (outcome.lost == MomentumLost::linear) report.message += "; a free piece lost momentum";
+    if (outcome.limited) hepatica::book(outcome, kinetic_energy(body_, velocities), report);
     return outcome.lost;
 }
 

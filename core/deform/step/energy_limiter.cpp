@@ -9,8 +9,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double rounding = 1e-9;  // an excess below this share of the energies means nothing
-
 // What friction takes in a step is still there for the tool's motion to give.
 double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
@@ -129,42 +127,59 @@ void EnergyLimiter::begin(const StepUnderway& step, const Assembly& assembly) {
 
 EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const EnergyLedger& after,
                                             const Assembly& assembly,
-                                            std::span<const std::uint8_t> held_nodes,
+                                            std::span<const std::uint8_t> held,
                                             std::vector<Vec3>& velocities_mm_per_s) const {
     const std::vector<Balance> now =
         pieces() == 1
             ? std::vector<Balance>{{kept_energy(after) - after.gravity_work, after.kinetic}}
             : balance(step, step.positions, velocities_mm_per_s, assembly);
+    return limit({.before = before_, .after = now, .together = step.together}, step.potentials,
+                 step.positions, held, velocities_mm_per_s);
+}
+
+EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const PotentialList& potentials,
+                                            std::span<const Vec3> positions_mm,
+                                            std::span<const std::uint8_t> held_nodes,
+                                            std::vector<Vec3>& velocities_mm_per_s) const {
+    const auto& [before, now, rounding, together] = energies;
     std::vector<int> joined(nodes_.size());
     std::iota(joined.begin(), joined.end(), 0);
-    for (const auto& potential : step.potentials.all())
-        potential->join_pieces(piece_of_node_, joined);
+    for (const auto& potential : potentials.all()) potential->join_pieces(piece_of_node_, joined);
     // They have given each other momentum on the way.
-    if (step.together) std::ranges::fill(joined, 0);
+    if (together) std::ranges::fill(joined, 0);
     Outcome outcome;
     for (int first = 0; first < pieces(); ++first) {
         double excess = 0.0, size = 0.0, kinetic = 0.0;
         for (int p = first; p < pieces(); ++p) {
             if (joined[p] != first) continue;
-            excess += now[p].energy - before_[p].energy;
-            size += std::abs(before_[p].energy) + std::abs(now[p].energy) + now[p].kinetic;
+            excess += now[p].energy - before[p].energy;
+            size += std::abs(before[p].energy) + std::abs(now[p].energy) + now[p].kinetic;
             kinetic += now[p].kinetic;
         }
         // At rest the energies are rounding errors, of either sign.
         if (!(kinetic > 0.0) || !(excess > rounding * size)) continue;
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
-        for (const auto& potential : step.potentials.all())
-            potential->mark_held(step.positions, marked);
+        for (const auto& potential : potentials.all()) potential->mark_held(positions_mm, marked);
         std::vector<int> nodes;
         for (int p = first; p < pieces(); ++p)
             if (joined[p] == first) nodes.insert(nodes.end(), nodes_[p].begin(), nodes_[p].end());
         const bool held = std::ranges::any_of(nodes, [&](int i) { return marked[i] != 0; });
-        const MomentumLost lost = take_kinetic_energy(nodes, body_.mass_g, step.positions, held,
+        const MomentumLost lost = take_kinetic_energy(nodes, body_.mass_g, positions_mm, held,
                                                       excess, velocities_mm_per_s);
         outcome.limited = true;
         outcome.lost = std::max(outcome.lost, lost);
     }
     return outcome;
+}
+
+void book(const EnergyLimiter::Outcome& outcome, double kinetic_nj, StepReport& report) {
+    if (!outcome.limited) return;
+    report.energy.limiter_loss = report.energy.kinetic - kinetic_nj;
+    report.energy.kinetic = kinetic_nj;
+    report.degraded = true;
+    report.message = "the body was slowed down: the step would have made energy";
+    if (outcome.lost == MomentumLost::angular) report.message += "; a free piece lost spin";
+    if (outcome.lost == MomentumLost::linear) report.message += "; a free piece lost momentum";
 }
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/step/assembly.h"
+#include "core/deform/step/step_report.h"
 #include "core/deform/step/step_underway.h"
 
 namespace hepatica {
@@ -46,13 +47,26 @@ class EnergyLimiter {
     Outcome limit(const StepUnderway& step, const EnergyLedger& after, const Assembly& assembly,
                   std::span<const std::uint8_t> held, std::vector<Vec3>& velocities_mm_per_s) const;
 
-    int pieces() const { return static_cast<int>(nodes_.size()); }
-
-  private:
+    // The same for a step whose energies by piece were summed up elsewhere, one entry per piece:
+    // all that is stored at the start, and at the end less the work of weight. An excess below
+    // `rounding` of the energies means nothing. Elements and contacts take no part in it.
     struct Balance {
         double energy = 0.0;   // of all kinds
         double kinetic = 0.0;  // of it
     };
+    struct Pieces {
+        std::span<const Balance> before, after;
+        double rounding = 1e-9;
+        bool together = false;  // see StepUnderway
+    };
+    Outcome limit(const Pieces& pieces, const PotentialList& potentials,
+                  std::span<const Vec3> positions_mm, std::span<const std::uint8_t> held,
+                  std::vector<Vec3>& velocities_mm_per_s) const;
+
+    int pieces() const { return static_cast<int>(nodes_.size()); }
+    std::span<const int> piece_of_node() const { return piece_of_node_; }
+
+  private:
     std::vector<Balance> balance(const StepUnderway& step, std::span<const Vec3> positions_mm,
                                  std::span<const Vec3> velocities_mm_per_s,
                                  const Assembly& assembly) const;
@@ -62,5 +76,8 @@ class EnergyLimiter {
     std::vector<std::vector<int>> nodes_;  // of each piece
     std::vector<Balance> before_;
 };
+
+// Says in the report of a step what the limiter took, after which `kinetic_nj` is left.
+void book(const EnergyLimiter::Outcome& outcome, double kinetic_nj, StepReport& report);
 
 }  // namespace hepatica

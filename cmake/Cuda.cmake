@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# HEPATICA_CUDA: whether the GPU's back end is compiled with nvcc. AUTO does so where nvcc is; ON
+# fails where it is not; without it the back end runs emulated on the processor alone.
+set(HEPATICA_CUDA "AUTO" CACHE STRING "Compile for CUDA devices: ON, OFF or AUTO")
+set_property(CACHE HEPATICA_CUDA PROPERTY STRINGS ON OFF AUTO)
+# Machine code for Turing to Hopper, and PTX for what comes after.
+set(HEPATICA_CUDA_ARCHITECTURES "75-real;80-real;86-real;90" CACHE STRING "As CUDA_ARCHITECTURES")
+
+set(HEPATICA_HAS_CUDA OFF)
+if(NOT HEPATICA_CUDA STREQUAL "OFF")
+    find_program(HEPATICA_NVCC nvcc HINTS ENV CUDACXX PATHS /usr/local/cuda/bin)
+    if(HEPATICA_NVCC)
+        set(CMAKE_CUDA_COMPILER ${HEPATICA_NVCC} CACHE FILEPATH "CUDA compiler")
+        enable_language(CUDA)
+        set(HEPATICA_HAS_CUDA ON)
+    elseif(HEPATICA_CUDA STREQUAL "ON")
+        message(FATAL_ERROR "HEPATICA_CUDA is ON, but there is no nvcc. "
+            "Install the CUDA toolkit or choose AUTO.")
+    endif()
+endif()

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/solvers/error_bound.h"
+
+#include <algorithm>
+#include <span>
+
+namespace hepatica {
+
+namespace {
+
+// Whether the Lanczos matrix of the iteration so far, less `shift`, is positive definite.
+bool all_above(double shift, std::span<const double> steps, std::span<const double> ratios) {
+    double pivot = 1.0 / steps[0] - shift;
+    for (std::size_t k = 1; k < steps.size() && pivot > 0.0; ++k) {
+        const double coupling_squared = ratios[k - 1] / (steps[k - 1] * steps[k - 1]);
+        pivot = 1.0 / steps[k] + ratios[k - 1] / steps[k - 1] - shift - coupling_squared / pivot;
+    }
+    return pivot > 0.0;
+}
+
+// Smallest eigenvalue of that matrix to 1 %, from below. It is at most `upper`.
+double smallest_eigenvalue(double upper, std::span<const double> steps,
+                           std::span<const double> ratios) {
+    double lower = upper;
+    while (!all_above(lower, steps, ratios)) lower *= 0.7;
+    if (lower == upper) return upper;
+    upper = lower / 0.7;
+    while (upper > 1.01 * lower) {
+        const double middle = std::sqrt(lower * upper);
+        (all_above(middle, steps, ratios) ? lower : upper) = middle;
+    }
+    return lower;
+}
+
+// Upper bound of the squared energy-norm error after steps.size() iterations, in units of (r, z).
+double radau_factor(double eigenvalue, std::span<const double> steps,
+                    std::span<const double> ratios) {
+    double factor = 1.0 / eigenvalue;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const double excess = std::max(factor - steps[k], 0.0);
+        factor = excess / (eigenvalue * excess + ratios[k]);
+    }
+    return factor;
+}
+
+// How much smaller than the smallest Ritz value the smallest eigenvalue is taken to be.
+constexpr double eigenvalue_margin = 0.8;
+
+}  // namespace
+
+double ErrorBound::before() const {
+    return known_ > 0.0 ? 1.0 / (eigenvalue_margin * known_) : INFINITY;
+}
+
+double ErrorBound::after(double step, double ratio) {
+    steps_.push_back(step);
+    ratios_.push_back(ratio);
+    if (steps_.size() >= next_check_) update_spectrum();
+    const std::size_t done = std::exchange(factor_size_, steps_.size());
+    if (done == 0) return factor_ = radau_factor(eigenvalue_, steps_, ratios_);
+    const double excess = std::max(factor_ - step, 0.0);
+    return factor_ = excess / (eigenvalue_ * excess + ratio);
+}
+
+void ErrorBound::update_spectrum() {
+    // After many iterations the Ritz value changes little, so it is computed less often.
+    next_check_ = steps_.size() + 1 + steps_.size() / 16;
+    const double upper = std::min(ritz_, 1.0 / steps_[0]);
+    ritz_ = smallest_eigenvalue(upper, steps_, ratios_);
+    history_.push_back({steps_.size(), ritz_});
+    double eigenvalue = eigenvalue_margin * smallest();
+    if (known_ == 0.0 || ritz_ < known_) {
+        // While it falls, assume that it falls again by as much as since half the iterations.
+        const auto half = std::lower_bound(
+            history_.begin(), history_.end(), steps_.size() / 2,
+            [](const auto& entry, std::size_t size) { return entry.first < size; });
+        const double fall = steps_.size() < 4 ? 0.3 : ritz_ / half->second;
+        eigenvalue *= fall * fall;
+    }
+    if (eigenvalue == eigenvalue_) return;
+    eigenvalue_ = eigenvalue;
+    factor_size_ = 0;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grabs on the device, with the equations of GrabSprings: a spring of limited force between a
+// weighted mean of up to four nodes and a target. Every node knows its grabs, so that its row of
+// the matrix and its force are added up by its own thread.
+#pragma once
+
+#include "gpu/kernels/element_kernels.h"
+
+namespace hepatica::gpu {
+
+struct GrabSpring {
+    int node[4];  // -1: none
+    double weight[4];
+    Vector3<double> target;
+    double stiffness, limit;  // uN/mm, uN
+    // Bit 4 a + b: the matrix of elements has a block of nodes a and b. Where it has none, their
+    // stiffness goes to the diagonal, as GrabSprings has it.
+    unsigned stored;
+};
+
+struct GrabPull {
+    double energy;
+    Vector3<double> force;      // on the held point, uN
+    Matrix3<double> stiffness;  // uN/mm
+};
+
+// One thread a grab.
+struct PullGrabs {
+    View<const GrabSpring> grab;
+    View<const Vector3<double>> position;
+    View<GrabPull> pull;
+
+    HEPATICA_HOST_DEVICE int count() const { return grab.size; }
+    std::size_t bytes() const { return bytes_of(grab, pull); }
+    HEPATICA_HOST_DEVICE void operator()(int g) const {
+        const GrabSpring& spring = grab[g];
+        Vector3<double> stretch{{0.0, 0.0, 0.0}};
+        for (int a = 0; a < 4; ++a)
+            if (spring.node[a] >= 0)
+                stretch = stretch + spring.weight[a] * (spring.target - position[spring.node[a]]);
+        const double length = small::detail::root(small::dot(stretch, stretch));
+        const double end = spring.limit / spring.stiffness;
+        const Matrix3<double> one = small::identity_matrix<double>();
+        if (length <= end) {
+            pull[g] = {0.5 * spring.stiffness * length * length, spring.stiffness * stretch,
+                       spring.stiffness * one};
+            return;
+        }
+        const double steady = spring.limit / length;
+        const Vector3<double> n = (1.0 / length) * stretch;
+        pull[g] = {spring.limit * (length - 0.5 * end), steady * stretch,
+                   steady * (one - small::outer(n, n))};
+    }
+};
+
+// All grabs, by node: entries first[i], next[first[i]], ... are 4 g + a for node a of grab g.
+struct GrabsView {
+    View<const int> first, next;  // -1: no more; `first` is empty where there is no grab
+    View<const GrabSpring> grab;
+    View<const GrabPull> pull;
+
+    std::size_t bytes() const { return bytes_of(first); }
+
+    // Calls visit(g, a) for every grab that holds node i.
+    template <class Visit>
+    HEPATICA_HOST_DEVICE void for_each(int i, const Visit& visit) const {
+        if (first.empty()) return;
+        for (int entry = first[i]; entry >= 0; entry = next[entry]) visit(entry / 4, entry % 4);
+    }
+    HEPATICA_HOST_DEVICE Vector3<double> force(int i) const {
+        Vector3<double> sum{{0.0, 0.0, 0.0}};
+        for_each(i, [&](int g, int a) { sum = sum + grab[g].weight[a] * pull[g].force; });
+        return sum;
+    }
+    // A grab's energy is booked at its first node.
+    HEPATICA_HOST_DEVICE double energy(int i) const {
+        double sum = 0.0;
+        for_each(i, [&](int g, int a) { sum += a == 0 ? pull[g].energy : 0.0; });
+        return sum;
+    }
+    // Row i of their stiffness times p.
+    template <class Real>
+    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const View<const Vector3<Real>>& p) const {
+        Vector3<double> sum{{0.0, 0.0, 0.0}};
+        for_each(i, [&](int g, int a) {
+            const GrabSpring& spring = grab[g];
+            for (int b = 0; b < 4; ++b) {
+                if (spring.node[b] < 0) continue;
+                const bool stored = (spring.stored >> (4 * a + b) & 1u) != 0;
+                const double both = spring.weight[a] * spring.weight[b];
+                const Vector3<Real>& moved = p[stored ? spring.node[b] : i];
+                const Vector3<double> d{{double(moved[0]), double(moved[1]), double(moved[2])}};
+                sum =
+                    sum + (stored ? both : small::detail::absolute(both)) * (pull[g].stiffness * d);
+            }
+        });
+        return sum;
+    }
+    // The diagonal block of that row.
+    HEPATICA_HOST_DEVICE Matrix3<double> diagonal(int i) const {
+        Matrix3<double> sum = small::zero_matrix<double>();
+        for_each(i, [&](int g, int a) {
+            const GrabSpring& spring = grab[g];
+            for (int b = 0; b < 4; ++b) {
+                if (spring.node[b] < 0) continue;
+                const bool stored = (spring.stored >> (4 * a + b) & 1u) != 0;
+                const double both = spring.weight[a] * spring.weight[b];
+                if (stored && spring.node[b] != i) continue;
+                sum = sum + (stored ? both : small::detail::absolute(both)) * pull[g].stiffness;
+            }
+        });
+        return sum;
+    }
+};
+
+}  // namespace hepatica::gpu

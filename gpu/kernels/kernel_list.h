@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every kernel there is, so that one file compiles them for the device: float for use, double so
+// that a test can tell a wrong step from a rounded one.
+#pragma once
+
+#include "gpu/kernels/assembly_kernels.h"
+#include "gpu/kernels/solve_kernels.h"
+#include "gpu/kernels/step_kernels.h"
+#include "gpu/machine/kernel.h"
+
+namespace hepatica::gpu {
+namespace detail {
+
+template <class... List>
+struct Joined;
+template <class List>
+struct Joined<List> {
+    using Type = List;
+};
+template <class... A, class... B, class... Rest>
+struct Joined<KernelList<A...>, KernelList<B...>, Rest...> {
+    using Type = typename Joined<KernelList<A..., B...>, Rest...>::Type;
+};
+
+template <class Real>
+using KernelsOf =
+    KernelList<ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
+               ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
+               ForEach<EvaluateSprings<Real>>, ForEach<GatherForces<Real>>,
+               ForEach<GatherStiffness<Real>>, ForEach<InvertDiagonal<Real>>,
+               SumChunks<Product<Real>>, SumChunks<BeginSolve<Real>>, SumChunks<TakeStep<Real>>,
+               ForEach<TurnDirection<Real>>, ForEach<PlaceNodes<Real>>, ForEach<Descent<Real>>,
+               ForEach<Subtract<Real>>, ForEach<RoundVelocity<Real>>,
+               SumChunks<AlongDirection<Real>>, SumChunks<Works<Real>>>;
+
+using SharedKernels =
+    KernelList<ForEach<PullGrabs>, ForEach<KeepForces>, SumChunks<Energies>,
+               FinishSum<StartIteration>, FinishSum<ChooseStep>, FinishSum<EndIteration>,
+               FinishSum<KeepSums<1>>, FinishSum<KeepSums<2>>, FinishSum<KeepSums<3>>,
+               FinishSum<KeepSums<Energies::width>>>;
+
+}  // namespace detail
+
+using AllKernels = detail::Joined<detail::KernelsOf<float>, detail::KernelsOf<double>,
+                                  detail::SharedKernels>::Type;
+
+}  // namespace hepatica::gpu

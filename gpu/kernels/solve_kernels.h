@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Conjugate gradients wholly on the device: their scalars lie there, too. Vectors are Real, sums
+// double. The host hears of an iteration only through its record, some time later.
+#pragma once
+
+#include "gpu/kernels/sums.h"
+#include "gpu/kernels/system_kernels.h"
+
+namespace hepatica::gpu {
+
+// Of one iteration, for the error bound.
+struct IterationRecord {
+    double step, ratio;             // alpha, beta
+    double work, residual_squared;  // (r, z) and (r, r) after it
+};
+
+struct SolveScalars {
+    double step, ratio, work, residual_squared;
+    int iterations;  // since the last reset
+    int broken;      // no direction of positive curvature, or not finite: x stays as it is
+};
+
+// x = 0, r = b, z = D^-1 r; sums r . z and r . r.
+template <class Real>
+struct BeginSolve {
+    static constexpr int width = 2;
+    View<const Vector3<Real>> b;
+    View<const Matrix3<Real>> inverse;
+    View<Vector3<Real>> x, r, z;
+
+    std::size_t bytes() const { return bytes_of(b, inverse, x, r, z); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        const Vector3<Real> residual = b[i], image = inverse[i] * residual;
+        x[i] = {{Real(0), Real(0), Real(0)}};
+        r[i] = residual;
+        z[i] = image;
+        for (int c = 0; c < 3; ++c) {
+            sum[0] += double(residual[c]) * double(image[c]);
+            sum[1] += double(residual[c]) * double(residual[c]);
+        }
+    }
+};
+
+// After r . z and r . r of the start.
+struct StartIteration {
+    static constexpr int width = 2;
+    View<SolveScalars> scalars;
+    HEPATICA_HOST_DEVICE void operator()(int, const double* sum) const {
+        scalars[0] = {0.0, 0.0, sum[0], sum[1], 0, 0};
+    }
+};
+
+// p = z + beta p
+template <class Real>
+struct TurnDirection {
+    View<const SolveScalars> scalars;
+    View<const Vector3<Real>> z;
+    View<Vector3<Real>> p;
+
+    HEPATICA_HOST_DEVICE int count() const { return p.size; }
+    std::size_t bytes() const { return bytes_of(z, p, p); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        const Real ratio = Real(scalars[0].ratio);
+        p[i] = ratio == Real(0) ? z[i] : z[i] + ratio * p[i];
+    }
+};
+
+// After p . A p.
+struct ChooseStep {
+    static constexpr int width = 1;
+    View<SolveScalars> scalars;
+    HEPATICA_HOST_DEVICE void operator()(int, const double* sum) const {
+        SolveScalars& now = scalars[0];
+        const double step = now.work / sum[0];
+        if (!(sum[0] > 0.0) || !(step < 1e300)) now.broken = 1;
+        now.step = now.broken != 0 ? 0.0 : step;
+    }
+};
+
+// x += alpha p, r -= alpha A p, z = D^-1 r; sums r . z and r . r.
+template <class Real>
+struct TakeStep {
+    static constexpr int width = 2;
+    View<const SolveScalars> scalars;
+    View<const Vector3<Real>> p, product;
+    View<const Matrix3<Real>> inverse;
+    View<Vector3<Real>> x, r, z;
+
+    std::size_t bytes() const { return bytes_of(p, product, inverse, x, x, r, r, z); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        const Real step = Real(scalars[0].step);
+        x[i] = x[i] + step * p[i];
+        const Vector3<Real> residual = r[i] - step * product[i], image = inverse[i] * residual;
+        r[i] = residual;
+        z[i] = image;
+        for (int c = 0; c < 3; ++c) {
+            sum[0] += double(residual[c]) * double(image[c]);
+            sum[1] += double(residual[c]) * double(residual[c]);
+        }
+    }
+};
+
+// After these.
+struct EndIteration {
+    static constexpr int width = 2;
+    View<SolveScalars> scalars;
+    View<IterationRecord> record;
+    HEPATICA_HOST_DEVICE void operator()(int, const double* sum) const {
+        SolveScalars& now = scalars[0];
+        const double ratio = sum[0] / now.work;
+        if (!(sum[0] >= 0.0) || !(ratio < 1e300)) now.broken = 1;
+        if (now.broken == 0) {
+            now.ratio = ratio;
+            now.work = sum[0];
+            now.residual_squared = sum[1];
+            record[now.iterations++ % record.size] = {now.step, ratio, sum[0], sum[1]};
+        }
+    }
+};
+
+}  // namespace hepatica::gpu

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step of backward Euler does to nodes beside its linear system: places and velocities,
+// forces, energies and works, as IncrementalPotential and StepBooks of core/deform have them. State
+// in double; forces and directions of the linear system in Real.
+#pragma once
+
+#include "gpu/kernels/grab_kernels.h"
+#include "gpu/kernels/sums.h"
+
+namespace hepatica::gpu {
+
+// Where nodes are and what pulls at them besides the elements; the step began at `start` with
+// velocity `before` and is now at `position` with `velocity`.
+struct NodeViews {
+    View<const Vector3<double>> start, before, position, velocity, rest;
+    View<const Vector3<double>> elastic_force;
+    View<const double> elastic_energy;
+    View<const double> mass, tether;
+    View<const unsigned char> held;
+    GrabsView grabs;
+    Vector3<double> gravity;
+
+    std::size_t bytes() const {
+        return bytes_of(start, before, position, velocity, rest, elastic_force, elastic_energy,
+                        mass, tether, held) +
+               grabs.bytes();
+    }
+    // Elastic and of the potentials, uN.
+    HEPATICA_HOST_DEVICE Vector3<double> force(int i) const {
+        return elastic_force[i] + mass[i] * gravity + tether[i] * (rest[i] - position[i]) +
+               grabs.force(i);
+    }
+};
+
+// w = share * v_n + change, x = x_n + dt w. Held nodes have v_n = 0 and no change.
+template <class Real>
+struct PlaceNodes {
+    View<const Vector3<double>> start, before;
+    View<const Vector3<Real>> change;  // empty: none
+    double share, dt;
+    View<Vector3<double>> position, velocity;
+
+    HEPATICA_HOST_DEVICE int count() const { return position.size; }
+    std::size_t bytes() const { return bytes_of(start, before, change, position, velocity); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        Vector3<double> w = share * before[i];
+        for (int c = 0; c < 3 && !change.empty(); ++c) w[c] += double(change[i][c]);
+        velocity[i] = w;
+        position[i] = start[i] + dt * w;
+    }
+};
+
+// Minus dt times the gradient of the incremental potential:
+//   M (v_n - (1 + dt alpha) w) + dt f(x) - dt damping; zero where a node is held.
+template <class Real>
+struct Descent {
+    NodeViews nodes;
+    View<const Vector3<Real>> damping;  // beta K_0 w; empty: none
+    double dt, inertia;                 // 1 + dt alpha
+    View<Vector3<Real>> descent;
+
+    HEPATICA_HOST_DEVICE int count() const { return descent.size; }
+    std::size_t bytes() const { return nodes.bytes() + bytes_of(damping, descent); }
+    HEPATICA_HOST_DEVICE Vector3<double> at(int i) const {
+        if (nodes.held[i] != 0) return {{0.0, 0.0, 0.0}};
+        Vector3<double> r =
+            nodes.mass[i] * (nodes.before[i] - inertia * nodes.velocity[i]) + dt * nodes.force(i);
+        for (int c = 0; c < 3 && !damping.empty(); ++c) r[c] -= dt * double(damping[i][c]);
+        return r;
+    }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        const Vector3<double> r = at(i);
+        descent[i] = {{Real(r[0]), Real(r[1]), Real(r[2])}};
+    }
+};
+
+// a -= b
+template <class Real>
+struct Subtract {
+    View<Vector3<Real>> a;
+    View<const Vector3<Real>> b;
+
+    HEPATICA_HOST_DEVICE int count() const { return a.size; }
+    std::size_t bytes() const { return bytes_of(a, a, b); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const { a[i] = a[i] - b[i]; }
+};
+
+// Forces where a step starts, for the work along it.
+struct KeepForces {
+    NodeViews nodes;
+    View<Vector3<double>> force;
+
+    HEPATICA_HOST_DEVICE int count() const { return force.size; }
+    std::size_t bytes() const { return nodes.bytes() + bytes_of(force); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const { force[i] = nodes.force(i); }
+};
+
+// Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n, and
+// |w - v_n|_M^2 / 2.
+struct Energies {
+    static constexpr int width = 6;
+    enum { kinetic, elastic, grab, tether, weight, inertial };
+    NodeViews nodes;
+
+    std::size_t bytes() const { return nodes.bytes(); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        const Vector3<double> w = nodes.velocity[i], x = nodes.position[i];
+        const Vector3<double> dw = w - nodes.before[i], off = x - nodes.rest[i];
+        sum[kinetic] += 0.5 * nodes.mass[i] * small::dot(w, w);
+        sum[elastic] += nodes.elastic_energy[i];
+        sum[grab] += nodes.grabs.energy(i);
+        sum[tether] += 0.5 * nodes.tether[i] * small::dot(off, off);
+        sum[weight] -= nodes.mass[i] * small::dot(nodes.gravity, x - nodes.start[i]);
+        sum[inertial] += 0.5 * nodes.mass[i] * small::dot(dw, dw);
+    }
+};
+
+// With d the direction that was taken, change + share * v_n:  steepest . d  and  residual . d.
+template <class Real>
+struct AlongDirection {
+    static constexpr int width = 2;
+    View<const Vector3<Real>> steepest, residual, change;
+    View<const Vector3<double>> before;
+    double share;
+
+    std::size_t bytes() const { return bytes_of(steepest, residual, change, before); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        for (int c = 0; c < 3; ++c) {
+            const double d = double(change[i][c]) + share * before[i][c];
+            sum[0] += double(steepest[i][c]) * d;
+            sum[1] += double(residual[i][c]) * d;
+        }
+    }
+};
+
+// Works along the motion dt w: of the forces at the start and at the end; and w . descent.
+template <class Real>
+struct Works {
+    static constexpr int width = 3;
+    Descent<Real> end;
+    View<const Vector3<double>> start_force;
+
+    std::size_t bytes() const { return end.bytes() + bytes_of(start_force); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        const Vector3<double> w = end.nodes.velocity[i];
+        sum[0] += end.dt * small::dot(w, start_force[i]);
+        sum[1] += end.dt * small::dot(w, end.nodes.force(i));
+        sum[2] += small::dot(w, end.at(i));
+    }
+};
+
+// p = w as Real, for products with the matrix.
+template <class Real>
+struct RoundVelocity {
+    View<const Vector3<double>> velocity;
+    View<Vector3<Real>> p;
+
+    HEPATICA_HOST_DEVICE int count() const { return p.size; }
+    std::size_t bytes() const { return bytes_of(velocity, p); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        for (int c = 0; c < 3; ++c) p[i][c] = Real(velocity[i][c]);
+    }
+};
+
+}  // namespace hepatica::gpu

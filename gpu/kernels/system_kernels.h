@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The matrix of eq. (12) without its diagonal: blocks of K beside it, and what stands on it in
+// numbers. A row is y_i = m_i p_i + sum_j A_ij (p_j - p_i), so that a rigid translation costs
+// nothing to the last digit, which a stored diagonal in float would not give.
+#pragma once
+
+#include "gpu/kernels/grab_kernels.h"
+
+namespace hepatica::gpu {
+
+// mass M + tether T + stiffness K + grab G. The matrix of the step, its damping and the stiffness
+// of everything differ in these alone.
+struct SystemFactors {
+    double mass = 0.0, tether = 0.0, stiffness = 0.0, grab = 0.0;
+};
+
+template <class Real>
+struct SystemView {
+    View<const int> row_begin, column;  // blocks beside the diagonal
+    View<const Matrix3<Real>> block;
+    View<const double> mass, tether;
+    View<const unsigned char> held;
+    GrabsView grabs;
+    SystemFactors factors;
+
+    std::size_t bytes() const {
+        return bytes_of(row_begin, column, block, mass, tether, held) + grabs.bytes();
+    }
+    HEPATICA_HOST_DEVICE double on_diagonal(int i) const {
+        return factors.mass * mass[i] + factors.tether * tether[i];
+    }
+    // Row i times p, which is zero at held nodes.
+    HEPATICA_HOST_DEVICE Vector3<Real> row(int i, const View<const Vector3<Real>>& p) const {
+        if (held[i] != 0) return {{Real(0), Real(0), Real(0)}};
+        const Vector3<Real> own = p[i];
+        Vector3<Real> sum{{Real(0), Real(0), Real(0)}};
+        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+            sum = sum + block[k] * (p[column[k]] - own);
+        Vector3<Real> y = Real(factors.stiffness) * sum + Real(on_diagonal(i)) * own;
+        if (factors.grab == 0.0 || grabs.first.empty()) return y;
+        const Vector3<double> pulled = grabs.product(i, p);
+        for (int c = 0; c < 3; ++c) y[c] += Real(factors.grab * pulled[c]);
+        return y;
+    }
+};
+
+// y = A p, and p . y.
+template <class Real>
+struct Product {
+    static constexpr int width = 1;
+    SystemView<Real> system;
+    View<const Vector3<Real>> p;
+    View<Vector3<Real>> y;
+
+    std::size_t bytes() const { return system.bytes() + bytes_of(p, y); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        const Vector3<Real> row = system.row(i, p);
+        y[i] = row;
+        const Vector3<Real> own = p[i];
+        for (int c = 0; c < 3; ++c) sum[0] += double(own[c]) * double(row[c]);
+    }
+};
+
+// The inverse of each diagonal block; zero where a node is held or the block not positive definite.
+template <class Real>
+struct InvertDiagonal {
+    SystemView<Real> system;
+    View<Matrix3<Real>> inverse;
+
+    HEPATICA_HOST_DEVICE int count() const { return inverse.size; }
+    std::size_t bytes() const { return system.bytes() + bytes_of(inverse); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        Matrix3<double> sum = system.on_diagonal(i) * small::identity_matrix<double>();
+        for (int k = system.row_begin[i]; k < system.row_begin[i + 1]; ++k)
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c)
+                    sum(r, c) -= system.factors.stiffness * 0.5 *
+                                 (double(system.block[k](r, c)) + double(system.block[k](c, r)));
+        sum = sum + system.factors.grab * system.grabs.diagonal(i);
+        const double volume = small::determinant(sum);
+        const Matrix3<double> adjugate = small::transpose(small::cofactor(sum));
+        const double scale = system.held[i] == 0 && volume > 0.0 ? 1.0 / volume : 0.0;
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c) inverse[i](r, c) = Real(scale * adjugate(r, c));
+    }
+};
+
+}  // namespace hepatica::gpu

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/machine/emulator.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace hepatica::gpu {
+namespace {
+
+// visit(i) for every i in [0, count), in an order that changes from loop to loop where it is
+// shuffled.
+class Loops {
+  public:
+    explicit Loops(BlockOrder order) : order_(order) {}
+
+    template <class Visit>
+    void run(int count, const Visit& visit) {
+        if (order_ == BlockOrder::shuffled) return shuffled(count, visit);
+        for (int i = 0; i < count; ++i) visit(order_ == BlockOrder::ascending ? i : count - 1 - i);
+    }
+
+  private:
+    // A stride without a common divisor reaches every number once.
+    template <class Visit>
+    void shuffled(int count, const Visit& visit) {
+        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+        const auto random = static_cast<long>(state_ >> 33);
+        long stride = random % count + 1;
+        while (greatest_divisor(stride, count) != 1) ++stride;
+        long i = random / 7 % count;
+        for (int done = 0; done < count; ++done, i = (i + stride) % count)
+            visit(static_cast<int>(i));
+    }
+    static long greatest_divisor(long a, long b) { return b == 0 ? a : greatest_divisor(b, a % b); }
+
+    BlockOrder order_;
+    unsigned long state_ = 1;
+};
+
+class Emulator final : public MachineBy<Emulator> {
+  public:
+    explicit Emulator(BlockOrder order) : loops_(order) {}
+
+    std::string name() const override { return "emulated on the processor"; }
+
+    template <class Kernel>
+    void execute(const Kernel& kernel) {
+        double shared[Kernel::shared];
+        loops_.run(kernel.blocks(), [&](int block) {
+            for (int phase = 0; phase < Kernel::phases; ++phase)
+                loops_.run(Kernel::threads,
+                           [&](int thread) { kernel(phase, block, thread, shared); });
+        });
+    }
+
+  private:
+    void* take(std::size_t bytes) override {
+        void* memory = std::calloc(bytes, 1);
+        if (memory == nullptr) throw std::bad_alloc();
+        return memory;
+    }
+    void give_back(void* memory) noexcept override { std::free(memory); }
+    void copy_in(void* to, const void* from, std::size_t bytes) override {
+        std::memcpy(to, from, bytes);
+    }
+    void copy_out(void* to, const void* from, std::size_t bytes) override {
+        std::memcpy(to, from, bytes);
+    }
+
+    Loops loops_;
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make_emulator(BlockOrder order) {
+    return std::make_unique<Emulator>(order);
+}
+
+}  // namespace hepatica::gpu

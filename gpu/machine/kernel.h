@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a kernel is. Its work is cut into blocks of `threads` threads that share a few numbers; a
+// barrier stands between its phases, so that a thread sees in one phase what the threads of its
+// block wrote in the phase before. Blocks run in any order and know nothing of each other, and so
+// do the threads of a block within a phase. Written so, one source runs as a CUDA kernel and, to
+// the last bit the same, in two loops on the host (see emulator.h). A kernel has
+//   static constexpr int threads, shared, phases;     shared: numbers (double) of a block
+//   int blocks() const;
+//   std::size_t bytes() const;                        see bytes_of
+//   void operator()(int phase, int block, int thread, double* shared) const;
+#pragma once
+
+#include <cstddef>
+
+#include "core/deform/elements/small_matrix.h"
+
+namespace hepatica::gpu {
+
+// The kernel that calls item(i) for every i in [0, item.count()): one thread an item.
+template <class Item>
+struct ForEach {
+    static constexpr int threads = 128, shared = 1, phases = 1;
+    Item item;
+
+    int blocks() const { return (item.count() + threads - 1) / threads; }
+    std::size_t bytes() const { return item.bytes(); }
+    HEPATICA_HOST_DEVICE void operator()(int, int block, int thread, double*) const {
+        const int i = block * threads + thread;
+        if (i < item.count()) item(i);
+    }
+};
+
+template <class... Kernel>
+struct KernelList {};
+
+}  // namespace hepatica::gpu

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where kernels run and their arrays lie: a CUDA device, or the emulator on the host. It counts
+// what a step costs. Kernels of one machine run one after another. Not thread-safe.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "gpu/kernels/kernel_list.h"
+#include "gpu/machine/kernel.h"
+
+namespace hepatica::gpu {
+
+// Since the machine was made. A barrier is one between two phases of a kernel; the end of a kernel
+// is none.
+struct Traffic {
+    long launches = 0;
+    long barriers = 0;
+    std::size_t kernel_bytes = 0;  // see bytes_of
+    long copies = 0;               // to and from the device
+    std::size_t copied_bytes = 0;
+};
+
+template <class Kernel>
+class Runs {
+  public:
+    virtual ~Runs() = default;
+    virtual void run(const Kernel& kernel) = 0;
+};
+
+template <class List>
+class RunsAll;
+template <class... Kernel>
+class RunsAll<KernelList<Kernel...>> : public Runs<Kernel>... {
+  public:
+    using Runs<Kernel>::run...;
+};
+
+// The functions that allocate, copy or launch throw DeviceError where the device fails.
+class Machine : public RunsAll<AllKernels> {
+  public:
+    virtual std::string name() const = 0;
+
+    // Of so many bytes, all zero.
+    void* allocate(std::size_t bytes) {
+        held_bytes_ += bytes;
+        return take(bytes);
+    }
+    void release(void* memory, std::size_t bytes) {
+        held_bytes_ -= bytes;
+        give_back(memory);
+    }
+    // Both wait until the machine is done with what was launched before.
+    void upload(void* to, const void* from, std::size_t bytes) {
+        count_copy(bytes);
+        copy_in(to, from, bytes);
+    }
+    void download(void* to, const void* from, std::size_t bytes) {
+        count_copy(bytes);
+        copy_out(to, from, bytes);
+    }
+
+    // Kernels without a block do nothing.
+    template <class Kernel>
+    void launch(const Kernel& kernel) {
+        if (kernel.blocks() == 0) return;
+        ++traffic_.launches;
+        traffic_.barriers += Kernel::phases - 1;
+        traffic_.kernel_bytes += kernel.bytes();
+        static_cast<Runs<Kernel>&>(*this).run(kernel);
+    }
+    template <class Item>
+    void for_each(const Item& item) {
+        launch(ForEach<Item>{item});
+    }
+
+    const Traffic& traffic() const { return traffic_; }
+    std::size_t held_bytes() const { return held_bytes_; }
+
+  private:
+    virtual void* take(std::size_t bytes) = 0;
+    virtual void give_back(void* memory) noexcept = 0;
+    virtual void copy_in(void* to, const void* from, std::size_t bytes) = 0;
+    virtual void copy_out(void* to, const void* from, std::size_t bytes) = 0;
+
+    void count_copy(std::size_t bytes) {
+        ++traffic_.copies;
+        traffic_.copied_bytes += bytes;
+    }
+
+    Traffic traffic_;
+    std::size_t held_bytes_ = 0;
+};
+
+namespace detail {
+
+// Overrides run() for every kernel of a list by Self::execute(kernel).
+template <class Self, class List>
+class RunEach;
+template <class Self>
+class RunEach<Self, KernelList<>> : public Machine {};
+template <class Self, class Kernel, class... Rest>
+class RunEach<Self, KernelList<Kernel, Rest...>> : public RunEach<Self, KernelList<Rest...>> {
+  public:
+    using RunEach<Self, KernelList<Rest...>>::run;
+    void run(const Kernel& kernel) override { static_cast<Self&>(*this).execute(kernel); }
+};
+
+}  // namespace detail
+
+// A machine whose member template execute(kernel) runs any kernel.
+template <class Self>
+using MachineBy = detail::RunEach<Self, AllKernels>;
+
+}  // namespace hepatica::gpu

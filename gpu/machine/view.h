@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plain array as a kernel sees it, on host and device alike.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "core/deform/elements/small_matrix.h"
+
+namespace hepatica::gpu {
+
+template <class T>
+struct View {
+    T* data = nullptr;
+    int size = 0;
+
+    View() = default;
+    HEPATICA_HOST_DEVICE View(T* begin, int count) : data(begin), size(count) {}
+    // To read what may be written.
+    template <class U, class = std::enable_if_t<std::is_same_v<const U, T>>>
+    HEPATICA_HOST_DEVICE View(const View<U>& other) : data(other.data), size(other.size) {}
+
+    HEPATICA_HOST_DEVICE T& operator[](int i) const { return data[i]; }
+    HEPATICA_HOST_DEVICE bool empty() const { return size == 0; }
+};
+
+// Bytes of whole arrays: what a kernel must move at least, every array that it names counted once
+// (twice where it reads and writes it). What caches miss beyond that is not counted.
+template <class... T>
+std::size_t bytes_of(const View<T>&... views) {
+    return (std::size_t{0} + ... + (static_cast<std::size_t>(views.size) * sizeof(T)));
+}
+
+}  // namespace hepatica::gpu

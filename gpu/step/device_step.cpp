@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/step/device_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/deform/potentials/potential_list.h"
+#include "core/deform/step/energy_limiter.h"
+#include "core/deform/step/step_books.h"
+#include "gpu/step/device_body.h"
+#include "gpu/step/device_grabs.h"
+#include "gpu/step/device_solver.h"
+
+namespace hepatica::gpu {
+namespace {
+
+constexpr double armijo = 1e-4;  // of the predicted decrease must come true, as in NewtonStep
+
+// A change of energy below this share of the energies at hand is rounding.
+template <class Real>
+constexpr double energy_rounding = 1e-5;
+template <>
+constexpr double energy_rounding<double> = 1e-13;
+// And below this the limiter lets it pass.
+template <class Real>
+constexpr double limiter_rounding = 1e-5;
+template <>
+constexpr double limiter_rounding<double> = 1e-9;
+
+// Tools and touching surfaces are none of the device's business.
+Body without_surfaces(Body body) {
+    body.surface.clear();
+    body.self_surface.clear();
+    body.self_pad.reset();
+    return body;
+}
+
+void copy_in(Machine& machine, const std::vector<Vec3>& from, Array<Vector3<double>>& to) {
+    static_assert(sizeof(Vec3) == sizeof(Vector3<double>));
+    machine.upload(to.view().data, from.data(), from.size() * sizeof(Vec3));
+}
+
+void copy_out(Machine& machine, const Array<Vector3<double>>& from, std::vector<Vec3>& to) {
+    machine.download(to.data(), from.read().data, to.size() * sizeof(Vec3));
+}
+
+// Energies of the whole body and of its pieces.
+struct Balance {
+    std::vector<double> of_pieces;  // Energies::width numbers each
+
+    double sum(int term) const {
+        double total = 0.0;
+        for (std::size_t k = term; k < of_pieces.size(); k += Energies::width)
+            total += of_pieces[k];
+        return total;
+    }
+    // Of elements and potentials.
+    double potential() const {
+        return sum(Energies::elastic) + sum(Energies::grab) + sum(Energies::tether) +
+               sum(Energies::weight);
+    }
+    EnergyLedger ledger() const {
+        EnergyLedger ledger;
+        ledger.kinetic = sum(Energies::kinetic);
+        ledger.elastic = sum(Energies::elastic);
+        ledger.grab = sum(Energies::grab);
+        ledger.tether = sum(Energies::tether);
+        ledger.gravity_work = -sum(Energies::weight);
+        return ledger;
+    }
+    std::vector<EnergyLimiter::Balance> by_piece() const {
+        std::vector<EnergyLimiter::Balance> pieces;
+        for (std::size_t p = 0; p < of_pieces.size(); p += Energies::width) {
+            const double* e = &of_pieces[p];
+            pieces.push_back({e[Energies::kinetic] + e[Energies::elastic] + e[Energies::grab] +
+                                  e[Energies::tether] + e[Energies::weight],
+                              e[Energies::kinetic]});
+        }
+        return pieces;
+    }
+};
+
+// One step while it is made; energies in nJ.
+struct Underway {
+    double dt_s = 0.0;
+    bool predicted = false;  // it begins at w = v_n, otherwise at w = 0
+    Balance before{};
+    double standing = 0.0;   // incremental potential at w = 0
+    double value = 0.0;      // and where the iterate begins
+    double slope = 0.0;      // of it along the direction that was taken
+    double curvature = 0.0;  // see LinearisedWork, where it begins at w = 0
+    double residual_work = 0.0;
+    double damping_form = 0.0;  // w . beta K_0 w at the end
+    Balance after{};
+};
+
+template <class Real>
+class Step final : public DeviceStep {
+  public:
+    Step(Machine& machine, const Body& body)
+        : machine_(machine),
+          body_(without_surfaces(body)),
+          plan_(plan_assembly(body_, small::Tangent::rotated)),
+          potentials_(body_),
+          limiter_(body_, plan_),
+          held_(body_.fixed),
+          nodes_(body_.rest_positions_mm.size()),
+          elements_(machine, body_, plan_),
+          grabs_(machine),
+          all_(machine, body_.node_count()),
+          pieces_(machine, limiter_.piece_of_node()),
+          solver_(machine, all_, nodes_),
+          mass_(machine, body_.mass_g),
+          tether_(machine, body_.tether_un_per_mm),
+          device_held_(machine, held_),
+          rest_(machine, nodes_),
+          start_(machine, nodes_),
+          before_(machine, nodes_),
+          position_(machine, nodes_),
+          velocity_(machine, nodes_),
+          start_force_(machine, nodes_),
+          steepest_(machine, nodes_),
+          rhs_(machine, nodes_),
+          p_(machine, nodes_),
+          damping_(machine, nodes_) {
+        copy_in(machine, body_.rest_positions_mm, rest_);
+        set_state({body_.rest_positions_mm, std::vector<Vec3>(nodes_, Vec3::Zero())});
+    }
+
+    void set_grabs(std::span<const Grab> grabs) override {
+        potentials_.set_grabs(grabs);
+        grabs_.set(grabs, plan_);
+    }
+    void set_gravity(const Vec3& gravity) override { gravity_ = small::from_eigen(gravity); }
+    void set_held(std::span<const std::uint8_t> held) override {
+        held_.assign(held.begin(), held.end());
+        device_held_.upload(held_);
+    }
+    void set_state(const BodyState& state) override {
+        state_ = state;
+        copy_in(machine_, state.positions_mm, start_);
+        copy_in(machine_, state.velocities_mm_per_s, before_);
+        evaluated_ = false;
+    }
+    const BodyState& state() const override { return state_; }
+
+    bool advance(double dt_s, const SolveLimits& limits, StepReport& report) override;
+
+    double solver_memory() const override { return solver_.smallest_ritz(); }
+    void set_solver_memory(double memory) override { solver_.remember(memory); }
+
+  private:
+    double inertia(double dt) const { return 1.0 + dt * body_.damping.alpha_per_s; }
+    double beta() const { return body_.damping.beta_s; }
+    NodeViews nodes_at(const Array<Vector3<double>>& x, const Array<Vector3<double>>& w) const;
+    SystemView<Real> system(const SystemFactors& factors) const;
+    SystemView<Real> step_matrix(double dt) const {
+        return system({inertia(dt), dt * dt, dt * dt + dt * beta(), dt * dt});
+    }
+    double product(const SystemView<Real>& system, const Array<Vector3<double>>& w,
+                   Array<Vector3<Real>>& y);
+    void place(double dt, double share, View<const Vector3<Real>> change, bool with_stiffness);
+    Descent<Real> descent(double dt, bool damped, Array<Vector3<Real>>& result) const;
+    double value_of(const Balance& now, double dt, double damping_form) const;
+    Balance balance() { return {pieces_.read(Energies{nodes_at(position_, velocity_)})}; }
+
+    void begin(Underway& step);
+    bool predict(Underway& step);
+    void stand(Underway& step);
+    bool solve(Underway& step, const SolveLimits& limits, StepReport& report);
+    bool accepted(Underway& step);
+    void book(Underway& step, StepReport& report);
+    void accept(const Underway& step, StepReport& report);
+
+    Machine& machine_;
+    Body body_;
+    AssemblyPlan plan_;
+    PotentialList potentials_;  // for what the limiter asks of grabs
+    EnergyLimiter limiter_;
+    std::vector<std::uint8_t> held_;
+    std::size_t nodes_;
+    DeviceBody<Real> elements_;
+    DeviceGrabs grabs_;
+    Partition all_, pieces_;
+    DeviceSolver<Real> solver_;
+    Array<double> mass_, tether_;
+    Array<std::uint8_t> device_held_;
+    Array<Vector3<double>> rest_, start_, before_, position_, velocity_, start_force_;
+    Array<Vector3<Real>> steepest_, rhs_, p_, damping_;
+    Vector3<double> gravity_{{0.0, 0.0, 0.0}};
+    bool evaluated_ = false;  // elastic forces and energies are those of start_
+    BodyState state_;
+};
+
+template <class Real>
+NodeViews Step<Real>::nodes_at(const Array<Vector3<double>>& x,
+                               const Array<Vector3<double>>& w) const {
+    return {start_.read(),
+            before_.read(),
+            x.read(),
+            w.read(),
+            rest_.read(),
+            elements_.elastic_force(),
+            elements_.elastic_energy(),
+            mass_.read(),
+            tether_.read(),
+            device_held_.read(),
+            grabs_.view(),
+            gravity_};
+}
+
+template <class Real>
+SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
+    return {elements_.row_begin(), elements_.column(),  elements_.block(), mass_.read(),
+            tether_.read(),        device_held_.read(), grabs_.view(),     factors};
+}
+
+// y = A w; returns w . y.
+template <class Real>
+double Step<Real>::product(const SystemView<Real>& system, const Array<Vector3<double>>& w,
+                           Array<Vector3<Real>>& y) {
+    machine_.for_each(RoundVelocity<Real>{w.read(), p_.view()});
+    return all_.read(Product<Real>{system, p_.read(), y.view()})[0];
+}
+
+// Goes to w = share v_n + change and evaluates there.
+template <class Real>
+void Step<Real>::place(double dt, double share, View<const Vector3<Real>> change,
+                       bool with_stiffness) {
+    machine_.for_each(PlaceNodes<Real>{start_.read(), before_.read(), change, share, dt,
+                                       position_.view(), velocity_.view()});
+    grabs_.pull(position_.read());
+    elements_.evaluate(position_.read(), with_stiffness);
+}
+
+template <class Real>
+Descent<Real> Step<Real>::descent(double dt, bool damped, Array<Vector3<Real>>& result) const {
+    View<const Vector3<Real>> damping;
+    if (damped) damping = damping_.read();
+    return {nodes_at(position_, velocity_), damping, dt, inertia(dt), result.view()};
+}
+
+// Of the incremental potential, see incremental_potential.h.
+template <class Real>
+double Step<Real>::value_of(const Balance& now, double dt, double damping_form) const {
+    return now.sum(Energies::inertial) +
+           dt * body_.damping.alpha_per_s * now.sum(Energies::kinetic) + 0.5 * dt * damping_form +
+           now.potential();
+}
+
+// Forces and energies at the start.
+template <class Real>
+void Step<Real>::begin(Underway& step) {
+    grabs_.pull(start_.read());
+    if (!evaluated_) elements_.evaluate(start_.read(), false);
+    const NodeViews at_start = nodes_at(start_, before_);
+    machine_.for_each(KeepForces{at_start, start_force_.view()});
+    step.before = {pieces_.read(Energies{at_start})};
+    step.standing = step.before.sum(Energies::kinetic) + step.before.potential();
+}
+
+// Begins where the body would be without a change of velocity, unless standing still is better.
+template <class Real>
+bool Step<Real>::predict(Underway& step) {
+    if (!(step.before.sum(Energies::kinetic) > 0.0)) return false;
+    const double dt = step.dt_s;
+    place(dt, 1.0, {}, true);
+    const Balance there = balance();
+    if (!(value_of(there, dt, 0.0) <= step.standing)) return false;
+    elements_.assemble();
+    const bool damped = beta() > 0.0;
+    const double form = damped ? product(system({.stiffness = beta()}), velocity_, damping_) : 0.0;
+    step.value = value_of(there, dt, form);
+    if (!(step.value <= step.standing)) return false;
+    step.predicted = true;
+    machine_.for_each(descent(dt, damped, steepest_));
+    return true;
+}
+
+// Begins at w = 0, with the change of velocity as unknown all the same.
+template <class Real>
+void Step<Real>::stand(Underway& step) {
+    const double dt = step.dt_s;
+    place(dt, 0.0, {}, true);
+    elements_.assemble();
+    step.value = step.standing;
+    machine_.for_each(descent(dt, false, steepest_));
+    machine_.for_each(descent(dt, false, rhs_));
+    product(step_matrix(dt), before_, damping_);
+    machine_.for_each(Subtract<Real>{rhs_.view(), damping_.read()});
+}
+
+// Finds the direction and goes along it. False where the solver broke down.
+template <class Real>
+bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report) {
+    const double dt = step.dt_s;
+    const SolveReport solved =
+        solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(), limits);
+    report.linear_solves = report.newton_iterations = 1;
+    report.linear_iterations = solved.iterations;
+    report.linear_residual = solved.relative_residual;
+    report.linear_energy_error = solved.energy_error;
+    if (!solved.converged && solved.iterations < limits.max_iterations) return false;
+    const std::vector<double> along =
+        all_.read(AlongDirection<Real>{steepest_.read(), solver_.residual(), solver_.solution(),
+                                       before_.read(), step.predicted ? 0.0 : 1.0});
+    step.slope = -along[0];
+    step.residual_work = -along[1];
+    machine_.for_each(PlaceNodes<Real>{start_.read(), before_.read(), solver_.solution(), 1.0, dt,
+                                       position_.view(), velocity_.view()});
+    // The stiffness is still that of where the iterate began.
+    if (!step.predicted)
+        step.curvature =
+            dt * dt *
+            product(system({.tether = 1.0, .stiffness = 1.0, .grab = 1.0}), velocity_, damping_);
+    if (beta() > 0.0)
+        step.damping_form = product(system({.stiffness = beta()}), velocity_, damping_);
+    return true;
+}
+
+// Whether the direction, taken whole, lowers the incremental potential.
+template <class Real>
+bool Step<Real>::accepted(Underway& step) {
+    const double dt = step.dt_s;
+    place(dt, 1.0, solver_.solution(), false);
+    step.after = balance();
+    const double value = value_of(step.after, dt, step.damping_form);
+    const double noise = energy_rounding<Real> * (std::abs(value) + std::abs(step.value));
+    return std::isfinite(value) && value <= step.value + armijo * step.slope + noise;
+}
+
+// As StepBooks.
+template <class Real>
+void Step<Real>::book(Underway& step, StepReport& report) {
+    const double dt = step.dt_s;
+    const std::vector<double> works =
+        all_.read(Works<Real>{descent(dt, beta() > 0.0, rhs_), start_force_.read()});
+    const double start_work = works[0];
+    double end_work = start_work - step.curvature, solver_work = step.residual_work;
+    if (step.predicted) {
+        end_work = works[1];
+        solver_work = -works[2];
+    }
+    const EnergyLedger before = step.before.ledger();
+    EnergyLedger& ledger = report.energy = step.after.ledger();
+    ledger.damping_loss =
+        dt * (2.0 * body_.damping.alpha_per_s * ledger.kinetic + step.damping_form);
+    ledger.solver_work = solver_work;
+    ledger.integrator_loss = step.after.sum(Energies::inertial) + 0.5 * (start_work - end_work);
+    const double gained = stored_energy(ledger) - stored_energy(before);
+    const double path_work = ledger.gravity_work - (gained - (ledger.kinetic - before.kinetic));
+    ledger.nonlinear_loss = path_work - 0.5 * (start_work + end_work);
+    ledger.imbalance = gained - explained_change(ledger);
+}
+
+// The step's end becomes the state; the limiter has the last word on its velocities.
+template <class Real>
+void Step<Real>::accept(const Underway& step, StepReport& report) {
+    std::swap(start_, position_);
+    std::swap(before_, velocity_);
+    evaluated_ = true;
+    copy_out(machine_, start_, state_.positions_mm);
+    copy_out(machine_, before_, state_.velocities_mm_per_s);
+    const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
+    const EnergyLimiter::Outcome outcome = limiter_.limit(
+        {.before = pieces_before, .after = pieces_after, .rounding = limiter_rounding<Real>},
+        potentials_, state_.positions_mm, held_, state_.velocities_mm_per_s);
+    if (!outcome.limited) return;
+    copy_in(machine_, state_.velocities_mm_per_s, before_);
+    hepatica::book(outcome, kinetic_energy(body_, state_.velocities_mm_per_s), report);
+}
+
+template <class Real>
+bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report) {
+    Underway step{.dt_s = dt_s};
+    StepReport made;
+    made.dt_s = dt_s;
+    begin(step);
+    if (!predict(step)) stand(step);
+    evaluated_ = false;
+    if (!solve(step, limits, made) || !accepted(step)) return false;
+    made.predicted = step.predicted;
+    book(step, made);
+    accept(step, made);
+    report = made;
+    return true;
+}
+
+}  // namespace
+
+std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
+                                             Precision precision) {
+    if (precision == Precision::double_precision)
+        return std::make_unique<Step<double>>(machine, body);
+    return std::make_unique<Step<float>>(machine, body);
+}
+
+}  // namespace hepatica::gpu

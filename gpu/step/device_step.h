@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The linearly implicit step of backward Euler, eq. (12), on a machine: what BackwardEuler and
+// NewtonStep of core/deform do where one iterate is taken whole. State and sums are double; the
+// matrix and the vectors of its solver are float, or double for tests.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/deform/body/body.h"
+#include "core/deform/body/body_state.h"
+#include "core/deform/potentials/grab.h"
+#include "core/deform/solvers/linear_solver.h"
+#include "core/deform/step/step_report.h"
+#include "gpu/machine/machine.h"
+
+namespace hepatica::gpu {
+
+enum class Precision { single_precision, double_precision };
+
+// Not thread-safe.
+class DeviceStep {
+  public:
+    virtual ~DeviceStep() = default;
+
+    virtual void set_grabs(std::span<const Grab> grabs) = 0;
+    virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
+    // For each node 1 where it is fixed or frozen.
+    virtual void set_held(std::span<const std::uint8_t> held) = 0;
+    // Of every node; held ones have velocity 0.
+    virtual void set_state(const BodyState& state) = 0;
+    virtual const BodyState& state() const = 0;
+
+    // Makes a step of dt_s > 0 and fills the report as BackwardEuler::advance does. False where
+    // its one iterate, taken whole, would make energy or could not be solved for: nothing has then
+    // changed, and the step wants to be made by other means.
+    virtual bool advance(double dt_s, const SolveLimits& limits, StepReport& report) = 0;
+
+    // What the linear solver carries from one step to the next.
+    virtual double solver_memory() const = 0;
+    virtual void set_solver_memory(double memory) = 0;
+};
+
+// Throws DeviceError. The body has_kernels(). Tools and surfaces that touch play no part.
+std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
+                                             Precision precision);
+
+}  // namespace hepatica::gpu

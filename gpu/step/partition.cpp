@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/step/partition.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hepatica::gpu {
+namespace {
+
+struct Layout {
+    std::vector<int> chunk_begin{0}, segment_begin{0};
+
+    // Segments follow one another.
+    void add_segment(int nodes) {
+        const int first = chunk_begin.back();
+        for (int done = 0; done < nodes; done += nodes_per_chunk)
+            chunk_begin.push_back(first + std::min(nodes, done + nodes_per_chunk));
+        segment_begin.push_back(static_cast<int>(chunk_begin.size()) - 1);
+    }
+};
+
+Layout layout_of(std::span<const int> piece_of_node) {
+    std::vector<int> sizes;
+    for (const int piece : piece_of_node) {
+        sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(piece) + 1), 0);
+        ++sizes[piece];
+    }
+    Layout layout;
+    for (const int size : sizes) layout.add_segment(size);
+    return layout;
+}
+
+std::vector<int> by_piece(std::span<const int> piece_of_node) {
+    std::vector<int> order(piece_of_node.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (std::ranges::is_sorted(piece_of_node)) return {};
+    std::ranges::stable_sort(order, {}, [&](int i) { return piece_of_node[i]; });
+    return order;
+}
+
+}  // namespace
+
+Partition::Partition(Machine& machine, int nodes)
+    : Partition(machine, std::vector<int>(static_cast<std::size_t>(nodes), 0)) {}
+
+Partition::Partition(Machine& machine, std::span<const int> piece_of_node) : machine_(machine) {
+    const Layout layout = layout_of(piece_of_node);
+    order_ = Array<int>(machine, by_piece(piece_of_node));
+    chunk_begin_ = Array<int>(machine, layout.chunk_begin);
+    segment_begin_ = Array<int>(machine, layout.segment_begin);
+    partial_ = Array<double>(machine, most_width * (layout.chunk_begin.size() - 1));
+    result_ = Array<double>(machine, most_width * (layout.segment_begin.size() - 1));
+}
+
+}  // namespace hepatica::gpu

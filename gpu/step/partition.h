@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which nodes are added up together, on a machine; and the two launches of a sum.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gpu/kernels/sums.h"
+#include "gpu/machine/array.h"
+
+namespace hepatica::gpu {
+
+class Partition {
+  public:
+    // All nodes in one segment.
+    Partition(Machine& machine, int nodes);
+    // One segment for each piece, 0, 1, ...
+    Partition(Machine& machine, std::span<const int> piece_of_node);
+
+    int segments() const { return static_cast<int>(segment_begin_.size()) - 1; }
+
+    // Adds up the term over each segment and hands the sums to `then`, on the machine.
+    template <class Term, class Then>
+    void sum(const Term& term, const Then& then) const {
+        static_assert(Term::width == Then::width && Term::width <= most_width);
+        machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
+        machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
+    }
+    // The same, read back: `width` numbers a segment. Waits for the machine.
+    template <class Term>
+    std::vector<double> read(const Term& term) const {
+        sum(term, KeepSums<Term::width>{result_.view()});
+        std::vector<double> sums(static_cast<std::size_t>(segments() * Term::width));
+        result_.download(sums);
+        return sums;
+    }
+
+  private:
+    static constexpr int most_width = 6;
+
+    PartitionView view() const {
+        return {order_.read(), chunk_begin_.read(), segment_begin_.read()};
+    }
+
+    Machine& machine_;
+    Array<int> order_, chunk_begin_, segment_begin_;
+    Array<double> partial_, result_;
+};
+
+}  // namespace hepatica::gpu

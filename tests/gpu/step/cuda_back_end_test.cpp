@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of the GPU's back end against the CPU's, which computes them by other code: its assembly
+// sums otherwise, its matrix stores the diagonal, its solver is another. Emulated, and on the
+// device where there is one.
+#include "gpu/cuda_back_end.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/deform/stepper/cpu_back_end.h"
+#include "core/deform/stepper/governed_stepper.h"
+#include "gpu/machine/device_error.h"
+#include "tests/gpu/support/gpu_bodies.h"
+
+namespace hepatica {
+namespace {
+
+using gpu::BlockOrder;
+using gpu::Precision;
+using test::difference;
+using test::relative_distance;
+
+constexpr double dt_s = 1.0 / 60.0;
+
+struct Case {
+    std::string machine, element;
+};
+std::string name_of_case(const testing::TestParamInfo<Case>& info) {
+    std::string name = info.param.machine + "_" + info.param.element;
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+// Both back ends of one body, in the same state and under the same pull.
+class TwoBackEnds : public testing::TestWithParam<Case> {
+  protected:
+    void SetUp() override {
+        machine_ = test::machine_of(GetParam().machine);
+        if (!machine_) GTEST_SKIP() << test::no_device_because();
+    }
+    void make(Precision precision) {
+        description_ = test::gpu_bar();
+        options_ = test::exact_options(GetParam().element);
+        if (precision == Precision::single_precision) options_.linear.residual_tolerance = 1e-6;
+        cpu_ = make_cpu_back_end(description_, options_);
+        gpu_ = gpu::make_cuda_back_end(description_, options_, machine_,
+                                       {precision, share_, [&](const auto& why) { said_ += why; }});
+        for (StepBackEnd* one : {cpu_.get(), gpu_.get()}) {
+            one->set_gravity({0.0, -9810.0, 0.0});
+            const Grab grab = test::pull_at_end(description_);
+            one->set_grabs({&grab, 1});
+        }
+    }
+    void begin_at(const BodyState& state) {
+        cpu_->set_state(state);
+        gpu_->set_state(state);
+    }
+    // Of the motion of the step, and of the velocities at its end.
+    double distance_after_step(const BodyState& start) {
+        begin_at(start);
+        cpu_report_ = cpu_->advance(dt_s);
+        gpu_report_ = gpu_->advance(dt_s);
+        EXPECT_EQ(share_->device, 1);
+        const auto moved = [&](const StepBackEnd& one) {
+            return difference(one.state().positions_mm, start.positions_mm);
+        };
+        return std::max(relative_distance(moved(*gpu_), moved(*cpu_)),
+                        relative_distance(gpu_->state().velocities_mm_per_s,
+                                          cpu_->state().velocities_mm_per_s));
+    }
+    // Every term of the GPU's ledger is the CPU's, up to a share of the energies at hand.
+    void expect_same_books(double share) const {
+        const EnergyLedger &a = gpu_report_.energy, &b = cpu_report_.energy;
+        const double size = share * energy_handled(b);
+        EXPECT_NEAR(a.kinetic, b.kinetic, size);
+        EXPECT_NEAR(a.elastic, b.elastic, size);
+        EXPECT_NEAR(a.grab, b.grab, size);
+        EXPECT_NEAR(a.tether, b.tether, size);
+        EXPECT_NEAR(a.gravity_work, b.gravity_work, size);
+        EXPECT_NEAR(a.damping_loss, b.damping_loss, size);
+        EXPECT_NEAR(a.integrator_loss, b.integrator_loss, size);
+        EXPECT_NEAR(a.nonlinear_loss, b.nonlinear_loss, size);
+        EXPECT_NEAR(a.limiter_loss, b.limiter_loss, size);
+        EXPECT_NEAR(a.solver_work, b.solver_work, size);
+        EXPECT_NEAR(a.imbalance, 0.0, size);
+    }
+
+    std::shared_ptr<gpu::Machine> machine_;
+    BodyDescription description_;
+    StepperOptions options_;
+    std::unique_ptr<StepBackEnd> cpu_, gpu_;
+    StepReport cpu_report_, gpu_report_;
+    std::shared_ptr<gpu::StepShare> share_ = std::make_shared<gpu::StepShare>();
+    std::string said_;
+};
+
+TEST_P(TwoBackEnds, OneStepFromRestAgreesInDouble) {
+    make(Precision::double_precision);
+    BodyState rest{cpu_->body().rest_positions_mm, {}};
+    rest.velocities_mm_per_s.assign(rest.positions_mm.size(), Vec3::Zero());
+    EXPECT_LT(distance_after_step(rest), 1e-10);
+    expect_same_books(1e-10);
+    EXPECT_FALSE(gpu_report_.predicted);
+    EXPECT_EQ(said_, "");
+}
+
+TEST_P(TwoBackEnds, OneStepOfABentMovingBodyAgreesInDouble) {
+    make(Precision::double_precision);
+    EXPECT_LT(distance_after_step(test::lively(cpu_->body())), 1e-10);
+    EXPECT_EQ(gpu_report_.predicted, cpu_report_.predicted);
+    expect_same_books(1e-10);
+}
+
+TEST_P(TwoBackEnds, OneStepAgreesInFloat) {
+    make(Precision::single_precision);
+    EXPECT_LT(distance_after_step(test::lively(cpu_->body())), 1e-4);
+    expect_same_books(1e-4);
+}
+
+TEST_P(TwoBackEnds, ThreeHundredStepsAgreeInDouble) {
+    make(Precision::double_precision);
+    const BodyState start = test::lively(cpu_->body());
+    begin_at(start);
+    for (int k = 0; k < 300; ++k) {
+        cpu_->advance(dt_s);
+        gpu_->advance(dt_s);
+    }
+    EXPECT_LT(relative_distance(difference(gpu_->state().positions_mm, start.positions_mm),
+                                difference(cpu_->state().positions_mm, start.positions_mm)),
+              1e-8);
+    EXPECT_GE(share_->device, 290);
+}
+
+// What is frozen stays, and the rest moves as the CPU has it.
+TEST_P(TwoBackEnds, FrozenNodesStay) {
+    make(Precision::double_precision);
+    BodyState start = test::lively(cpu_->body());
+    std::vector<std::uint8_t> frozen(start.positions_mm.size(), 0);
+    for (std::size_t i = 0; i < frozen.size(); ++i)
+        if (start.positions_mm[i].x() < 12.0) {
+            frozen[i] = 1;
+            start.velocities_mm_per_s[i].setZero();
+        }
+    cpu_->freeze(frozen);
+    gpu_->freeze(frozen);
+    EXPECT_LT(distance_after_step(start), 1e-10);
+    for (std::size_t i = 0; i < frozen.size(); ++i)
+        if (frozen[i] != 0) {
+            EXPECT_EQ(gpu_->state().positions_mm[i], start.positions_mm[i]);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gpu, TwoBackEnds,
+                         testing::Values(Case{"emulated", "corotated"},
+                                         Case{"emulated", "neohookean"}, Case{"emulated", "spring"},
+                                         Case{"emulated", "corotated-10"},
+                                         Case{"device", "corotated"}, Case{"device", "neohookean"},
+                                         Case{"device", "spring"}, Case{"device", "corotated-10"}),
+                         name_of_case);
+
+// A body and what its back end says of the processor's part in it.
+struct Played {
+    Played(const BodyDescription& body, const StepperOptions& options,
+           std::shared_ptr<gpu::Machine> on, Precision precision) {
+        gpu::CudaOptions cuda{.precision = precision};
+        cuda.say = [this](const std::string& why) { said.push_back(why); };
+        back_end = gpu::make_cuda_back_end(body, options, std::move(on), cuda);
+        back_end->set_gravity({0.0, -9810.0, 0.0});
+        back_end->set_state(test::lively(back_end->body()));
+    }
+    std::vector<std::string> said;
+    std::unique_ptr<StepBackEnd> back_end;
+};
+
+TEST(CudaBackEnd, AnyOrderOfBlocksGivesTheSameBits) {
+    const BodyDescription body = description_of(test::make_brick_tree(3, 4.0, 2.0));
+    const StepperOptions options = [] {
+        StepperOptions o;
+        o.linear.max_iterations = 200;
+        return o;
+    }();
+    std::vector<BodyState> ends;
+    for (const BlockOrder order :
+         {BlockOrder::ascending, BlockOrder::descending, BlockOrder::shuffled}) {
+        Played played(body, options, gpu::make_emulator(order), Precision::single_precision);
+        for (int k = 0; k < 5; ++k) played.back_end->advance(dt_s);
+        EXPECT_TRUE(played.said.empty());
+        ends.push_back(played.back_end->state());
+    }
+    for (const BodyState& end : ends) {
+        EXPECT_EQ(end.positions_mm, ends[0].positions_mm);
+        EXPECT_EQ(end.velocities_mm_per_s, ends[0].velocities_mm_per_s);
+    }
+}
+
+// What has no kernels is computed by the processor, to its bits, and said once.
+TEST(CudaBackEnd, LeavesToTheProcessorWhatHasNoKernels) {
+    StepperOptions newton = test::exact_options("corotated"), cholesky = newton;
+    newton.newton_iterations = 4;
+    cholesky.solver = LinearSolverKind::cholesky;
+    for (const StepperOptions& options : {test::exact_options("neohookean-10"), newton, cholesky}) {
+        const BodyDescription body = test::gpu_bar();
+        const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
+        Played played(body, options, machine, Precision::double_precision);
+        const auto cpu = make_cpu_back_end(body, options);
+        cpu->set_gravity({0.0, -9810.0, 0.0});
+        cpu->set_state(played.back_end->state());
+        for (int k = 0; k < 3; ++k) {
+            cpu->advance(dt_s);
+            played.back_end->advance(dt_s);
+        }
+        EXPECT_EQ(machine->traffic().launches, 0);
+        EXPECT_THAT(played.said, testing::ElementsAre(testing::HasSubstr("no kernels")));
+        EXPECT_EQ(played.back_end->state().positions_mm, cpu->state().positions_mm);
+    }
+}
+
+TEST(CudaBackEnd, LeavesStepsWithAToolToTheProcessor) {
+    BodyDescription body = test::gpu_bar();
+    body.touchable = true;
+    const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
+    Played played(body, test::exact_options("corotated"), machine, Precision::double_precision);
+    played.back_end->advance(dt_s);
+    const long launches = machine->traffic().launches;
+    EXPECT_GT(launches, 0);
+    Tool tool = single_tool(Capsule{Vec3(12.0, 100.0, 0.0), Vec3::Zero(), 1.0});
+    tool.target_mm = tool.centre_mm();
+    tool.pad_mm = 0.1;
+    tool.pressure_pa = 1e6;
+    played.back_end->set_tool(tool);
+    const long with_tool = machine->traffic().launches;
+    played.back_end->advance(dt_s);
+    EXPECT_EQ(machine->traffic().launches, with_tool);
+    EXPECT_THAT(played.said, testing::ElementsAre(testing::HasSubstr("tools")));
+    played.back_end->set_tool(std::nullopt);
+    played.back_end->advance(dt_s);
+    EXPECT_GT(machine->traffic().launches, with_tool);
+}
+
+// Sleep, substeps and checkpoints are the governor's, whatever the back end.
+TEST(CudaBackEnd, ContinuesFromACheckpointToTheBit) {
+    const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
+    const auto make = [&] {
+        return GovernedStepper(test::gpu_bar(), StepperOptions{}, std::nullopt,
+                               [&](const BodyDescription& body, const StepperOptions& options) {
+                                   return gpu::make_cuda_back_end(body, options, machine);
+                               });
+    };
+    GovernedStepper one = make(), other = make();
+    one.set_gravity({0.0, -9810.0, 0.0});
+    for (int k = 0; k < 4; ++k) one.step(dt_s);
+    other.restore(one.checkpoint());
+    EXPECT_EQ(one.state_hash(), other.state_hash());
+    for (int k = 0; k < 4; ++k) {
+        one.step(dt_s);
+        other.step(dt_s);
+        EXPECT_EQ(one.state_hash(), other.state_hash());
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
