@@ -70,6 +70,15 @@ class CudaBackEnd final : public StepBackEnd {
         return true;
     }
 
+    // A body that tears is the processor's throughout.
+    void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
+        cpu_->find_stress(stress_pa, energy_nj);
+    }
+    void tear(const BodyDescription& whole, const TornBody& torn) override {
+        cpu_->tear(whole, torn);
+    }
+    std::span<const SofteningTie> ties() const override { return cpu_->ties(); }
+
     const BodyState& state() const override { return cpu_->state(); }
     void set_state(const BodyState& state) override {
         cpu_->set_state(state);
@@ -165,6 +174,7 @@ StepReport CudaBackEnd::advance(double dt_s) {
 
 std::optional<std::string> why_not_on_device(const Body& body, const StepperOptions& options) {
     if (!has_kernels(body)) return "its elements have no kernels yet";
+    if (body.tears) return "bodies that tear have no kernels yet";
     if (body.self_pad) return "surfaces that touch each other have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
     if (options.solver == LinearSolverKind::cholesky ||
