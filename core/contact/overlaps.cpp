@@ -11,6 +11,8 @@ namespace {
 const std::array<Vec3, 3> rays{Vec3(0.5377, 0.8339, 0.1247), Vec3(-0.2259, 0.8622, -0.4534),
                                Vec3(0.3188, -0.4077, 0.8558)};
 
+constexpr int majority = 2;
+
 bool meets(const Box& box, const Vec3& from, const Vec3& ray) {
     double first = 0.0, last = INFINITY;
     for (int c = 0; c < 3; ++c) {
@@ -47,13 +49,22 @@ std::vector<Box> Overlaps::boxes_of_patches(std::span<const Vec3> positions_mm) 
 bool Overlaps::nearer_than(double gap_mm, int patch, int other,
                            std::span<const Vec3> positions_mm) const {
     const SurfacePatches& surface = features_.surface();
-    for (const int a : surface.triangles_of(patch)) {
+    const auto near = [&](int a, int b) {
         const Triangle first = corners_of(surface.triangles()[a], positions_mm);
+        const Triangle second = corners_of(surface.triangles()[b], positions_mm);
+        Box wide = box_around(first);
+        wide.grow(gap_mm);
+        return wide.meets(box_around(second)) &&
+               squared_distance_mm2(first, second) <= gap_mm * gap_mm;
+    };
+    const auto before = near_.find({patch, other});
+    if (before != near_.end() && near(before->second[0], before->second[1])) return true;
+    for (const int a : surface.triangles_of(patch))
         for (const int b : surface.triangles_of(other))
-            if (squared_distance_mm2(first, corners_of(surface.triangles()[b], positions_mm)) <=
-                gap_mm * gap_mm)
+            if (near(a, b)) {
+                near_[{patch, other}] = {a, b};
                 return true;
-    }
+            }
     return false;
 }
 
@@ -63,22 +74,27 @@ bool Overlaps::within(const Vec3& point, int piece, std::span<const Box> boxes,
     int votes = 0;
     for (const Vec3& ray : rays) {
         int leaves = 0;
-        for (std::size_t p = 0; p < surface.size(); ++p) {
-            if (features_.piece_of_patch(static_cast<int>(p)) != piece) continue;
+        for (const int p : features_.patches_of_piece(piece)) {
             if (!meets(boxes[p], point, ray)) continue;
             for (const int t : surface.triangles_of(p))
                 leaves += crossing(corners_of(surface.triangles()[t], positions_mm), point, ray);
         }
-        votes += leaves > 0 ? 1 : 0;
+        votes += leaves > 0 ? 1 : -1;
+        if (std::abs(votes) == majority) break;
     }
-    return votes >= 2;
+    return votes > 0;
 }
 
 bool Overlaps::lies_in(int patch, int piece, std::span<const Box> boxes,
                        std::span<const Vec3> positions_mm) const {
-    return std::ranges::any_of(features_.surface().vertices_of(patch), [&](int v) {
-        return within(positions_mm[v], piece, boxes, positions_mm);
-    });
+    const auto in = [&](int v) { return within(positions_mm[v], piece, boxes, positions_mm); };
+    const auto before = within_.find({patch, piece});
+    if (before != within_.end() && in(before->second)) return true;
+    const auto vertices = features_.surface().vertices_of(patch);
+    const auto found = std::ranges::find_if(vertices, in);
+    if (found == vertices.end()) return false;
+    within_[{patch, piece}] = *found;
+    return true;
 }
 
 void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "core/contact/surface_features.h"
@@ -48,6 +49,9 @@ class Overlaps {
 
     const SurfaceFeatures& features_;
     Pairs touching_, buried_;
+    // What showed it last, of a pair: two triangles that are near, a vertex within. Asked first.
+    mutable std::map<std::array<int, 2>, std::array<int, 2>> near_;
+    mutable std::map<std::array<int, 2>, int> within_;
 };
 
 }  // namespace hepatica

@@ -1,50 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs of features that may be near, kept from one question to the next: a search along a motion
-// holds for every place and way where each vertex keeps within a slack of that motion, all of them
-// equally far along it. Whether a pair is left out of a question is decided by bounds on its
-// distance, so that where nothing is near a question costs a pass over the vertices.
+// All pairs of features that may come near along a motion, and the last answer: what was found
+// along a motion holds for every place and every way on it, too, so that the questions of one step,
+// which go from place to place, cost a search for each way.
 #pragma once
 
 #include <vector>
 
 #include "core/contact/near_pairs.h"
+#include "core/contact/neighbour_pairs.h"
 
 namespace hepatica {
 
-// Not thread-safe. Answers may hold more pairs than the nearest, by the questions before; what is
-// nearer than the reach is always among them.
+// Not thread-safe. What is found besides the nearest depends on the questions before; what is
+// nearer than the reach is always among it.
 class PairCover {
   public:
-    // Keeps a reference. reach_mm and slack_mm > 0.
-    PairCover(const SurfaceFeatures& features, double reach_mm, double slack_mm)
-        : features_(features), search_(features), reach_mm_(reach_mm), slack_mm_(slack_mm) {}
-
-    using LeftOut = std::function<bool(int patch, int other)>;
+    // Keeps a reference. reach_mm and slack_mm > 0; see NeighbourPairs.
+    PairCover(const SurfaceFeatures& features, double reach_mm, double slack_mm);
 
     // The pairs that may come nearer than the reach while all vertices move straight from one place
-    // to the other.
-    std::vector<FeaturePair> along(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-                                   const LeftOut& left_out);
+    // to the other. Until the next question.
+    const std::vector<FeaturePair>& along(std::span<const Vec3> from_mm,
+                                          std::span<const Vec3> to_mm, const LeftOut& left_out);
 
     // To be called when what is left out changes.
-    void forget() { begin_mm_.clear(); }
-    int searches() const { return searches_; }
+    void forget() { known_ = false; }
+    // Questions that the last answer did not hold for, and clusters that were searched.
+    int answers() const { return answers_; }
+    int searches() const { return neighbours_.searches(); }
     std::size_t bytes() const;
 
   private:
-    double share_at(std::span<const Vec3> positions_mm) const;
-    bool covers(std::span<const Vec3> positions_mm, double share);
-    void search(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-                const LeftOut& left_out);
+    bool on_the_way(std::span<const Vec3> positions_mm) const;
+    bool at_its_end(std::span<const Vec3> positions_mm) const;
 
     const SurfaceFeatures& features_;
-    NearPairs search_;
-    double reach_mm_, slack_mm_;
-    std::vector<Vec3> begin_mm_, motion_mm_;  // of the search; empty: none yet
-    double motion_squared_mm2_ = 0.0;
-    std::vector<FeaturePair> pairs_;
-    std::vector<double> beside_mm_;  // of each node: how far beside the motion, of this question
-    int searches_ = 0;
+    NearPairs strangers_;
+    NeighbourPairs neighbours_;
+    double reach_mm_, same_mm_;
+    std::vector<Vec3> from_mm_, to_mm_;  // of the last question; empty: none
+    std::vector<FeaturePair> near_;      // its answer, where it is known still
+    bool known_ = false;
+    int answers_ = 0;
 };
 
 }  // namespace hepatica

@@ -7,30 +7,58 @@
 #include <utility>
 
 namespace hepatica {
+namespace {
+
+void sort_each_once(std::vector<int>& numbers) {
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
 
 SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm)
     : surface_(std::move(surface)),
       owned_nodes_(surface_.triangles().size()),
       owned_edges_(surface_.triangles().size()),
-      owner_of_node_(rest_positions_mm.size(), -1),
       patch_of_(surface_.triangles().size()),
+      patches_of_node_(rest_positions_mm.size()),
+      neighbours_above_(surface_.size()),
       node_area_mm2_(rest_positions_mm.size(), 0.0) {
+    for (std::size_t p = 0; p < surface_.size(); ++p)
+        for (const int t : surface_.triangles_of(p)) patch_of_[t] = static_cast<int>(p);
     std::vector<double> area_mm2;
     for (std::size_t t = 0; t < surface_.triangles().size(); ++t) {
         const Triangle x = corners_of(surface_.triangles()[t], rest_positions_mm);
         area_mm2.push_back(0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm());
         for (const int node : surface_.triangles()[t]) {
-            if (owner_of_node_[node] < 0) {
-                owner_of_node_[node] = static_cast<int>(t);
+            if (patches_of_node_[node].empty()) {
                 nodes_.push_back(node);
                 owned_nodes_[t].push_back(node);
             }
+            patches_of_node_[node].push_back(patch_of_[t]);
             node_area_mm2_[node] += area_mm2.back() / 3.0;
         }
     }
     std::ranges::sort(nodes_);
     find_edges(area_mm2);
+    find_borders();
     find_pieces();
+}
+
+void SurfaceFeatures::find_borders() {
+    for (auto& patches : patches_of_edge_) sort_each_once(patches);
+    for (auto& patches : patches_of_node_) {
+        sort_each_once(patches);
+        for (const int p : patches)
+            for (const int q : patches)
+                if (p < q) neighbours_above_[p].push_back(q);
+    }
+    for (auto& patches : neighbours_above_) sort_each_once(patches);
+}
+
+bool SurfaceFeatures::neighbours(int patch, int other) const {
+    return std::ranges::binary_search(neighbours_above_[std::min(patch, other)],
+                                      std::max(patch, other));
 }
 
 void SurfaceFeatures::find_edges(std::span<const double> area_mm2) {
@@ -43,19 +71,30 @@ void SurfaceFeatures::find_edges(std::span<const double> area_mm2) {
             if (made) {
                 edges_.push_back({std::min(i, j), std::max(i, j)});
                 edge_area_mm2_.push_back(0.0);
-                owner_of_edge_.push_back(static_cast<int>(t));
+                patches_of_edge_.emplace_back();
                 owned_edges_[t].push_back(at->second);
             }
             edge_area_mm2_[at->second] += area_mm2[t] / 3.0;
+            patches_of_edge_[at->second].push_back(patch_of_[t]);
         }
+}
+
+bool SurfaceFeatures::counts(const FeaturePair& pair, const LeftOut& left_out) const {
+    const auto first = pair.of_edges ? patches_of_edge(pair.first) : patches_of_node(pair.first);
+    const auto second =
+        pair.of_edges ? patches_of_edge(pair.second) : std::span(&patch_of_[pair.second], 1);
+    return std::ranges::any_of(first, [&](int p) {
+        return std::ranges::any_of(second, [&](int q) { return !left_out(p, q); });
+    });
 }
 
 // Lists of lists have a head for each triangle.
 std::size_t SurfaceFeatures::bytes() const {
     const std::size_t triangles = surface_.triangles().size();
     return triangles * (3 * sizeof(int) + 2 * sizeof(std::vector<int>) + 4 * sizeof(int)) +
-           edges_.size() * (2 * sizeof(int) + sizeof(double) + 2 * sizeof(int)) +
-           node_area_mm2_.size() * (sizeof(double) + sizeof(int)) + nodes_.size() * 2 * sizeof(int);
+           edges_.size() * (4 * sizeof(int) + sizeof(double) + sizeof(std::vector<int>)) +
+           node_area_mm2_.size() * (sizeof(double) + sizeof(std::vector<int>)) +
+           nodes_.size() * 3 * sizeof(int);
 }
 
 void SurfaceFeatures::find_pieces() {
@@ -72,12 +111,14 @@ void SurfaceFeatures::find_pieces() {
         }
     std::map<int, int> number_of;
     for (std::size_t p = 0; p < surface_.size(); ++p) {
-        for (const int t : surface_.triangles_of(p)) patch_of_[t] = static_cast<int>(p);
         const int first = root_of(surface_.vertices_of(p).front());
         const auto made = number_of.try_emplace(first, static_cast<int>(number_of.size())).first;
         piece_of_patch_.push_back(made->second);
     }
     pieces_ = static_cast<int>(number_of.size());
+    patches_of_piece_.resize(number_of.size());
+    for (std::size_t p = 0; p < surface_.size(); ++p)
+        patches_of_piece_[piece_of_patch_[p]].push_back(static_cast<int>(p));
 }
 
 }  // namespace hepatica

@@ -4,11 +4,22 @@
 // features once. Each has a share of the surface at rest, a third of the triangles around it.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/contact/surface_patches.h"
 
 namespace hepatica {
+
+struct FeaturePair {
+    bool of_edges = false;       // else a vertex and a triangle
+    int first = 0, second = 0;   // the vertex and the triangle, or the edges, first < second
+    std::array<int, 4> nodes{};  // of the first, then of the second
+};
+
+// Whether a pair of patches does not count. A pair of features counts where some pair of triangles
+// that have them is of patches that count.
+using LeftOut = std::function<bool(int patch, int other)>;
 
 // Thread safety: const access only.
 class SurfaceFeatures {
@@ -27,31 +38,36 @@ class SurfaceFeatures {
     double area_of_edge_mm2(int edge) const { return edge_area_mm2_[edge]; }
 
     int patch_of(int triangle) const { return patch_of_[triangle]; }
-    // The patches of the triangles that own the two features.
-    std::array<int, 2> patches_of_vertex_triangle(int node, int triangle) const {
-        return {patch_of_[owner_of_node_[node]], patch_of_[triangle]};
-    }
-    std::array<int, 2> patches_of_edges(int edge, int other) const {
-        return {patch_of_[owner_of_edge_[edge]], patch_of_[owner_of_edge_[other]]};
-    }
+    // The patches of all triangles that have it, ascending: a feature on a border has several.
+    std::span<const int> patches_of_node(int node) const { return patches_of_node_[node]; }
+    std::span<const int> patches_of_edge(int edge) const { return patches_of_edge_[edge]; }
+    // The patches of a higher number that share a node with this one, ascending.
+    std::span<const int> neighbours_above(int patch) const { return neighbours_above_[patch]; }
+    bool neighbours(int patch, int other) const;
+
+    bool counts(const FeaturePair& pair, const LeftOut& left_out) const;
 
     std::size_t bytes() const;
 
     // Triangles that share a node are of one piece; pieces are counted from 0.
     int pieces() const { return pieces_; }
     int piece_of_patch(int patch) const { return piece_of_patch_[patch]; }
+    std::span<const int> patches_of_piece(int piece) const { return patches_of_piece_[piece]; }
 
   private:
     void find_edges(std::span<const double> area_mm2);
     void find_pieces();
+    void find_borders();
 
     SurfacePatches surface_;
     std::vector<std::array<int, 2>> edges_;
     std::vector<int> nodes_;
     std::vector<std::vector<int>> owned_nodes_, owned_edges_;
-    std::vector<int> owner_of_node_, owner_of_edge_, patch_of_;  // triangles, triangles, patches
+    std::vector<int> patch_of_;  // of each triangle
+    std::vector<std::vector<int>> patches_of_node_, patches_of_edge_, neighbours_above_;
     std::vector<double> node_area_mm2_, edge_area_mm2_;
     std::vector<int> piece_of_patch_;
+    std::vector<std::vector<int>> patches_of_piece_;
     int pieces_ = 0;
 };
 

@@ -24,12 +24,6 @@ std::vector<std::vector<int>> neighbours_of(const std::vector<std::array<int, 3>
     return neighbours;
 }
 
-Box box_around(const Triangle& triangle) {
-    Box box;
-    for (const Vec3& corner : triangle) box.add(corner);
-    return box;
-}
-
 }  // namespace
 
 SurfacePatches::SurfacePatches(std::vector<std::array<int, 3>> triangles, int triangles_in_patch)

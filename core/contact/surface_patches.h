@@ -36,6 +36,12 @@ inline Triangle corners_of(const std::array<int, 3>& triangle, std::span<const V
     return {positions_mm[triangle[0]], positions_mm[triangle[1]], positions_mm[triangle[2]]};
 }
 
+inline Box box_around(const Triangle& triangle) {
+    Box box;
+    for (const Vec3& corner : triangle) box.add(corner);
+    return box;
+}
+
 // Thread safety: const access only.
 class SurfacePatches {
   public:

@@ -18,7 +18,7 @@ constexpr double touched = 0.5;            // of the pad
 constexpr double deepest = 1.0 - 1e-12;    // of the pad, for forces where the gap has closed
 constexpr double nearly_parallel = 0.01;   // sin^2 of the angle between edges
 constexpr double touching_at_rest = 0.05;  // of the pad
-constexpr double slack_edges = 0.1;        // of the search, see PairCover
+constexpr double slack_edges = 0.25;       // of the search, see PairCover
 constexpr double band = 1e-3;              // of a gap, for times of contact
 constexpr std::size_t pairs_per_block = 64;
 
@@ -64,6 +64,15 @@ PointPair nearest(const FeaturePair& pair, std::span<const Vec3> x) {
 double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
     return std::sqrt(pair.of_edges ? closest(segment(pair, 0, x), segment(pair, 2, x)).squared_mm2
                                    : closest(x[pair.nodes[0]], triangle(pair, x)).squared_mm2);
+}
+
+// At least so far apart are the two: their boxes are.
+double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x) {
+    const int in_first = pair.of_edges ? 2 : 1;
+    Box first, second;
+    for (int a = 0; a < 4; ++a) (a < in_first ? first : second).add(x[pair.nodes[a]]);
+    const Vec3 apart = (first.low - second.high).cwiseMax(second.low - first.high);
+    return apart.cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
 // How much nearer the two come at most.
@@ -116,6 +125,7 @@ SelfContact::SelfContact(const Body& body)
     const Stopwatch watch(build_ms_);
     at_rest_.find(body.rest_positions_mm, touching_at_rest * pad_.thickness_mm);
     overlaps_.set(at_rest_.touching(), at_rest_.buried());
+    candidates(body.rest_positions_mm, body.rest_positions_mm);
 }
 
 void SelfContact::let_go(std::span<const Vec3> positions_mm) {
@@ -149,25 +159,25 @@ OverlapsKept SelfContact::kept_overlaps() const {
 
 // What overlapped at rest has no distance there to go by.
 double SelfContact::pad_of(const FeaturePair& pair) const {
-    const auto patches = pair.of_edges
-                             ? features_.patches_of_edges(pair.first, pair.second)
-                             : features_.patches_of_vertex_triangle(pair.first, pair.second);
-    if (at_rest_.left_out(patches[0], patches[1])) return pad_.thickness_mm;
+    if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
+        return pad_.thickness_mm;
     return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, body_.rest_positions_mm));
 }
 
-std::vector<FeaturePair> SelfContact::candidates(std::span<const Vec3> from_mm,
-                                                 std::span<const Vec3> to_mm) const {
+const std::vector<FeaturePair>& SelfContact::candidates(std::span<const Vec3> from_mm,
+                                                        std::span<const Vec3> to_mm) const {
     return cover_.along(from_mm, to_mm,
                         [&](int patch, int other) { return overlaps_.left_out(patch, other); });
 }
 
 std::optional<SurfaceContact> SelfContact::contact_of(const FeaturePair& pair,
                                                       std::span<const Vec3> x) const {
+    const double most = pad_.thickness_mm;
+    if (squared_gap_of_boxes_mm2(pair, x) >= most * most) return std::nullopt;
     SurfaceContact contact{.of = pair, .at = nearest(pair, x)};
     const Vec3 apart = contact.at.between(x);
     contact.gap_mm = apart.norm();
-    if (!(contact.gap_mm < pad_.thickness_mm)) return std::nullopt;
+    if (!(contact.gap_mm < most)) return std::nullopt;
     const double pad = pad_of(pair);
     if (!(contact.gap_mm < pad)) return std::nullopt;
     const double area = pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
@@ -206,7 +216,7 @@ void SelfContact::fade(SurfaceContact& contact, std::span<const Vec3> x) const {
 const std::vector<SurfaceContact>& SelfContact::contacts(std::span<const Vec3> positions_mm) const {
     if (std::ranges::equal(looked_at_mm_, positions_mm)) return contacts_;
     const Stopwatch watch(spent_ms_);
-    const std::vector<FeaturePair> near = candidates(positions_mm, positions_mm);
+    const std::vector<FeaturePair>& near = candidates(positions_mm, positions_mm);
     const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
     std::vector<std::vector<SurfaceContact>> found(blocks);
     parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
@@ -301,15 +311,19 @@ double SelfContact::least_share(
     std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
     const std::function<double(double gap_mm, double pad_mm)>& kept) const {
     const Stopwatch watch(spent_ms_);
-    const std::vector<FeaturePair> near = candidates(from_mm, to_mm);
+    const std::vector<FeaturePair>& near = candidates(from_mm, to_mm);
     const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
     std::vector<double> share(blocks, 1.0);
     parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
         double& least = share[begin / pairs_per_block];
         for (std::size_t k = begin; k < end; ++k) {
+            const double approach = approach_mm(near[k], from_mm, to_mm);
+            // From so far apart none comes as near as what is kept at most.
+            const double far =
+                std::max(approach / (1.0 - least_part), approach + touched * pad_.thickness_mm);
+            if (squared_gap_of_boxes_mm2(near[k], from_mm) > far * far) continue;
             const double gap = distance_mm(near[k], from_mm);
-            const double most_kept = std::max(least_part * gap, touched * pad_.thickness_mm);
-            if (gap - approach_mm(near[k], from_mm, to_mm) > most_kept) continue;
+            if (gap > far) continue;
             const double keep = kept(gap, pad_of(near[k]));
             if (keep < 0.0) continue;
             const double tolerance = band * std::max(gap - keep, keep);

@@ -97,8 +97,8 @@ class SelfContact final : public Potential {
                                              std::span<const Vec3> positions_mm) const;
     void fade(SurfaceContact& contact, std::span<const Vec3> positions_mm) const;
     void note_meeting(std::span<const Vec3> positions_mm) const;
-    std::vector<FeaturePair> candidates(std::span<const Vec3> from_mm,
-                                        std::span<const Vec3> to_mm) const;
+    const std::vector<FeaturePair>& candidates(std::span<const Vec3> from_mm,
+                                               std::span<const Vec3> to_mm) const;
     // The least share over all pairs of a motion to which kept(gap, pad) >= 0 is left; negative:
     // not asked.
     double least_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
