@@ -54,6 +54,8 @@ struct Play {
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
     double momentum_error_relative = 0.0;  // see MomentumBalance
+    TearReport tear;  // of the last step
+    double torn_nj = 0.0;  // energy of fracture
     bool finite = true;
 };
 
@@ -109,6 +111,8 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
             result.momentum_error_relative = std::max(
                 result.momentum_error_relative,
                 step.deform.momentum_error_g_mm_per_s / step.deform.momentum_exchanged_g_mm_per_s);
+        result.tear = step.deform.tear;
+        result.torn_nj += step.deform.energy.tear_loss;
         result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
@@ -129,10 +133,12 @@ void write_final_mesh(const World& world, const std::filesystem::path& file) {
     if (world.deform() == nullptr)
         throw InputError("has no deform, so its vessels keep their shape", "the scene",
                          "Leave out --final-mesh");
-    TetMesh mesh = world.deform()->body().mesh;
-    const auto positions_mm = world.deform()->positions_mm();
-    mesh.vertices_mm.assign(positions_mm.begin(), positions_mm.end());
-    write_vtu(file, mesh);
+    write_vtu(file, world.deform()->shape());
+}
+
+std::string stopped_by(const TearSpec& spec, const TearReport& report) {
+    if (!report.stopped) return "none";
+    return spec.stop == TearStop::entropy ? "entropy" : "vertices";
 }
 
 SceneSpec scene_of(const Options& options, const Script& script) {
@@ -204,9 +210,14 @@ Json run(const Options& options, Job& job) {
         {"intersections_at_end",
          self ? Json(crossing_pairs(*session.world().deform())) : Json(nullptr)},
         {"momentum_error_relative", self ? Json(played.momentum_error_relative) : Json(nullptr)},
-        {"joints_broken", nullptr},
-        {"vertices_split", nullptr},
-        {"entropy", nullptr},
+        {"joints_broken", spec.tear ? Json(played.tear.joints_broken) : Json(nullptr)},
+        {"joints_parted", spec.tear ? Json(played.tear.joints_parted) : Json(nullptr)},
+        {"vertices_split", spec.tear ? Json(played.tear.vertices_split) : Json(nullptr)},
+        {"pieces", spec.tear ? Json(played.tear.pieces) : Json(nullptr)},
+        {"entropy", spec.tear ? Json(played.tear.entropy_nats) : Json(nullptr)},
+        {"entropy_produced", spec.tear ? Json(played.tear.entropy_produced_nats) : Json(nullptr)},
+        {"stopped_by", spec.tear ? Json(stopped_by(*spec.tear, played.tear)) : Json(nullptr)},
+        {"tear_work_nj", spec.tear ? Json(played.torn_nj) : Json(nullptr)},
         {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
         {"finite", played.finite},
         {"stopped_because", statistics.diverged ? Json(statistics.message) : Json(nullptr)},

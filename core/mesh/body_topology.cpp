@@ -27,6 +27,16 @@ BodyTopology::BodyTopology(std::size_t vertex_count, Triangles triangles)
     std::iota(parents_.begin(), parents_.end(), 0);
 }
 
+void BodyTopology::become(std::vector<int> parents, Triangles triangles) {
+    for (std::size_t v = 0; v < parents.size(); ++v)
+        if (parents[v] < 0 || static_cast<std::size_t>(parents[v]) > v)
+            throw std::logic_error("a vertex was split from one that is not there");
+    require_vertices(triangles, parents.size());
+    triangles_ = std::make_shared<const Triangles>(std::move(triangles));
+    parents_ = std::move(parents);
+    ++version_;
+}
+
 void BodyTopology::split(std::span<const int> parents, Triangles triangles) {
     std::vector<int> all = parents_;
     for (const int parent : parents) {

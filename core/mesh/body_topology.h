@@ -29,6 +29,10 @@ class BodyTopology {
     // the beginning.
     int parent(int vertex) const { return parents_[vertex]; }
 
+    // A body with these parents, one per vertex as parent() gives them, and this surface: torn, or
+    // whole again. Throws std::logic_error, and changes nothing, where one does not exist.
+    void become(std::vector<int> parents, Triangles triangles);
+
     // Adds one vertex behind the others for each entry of `parents`, the vertex that it is split
     // from (an older one or one before it in the list); `triangles` is the whole new surface.
     // Throws std::logic_error, and changes nothing, where a parent or a vertex of a triangle is not
@@ -41,9 +45,11 @@ class BodyTopology {
     std::shared_ptr<const Triangles> triangles_;
 };
 
-// Gives every vertex that was split off since `per_vertex` was made its parent's value.
+// Gives every vertex that was split off since `per_vertex` was made its parent's value; those that
+// are gone since lose theirs.
 template <class T>
 void inherit(const BodyTopology& topology, std::vector<T>& per_vertex) {
+    if (per_vertex.size() > topology.vertex_count()) per_vertex.resize(topology.vertex_count());
     per_vertex.reserve(topology.vertex_count());
     while (per_vertex.size() < topology.vertex_count())
         per_vertex.push_back(per_vertex[topology.parent(static_cast<int>(per_vertex.size()))]);

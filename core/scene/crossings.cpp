@@ -9,7 +9,7 @@
 namespace hepatica {
 
 int crossing_pairs(const DeformPart& deform) {
-    const auto triangles = boundary_triangles(deform.body().mesh);
+    const auto triangles = boundary_triangles(deform.shape());
     const auto pairs = crossing_triangles(triangles, deform.positions_mm());
     const SurfaceFeatures features(SurfacePatches(triangles), deform.rest_positions_mm());
     Overlaps overlaps(features);

@@ -6,26 +6,38 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/mesh/surface.h"
+#include "core/deform/body/torn_body.h"
+#include "core/scene/cut_line.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
+#include "core/scene/vessel_direction.h"
 
 namespace hepatica {
 
 namespace {
 
-Material material_named(const std::string& name) {
+const MaterialPreset& material_named(const std::string& name) {
     std::string known;
     for (const MaterialPreset& preset : material_presets()) {
-        if (preset.name == name) return preset.material;
+        if (preset.name == name) return preset;
         known += (known.empty() ? "" : ", ") + preset.name;
     }
     throw InputError("\"" + name + "\" is not known", "material", "Choose one of: " + known);
+}
+
+double mean_edge_mm(const TetMesh& mesh) {
+    double sum = 0.0;
+    for (const auto& corners : mesh.tetrahedra)
+        for (int a = 1; a < 4; ++a)
+            sum += (mesh.vertices_mm[corners[a]] - mesh.vertices_mm[corners[0]]).norm();
+    return sum / (3.0 * static_cast<double>(mesh.tetrahedra.size()));
 }
 
 CoarseSkeleton skeleton_of(const VesselTree& tree) {
@@ -39,7 +51,8 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
                        const LiveRegionOptions& live_region, DeformBackEnd back_end,
-                       const std::optional<ContactSpec>& contact)
+                       const std::optional<ContactSpec>& contact,
+                       const std::optional<TearSpec>& tear)
     : region_(live_region),
       back_end_(std::move(back_end)),
       wall_mm_(spec.wall_mm),
@@ -47,12 +60,16 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", "the case",
                          "Reconstruct the patient again");
-    setting_ = spec.setting ? *spec.setting : dial_of(patient).at(spec.quality).options;
+    const QualityDial dial = tear ? dial_that_tears(dial_of(patient)) : dial_of(patient);
+    setting_ = spec.setting ? *spec.setting : dial.at(spec.quality).options;
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
     body_.touchable = contact && contact->tools;
     if (contact && contact->self) body_.self.emplace();
-    body_.material = material_named(spec.material);
+    const MaterialPreset& preset = material_named(spec.material);
+    body_.material = preset.material;
+    strength_pa_ = preset.strength_pa;
+    fracture_energy_j_m2_ = preset.fracture_energy_j_m2;
     body_.tether_pa_per_mm2 = spec.tether_pa_per_mm2;
     body_.skeleton = skeleton_of(patient.tree);
     validate_wall(spec.wall_mm);
@@ -66,6 +83,11 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
         high = high.cwiseMax(vertex);
     }
     size_mm_ = (high - low).norm();
+    edge_mm_ = mean_edge_mm(body_.mesh);
+    tear_ = tear;
+    body_.tear = law_of(tear);
+    rest_mm_ = body_.mesh.vertices_mm;
+    fixed_ = body_.fixed;
     stepper_ = back_end_.make(body_, setting_, region_);
     stepper_->set_gravity(gravity_mm_per_s2_);
 }
@@ -95,6 +117,7 @@ void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
 void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     std::unique_ptr<Stepper> stepper = back_end_.make(body, setting, region_);
     stepper->set_gravity(gravity_mm_per_s2_);
+    if (stepper_->tearing() != nullptr) stepper->set_tear(stepper_->tearing()->state());
     give_state(*stepper, state());
     stepper->set_grabs(springs_of(hold_));
     if (body.touchable) stepper->set_tool(stepper_->tool());
@@ -102,6 +125,118 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     body_ = std::move(body);
     setting_ = setting;
     stepper_ = std::move(stepper);
+    follow_tear();
+}
+
+StepReport DeformPart::step(double dt_s) {
+    const StepReport report = stepper_->step(dt_s);
+    follow_tear();
+    return report;
+}
+
+std::optional<TearLaw> DeformPart::law_of(const std::optional<TearSpec>& tear) const {
+    if (!tear) return std::nullopt;
+    return TearLaw{.strength_pa = strength_pa_,
+                   .fracture_energy_j_m2 = fracture_energy_j_m2_,
+                   .tear_factor = tear->tear_factor,
+                   .bare_limit = tear->bare_limit,
+                   .stop = tear->stop,
+                   .entropy_budget_nats = tear->entropy_budget,
+                   .vertex_budget = tear->vertex_budget};
+}
+
+void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
+    if (tear == tear_) return;
+    BodyDescription body = body_;
+    body.tear = law_of(tear);
+    validate(body, setting_.model, setting_.order);
+    if (!tear) mend();
+    rebuild(std::move(body), setting_);
+    tear_ = tear;
+}
+
+const TornTopology* DeformPart::torn() const {
+    const Tearing* tearing = stepper_->tearing();
+    return tearing != nullptr ? &tearing->topology() : nullptr;
+}
+
+void DeformPart::follow_tear() {
+    const TornTopology* topology = torn();
+    const std::uint64_t version = topology != nullptr ? topology->version() : 1;
+    if (version == followed_) return;
+    followed_ = version;
+    std::vector<int> parents(body_.mesh.vertices_mm.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    if (topology != nullptr)
+        parents.assign(topology->parents().begin(), topology->parents().end());
+    inherit(parents, rest_mm_);
+    inherit(parents, fixed_);
+    inherit(parents, places_);
+    const auto surface = topology != nullptr ? topology->surface() : boundary_triangles(body_.mesh);
+    std::vector<std::uint8_t> on_surface(parents.size(), 0);
+    for (const auto& triangle : surface)
+        for (const int v : triangle) on_surface[v] = 1;
+    surface_vertices_.clear();
+    for (std::size_t v = 0; v < on_surface.size(); ++v)
+        if (on_surface[v]) surface_vertices_.push_back(static_cast<int>(v));
+}
+
+TetMesh DeformPart::shape() const {
+    TetMesh mesh = body_.mesh;
+    if (const TornTopology* topology = torn())
+        mesh.tetrahedra.assign(topology->tetrahedra().begin(), topology->tetrahedra().end());
+    mesh.vertices_mm.assign(positions_mm().begin(), positions_mm().end());
+    return mesh;
+}
+
+void DeformPart::require_tear() const {
+    if (!tear_)
+        throw InputError("nothing tears in this scene", "cut", "Add \"tear\": {} to the scene");
+}
+
+int DeformPart::vertex_near(const Vec3& point_mm) const {
+    if (!point_mm.allFinite())
+        throw InputError("the point is not finite", "cut", "Give finite numbers");
+    const std::span<const Vec3> positions = positions_mm();
+    int nearest = surface_vertices_.front();
+    for (const int v : surface_vertices_)
+        if ((positions[v] - point_mm).squaredNorm() < (positions[nearest] - point_mm).squaredNorm())
+            nearest = v;
+    return nearest;
+}
+
+void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm,
+                          double strength) {
+    require_tear();
+    if (!(strength >= 0.0 && strength <= 1.0))
+        throw InputError("is " + std::to_string(strength), "strength along a cut line",
+                         "Choose a value from 0 (nothing holds) to 1 (as before)");
+    const TreePoint from = places_[vertex_near(from_mm)].on_tree;
+    const TreePoint to = places_[vertex_near(to_mm)].on_tree;
+    std::vector<Vec3> centres;
+    for (const auto& [a, b, c, d] : body_.mesh.tetrahedra)
+        centres.push_back(0.25 * (body_.mesh.vertices_mm[a] + body_.mesh.vertices_mm[b] +
+                                  body_.mesh.vertices_mm[c] + body_.mesh.vertices_mm[d]));
+    const std::vector<int> joints = joints_along(tree, torn()->joints(), places_of(centres, tree),
+                                                 from, to, edge_mm_);
+    if (joints.empty())
+        throw InputError("leads along no vessel", "the cut line",
+                         "Give two places on one system, on a vessel wide enough to have joints");
+    stepper_->weaken(joints, strength);
+}
+
+void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm) {
+    require_tear();
+    const VertexPlace& place = places_[vertex_near(0.5 * (from_mm + to_mm))];
+    const BladeSweep sweep = blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree),
+                                         2.5 * place.radius_mm);
+    stepper_->cut(sweep.corner_mm, sweep.way_mm, sweep.edge_mm);
+    follow_tear();
+}
+
+void DeformPart::mend() {
+    stepper_->set_tear({});
+    follow_tear();
 }
 
 void DeformPart::grab(const Vec3& point_mm) {
@@ -116,10 +251,9 @@ void DeformPart::grab(const Vec3& point_mm) {
 }
 
 void DeformPart::grab_vertex(int vertex) {
-    if (vertex < 0 || vertex >= static_cast<int>(body_.mesh.vertices_mm.size()))
-        throw InputError(
-            "vertex " + std::to_string(vertex) + " does not exist", "grab",
-            "The body has vertices 0 to " + std::to_string(body_.mesh.vertices_mm.size() - 1));
+    if (vertex < 0 || vertex >= static_cast<int>(rest_mm_.size()))
+        throw InputError("vertex " + std::to_string(vertex) + " does not exist", "grab",
+                         "The body has vertices 0 to " + std::to_string(rest_mm_.size() - 1));
     close_hand(vertex, positions_mm()[vertex]);
 }
 
@@ -127,14 +261,14 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const std::span<const Vec3> positions = positions_mm();
     const double radius_mm = places_[vertex].radius_mm;
     const Vec3 centre_now = positions[vertex];
-    const Vec3 centre_at_rest = body_.mesh.vertices_mm[vertex];
+    const Vec3 centre_at_rest = rest_mm_[vertex];
     Hold hold;
     for (std::size_t v = 0; v < positions.size(); ++v) {
         // The vertices must be near at rest, too: a vessel that has merely moved beside this one is
         // not held.
         const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
-                          (body_.mesh.vertices_mm[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
-        if (near && body_.fixed[v] == 0) hold.vertices.push_back(static_cast<int>(v));
+                          (rest_mm_[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
+        if (near && fixed_[v] == 0) hold.vertices.push_back(static_cast<int>(v));
     }
     if (hold.vertices.empty()) hold.vertices.push_back(vertex);
     for (const int v : hold.vertices) hold.offsets_mm.push_back(positions[v] - point_mm);
@@ -144,7 +278,10 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const auto springs = static_cast<double>(hold.vertices.size());
     hold.target_mm = point_mm;
     hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
-    hold.force_limit_un = hand_strain * modulus_pa * M_PI * radius_mm * radius_mm / springs;
+    // Where the vessel may tear the hand is strong enough for it.
+    double pressure_pa = hand_strain * modulus_pa;
+    if (body_.tear) pressure_pa = std::max(pressure_pa, 2.0 * strength_pa_ * tear_->tear_factor);
+    hold.force_limit_un = pressure_pa * M_PI * radius_mm * radius_mm / springs;
     set_hold(std::move(hold));
 }
 
@@ -195,7 +332,8 @@ void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     const Vec3 there = tool.parts.front().shape.centre_mm;
     for (ToolPart& part : tool.parts) part.shape.centre_mm -= way;
     for (ToolPart& part : tool.parts) part.shape.centre_mm -= 2.0 * length;
-    const SurfacePatches surface(boundary_triangles(body_.mesh));
+    const SurfacePatches surface(torn() != nullptr ? torn()->surface()
+                                                   : boundary_triangles(body_.mesh));
     const Vec3 gone = approach(tool.shapes(), surface, positions_mm(),
                                there - tool.parts.front().shape.centre_mm, tool.pad_mm);
     for (ToolPart& part : tool.parts) part.shape.centre_mm += gone;
@@ -288,7 +426,7 @@ void DeformPart::use(const StepperOptions& setting) {
 
 void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
     std::span<const Vec3> positions = state.positions_mm, velocities = state.velocities_mm_per_s;
-    const std::size_t vertices = body_.mesh.vertices_mm.size();
+    const std::size_t vertices = stepper.positions_mm().size();
     if (positions.size() != stepper.state().positions_mm.size() && positions.size() > vertices) {
         positions = positions.first(vertices);
         velocities = velocities.first(vertices);
@@ -297,11 +435,13 @@ void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
 }
 
 DeformSettings DeformPart::settings() const {
-    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_, body_.touchable};
+    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_, body_.touchable,
+            tear_};
 }
 
 void DeformPart::use(const DeformSettings& settings) {
     set_touchable(settings.touchable);
+    set_tear(settings.tear);
     if (settings.gravity_mm_per_s2 != gravity_mm_per_s2_) set_gravity(settings.gravity_mm_per_s2);
     if (settings.tether_pa_per_mm2 != body_.tether_pa_per_mm2)
         set_tether(settings.tether_pa_per_mm2);
@@ -317,7 +457,8 @@ void DeformPart::restore(const DeformCheckpoint& checkpoint) {
     if (checkpoint.hold) {
         const Hold& hold = *checkpoint.hold;
         const auto exists = [&](int v) {
-            return v >= 0 && static_cast<std::size_t>(v) < body_.mesh.vertices_mm.size();
+            return v >= 0 &&
+                   static_cast<std::size_t>(v) < checkpoint.stepper.nodes.positions_mm.size();
         };
         if (hold.offsets_mm.size() != hold.vertices.size() ||
             !std::ranges::all_of(hold.vertices, exists))
@@ -326,6 +467,7 @@ void DeformPart::restore(const DeformCheckpoint& checkpoint) {
     }
     use(checkpoint.settings);
     stepper_->restore(checkpoint.stepper);
+    follow_tear();
     hold_ = checkpoint.hold;
 }
 
@@ -350,7 +492,7 @@ std::uint64_t DeformPart::state_hash() const {
 bool DeformPart::plausible() const {
     const std::span<const Vec3> positions = positions_mm();
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        const double moved_mm = (positions[v] - body_.mesh.vertices_mm[v]).norm();
+        const double moved_mm = (positions[v] - rest_mm_[v]).norm();
         if (!(moved_mm <= 10.0 * size_mm_)) return false;
     }
     return true;

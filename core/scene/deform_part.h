@@ -29,6 +29,7 @@ struct DeformSettings {
     double wall_mm = 0.0;
     StepperOptions stepper;
     bool touchable = false;  // what tools need is built
+    std::optional<TearSpec> tear{};
 };
 
 // The hand, closed around some vertices.
@@ -56,11 +57,12 @@ class DeformPart {
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
     // Another region is for measurements: nothing freezes where still_radii_per_s is 0. Tools may
-    // be had, and vessels touch each other, where `contact` says so.
+    // be had, and vessels touch each other, where `contact` says so; they tear where `tear` does.
     DeformPart(const PatientCase& patient, const DeformSpec& spec,
                const LiveRegionOptions& live_region = region,
                DeformBackEnd back_end = cpu_back_end(),
-               const std::optional<ContactSpec>& contact = {});
+               const std::optional<ContactSpec>& contact = {},
+               const std::optional<TearSpec>& tear = {});
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within
@@ -85,6 +87,22 @@ class DeformPart {
     const std::optional<Tool>& tool() const { return stepper_->tool(); }
     std::optional<ToolView> tool_view() const;
 
+    // How it tears; none: it does not, and is made whole. Throws InputError for values out of range,
+    // and where the present setting's elements or solver cannot.
+    void set_tear(const std::optional<TearSpec>& tear);
+    bool tears() const { return tear_.has_value(); }
+    // Null where it does not tear.
+    const TornTopology* torn() const;
+    // Lowers the strength along the way on the tree between the places that the two points are
+    // nearest to, see joints_along. A strength of 0 to 1 of what it was. Throws InputError where the
+    // body does not tear, where no way leads from one to the other, and for values out of range.
+    void cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm, double strength);
+    // Leads a blade through the vessel nearest to its way, see blade_sweep. Throws InputError where
+    // the body does not tear or the way is not finite.
+    void cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm);
+    // Whole again, without cut lines.
+    void mend();
+
     bool holding() const { return hold_.has_value(); }
     std::optional<GrabView> grab_view() const;
 
@@ -102,11 +120,13 @@ class DeformPart {
     // Settings that are already in force cost nothing and do not change the bits of later steps.
     void use(const DeformSettings& settings);
 
-    StepReport step(double dt_s) { return stepper_->step(dt_s); }
+    StepReport step(double dt_s);
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
-    const std::vector<Vec3>& rest_positions_mm() const { return body_.mesh.vertices_mm; }
-    const BodyDescription& body() const { return body_; }  // as built from the case
+    // Vertices that were split off lie at rest where those do that they come from.
+    const std::vector<Vec3>& rest_positions_mm() const { return rest_mm_; }
+    const BodyDescription& body() const { return body_; }  // as built from the case: whole
+    TetMesh shape() const;                                 // as it is now, torn
     // What a snapshot keeps: every node of the present element, the vertices first. A state of
     // another element is taken over by its vertices.
     BodyState state() const { return stepper_->state(); }
@@ -128,6 +148,11 @@ class DeformPart {
 
   private:
     void lead_jaws(bool open, double share);
+    std::optional<TearLaw> law_of(const std::optional<TearSpec>& tear) const;
+    void require_tear() const;
+    int vertex_near(const Vec3& point_mm) const;
+    // What is kept per vertex grows and shrinks with the body.
+    void follow_tear();
     void give_state(Stepper& stepper, const BodyState& state) const;
     void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Around the place of a vertex; the held point is where the hand is.
@@ -147,6 +172,13 @@ class DeformPart {
     double wall_mm_;
     Vec3 gravity_mm_per_s2_;
     double size_mm_ = 0.0;
+    double edge_mm_ = 0.0;  // mean, of the mesh
+    double strength_pa_ = 0.0;
+    double fracture_energy_j_m2_ = 0.0;
+    std::optional<TearSpec> tear_;
+    std::vector<Vec3> rest_mm_;         // per vertex
+    std::vector<std::uint8_t> fixed_;   // per vertex
+    std::uint64_t followed_ = 1;        // version of the topology
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;
 };

@@ -99,4 +99,13 @@ std::string dial_json(const std::vector<QualityPoint>& points, const PatientCase
     return json.dump(2) + "\n";
 }
 
+QualityDial dial_that_tears(const QualityDial& dial) {
+    std::vector<QualityPoint> points;
+    for (const QualityPoint& point : dial.front())
+        if (point.options.order == ElementOrder::linear &&
+            point.options.solver != LinearSolverKind::skeleton)
+            points.push_back(point);
+    return QualityDial(std::move(points));
+}
+
 }  // namespace hepatica

@@ -20,6 +20,9 @@ QualityDial dial_of(const PatientCase& patient);
 // All points of the dial that the case holds, on a dial or not; none where dial_of() leaves it
 // aside. Throws InputError likewise.
 std::vector<QualityPoint> measured_points(const PatientCase& patient);
+// Without the settings whose elements or solver cannot follow a tear. Throws InputError where none
+// is left.
+QualityDial dial_that_tears(const QualityDial& dial);
 // The dial of such points, of which there is one or more.
 QualityDial dial_of_points(std::vector<QualityPoint> points);
 

@@ -121,7 +121,43 @@ ContactSpec contact_from(const Json& json) {
     return spec;
 }
 
+constexpr std::array<std::pair<const char*, TearStop>, 3> names_of_stops{
+    {{"none", TearStop::none}, {"entropy", TearStop::entropy}, {"vertices", TearStop::vertices}}};
+
+const char* name_of(TearStop stop) {
+    return std::ranges::find(names_of_stops, stop, [](const auto& entry) { return entry.second; })
+        ->first;
+}
+
 }  // namespace
+
+TearSpec tear_from_json(const Json& json) {
+    TearSpec spec;
+    Fields fields(json, "tear");
+    fields.read_number("tear_factor", spec.tear_factor, 1e-6, 1e9);
+    std::string stop = name_of(spec.stop);
+    fields.read("stop", stop);
+    const auto found = std::ranges::find(
+        names_of_stops, stop, [](const auto& entry) { return std::string(entry.first); });
+    if (found == names_of_stops.end())
+        fields.refuse("is \"" + stop + "\"; it must be entropy, vertices or none", "stop");
+    spec.stop = found->second;
+    fields.read_number("entropy_budget", spec.entropy_budget, 0.0, 1e6);
+    fields.read("vertex_budget", spec.vertex_budget);
+    if (spec.vertex_budget < 0) fields.refuse("is less than 0", "vertex_budget");
+    fields.read("bare_limit", spec.bare_limit);
+    fields.refuse_unknown();
+    return spec;
+}
+
+Json to_json(const TearSpec& spec) {
+    Json json{{"tear_factor", spec.tear_factor},
+              {"stop", name_of(spec.stop)},
+              {"entropy_budget", spec.entropy_budget},
+              {"vertex_budget", spec.vertex_budget}};
+    if (spec.bare_limit) json["bare_limit"] = true;
+    return json;
+}
 
 void validate_wall(double wall_mm) {
     if (wall_mm == 0.0 || (wall_mm >= thinnest_wall_mm && wall_mm <= thickest_wall_mm)) return;
@@ -152,6 +188,7 @@ Json to_json(const SceneSpec& spec) {
     }
     if (spec.contact)
         json["contact"] = {{"tools", spec.contact->tools}, {"self", spec.contact->self}};
+    if (spec.tear) json["tear"] = to_json(*spec.tear);
     if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
     return json;
 }
@@ -161,9 +198,10 @@ SceneSpec scene_from_json(const Json& json) {
     Fields fields(json, "scene");
     fields.read("name", spec.name);
     fields.read_number("dt_s", spec.dt_s, 1e-4, 1.0);
-    Json deform, flow, contact;
+    Json deform, flow, contact, tear;
     fields.read("deform", deform);
     fields.read("contact", contact);
+    fields.read("tear", tear);
     fields.read("flow", flow);
     fields.refuse_unknown();
     spec.deform.reset();
@@ -173,6 +211,9 @@ SceneSpec scene_from_json(const Json& json) {
     if (!contact.is_null()) spec.contact = contact_from(contact);
     if (spec.contact && !spec.deform)
         fields.refuse("needs deform: only what moves is touched", "contact");
+    if (!tear.is_null()) spec.tear = tear_from_json(tear);
+    if (spec.tear && !spec.deform)
+        fields.refuse("needs deform: only what moves can tear", "tear");
     if (!spec.deform && !spec.flow)
         fields.refuse("names no part; name deform, flow or both", "deform, flow");
     return spec;

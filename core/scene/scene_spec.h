@@ -10,6 +10,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/stepper/stepper_options.h"
+#include "core/tear/tear_law.h"
 
 namespace hepatica {
 
@@ -44,11 +45,22 @@ struct ContactSpec {
     bool self = false;  // the vessels among each other, and each with itself
 };
 
+// What tears, and when it stops. Needs "deform".
+struct TearSpec {
+    double tear_factor = 1.0;  // of the tissue's strength, see MaterialPreset
+    TearStop stop = TearStop::none;
+    double entropy_budget = 0.5;  // nats, where the entropy stops it
+    int vertex_budget = 200;      // vertices split off, where their number stops it
+    bool bare_limit = false;      // a bare force limit, as published: see TearLaw
+    bool operator==(const TearSpec&) const = default;
+};
+
 struct SceneSpec {
     std::string name = "scene";
     std::optional<DeformSpec> deform = DeformSpec{};
     std::optional<FlowSpec> flow = FlowSpec{};
     std::optional<ContactSpec> contact{};  // none: nothing is built for it
+    std::optional<TearSpec> tear{};        // likewise
     double dt_s = 1.0 / 60.0;              // 1e-4 to 1
 };
 
@@ -61,6 +73,8 @@ void validate_wall(double wall_mm);
 SceneSpec default_scene();
 
 nlohmann::ordered_json to_json(const SceneSpec& spec);
+nlohmann::ordered_json to_json(const TearSpec& spec);
+TearSpec tear_from_json(const nlohmann::ordered_json& json);
 // Throws InputError that names the key that is unknown, missing or out of range.
 SceneSpec scene_from_json(const nlohmann::ordered_json& json);
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -51,7 +52,7 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
             deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
-                                                   back_end, spec_.contact);
+                                                   back_end, spec_.contact, spec_.tear);
         }));
     // Built with the body; what it costs is known from the first step on.
     if (spec_.contact && spec_.contact->self) parts_.push_back({.name = "self-contact"});
@@ -98,7 +99,10 @@ StepReport World::step() {
     report.dt_s = spec_.dt_s;
     for (PartCost& part : parts_) {
         if (part.name == "deform")
-            part.frame_ms = milliseconds_of([&] { report = deform_->step(spec_.dt_s); });
+            part.frame_ms = milliseconds_of([&] {
+                report = deform_->step(spec_.dt_s);
+                follow_tear();
+            });
         else if (part.name == "flow")
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
@@ -107,13 +111,29 @@ StepReport World::step() {
     return report;
 }
 
+void World::follow_tear() {
+    const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
+    const std::uint64_t version = torn != nullptr ? torn->version() : 1;
+    if (version == torn_version_) return;
+    torn_version_ = version;
+    if (torn != nullptr)
+        topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
+    else {
+        std::vector<int> whole(patient_->mesh.vertices_mm.size());
+        std::iota(whole.begin(), whole.end(), 0);
+        topology_->become(std::move(whole), boundary_triangles(patient_->mesh));
+    }
+}
+
 void World::reset() {
     if (deform_) {
         deform_->release();
         deform_->remove_tool();
+        deform_->mend();
         const std::vector<Vec3>& rest = deform_->rest_positions_mm();
         deform_->set_state({rest, std::vector<Vec3>(rest.size(), Vec3::Zero())});
     }
+    follow_tear();
     if (flow_) flow_->remove_drug();
 }
 
@@ -161,6 +181,7 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         throw InputError("is of a scene with other parts", "checkpoint",
                          "Give a checkpoint of this scene");
     if (deform_) deform_->restore(*checkpoint.deform);
+    follow_tear();
     if (flow_) flow_->restore(*checkpoint.flow);
     time_s_ = checkpoint.time_s;
 }

@@ -68,6 +68,10 @@ class World {
     // Shape at rest, no grab, no drug; time goes on.
     void reset();
 
+    // Takes over the vertices and triangles of a body that has torn or was made whole; step() and
+    // restore() do so themselves. Costs nothing where nothing has changed.
+    void follow_tear();
+
     // Fills in positions, surface, grab, drug and time; statistics stay as they are.
     void fill(Frame& frame) const;
 
@@ -87,6 +91,7 @@ class World {
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
     std::optional<BodyTopology> topology_;
+    std::uint64_t torn_version_ = 1;  // of the body's topology, as topology_ has it
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
     std::vector<PartCost> parts_;

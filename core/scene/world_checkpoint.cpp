@@ -57,6 +57,7 @@ Json to_json(const DeformCheckpoint& checkpoint) {
               {"wall_mm", settings.wall_mm},
               {"setting", to_json(settings.stepper)},
               {"touchable", settings.touchable}};
+    if (settings.tear) json["tear"] = to_json(*settings.tear);
     if (checkpoint.hold) json["hold"] = to_json(*checkpoint.hold);
     json["stepper"] = to_base64(to_bytes(checkpoint.stepper));
     return json;
@@ -70,6 +71,7 @@ DeformCheckpoint deform_from(const Json& json) {
     settings.wall_mm = json.at("wall_mm").get<double>();
     settings.stepper = setting_from_json(json.at("setting"));
     settings.touchable = json.at("touchable").get<bool>();
+    if (json.contains("tear")) settings.tear = tear_from_json(json.at("tear"));
     if (json.contains("hold")) checkpoint.hold = hold_from(json.at("hold"));
     const auto bytes = from_base64(json.at("stepper").get_ref<const std::string&>());
     if (!bytes) refuse("the stepper's bytes are not base64");

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
+#include "core/scene/measured_dial.h"
 #include "core/scene/world.h"
 #include "core/session/session.h"
 
@@ -56,6 +57,15 @@ struct Session::Apply {
     void operator()(const OpenForceps& c) const { deform().open_jaws(checked_share(c.share)); }
     void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
 
+    // What tears it.
+    void operator()(const CutLine& c) const {
+        deform().cut_line(world.patient().tree, c.from_mm, c.to_mm, c.strength);
+    }
+    void operator()(const Blade& c) const {
+        deform().cut(world.patient().tree, c.from_mm, c.to_mm);
+    }
+    void operator()(const UseTear& c) const;
+
     // The drug.
     void operator()(const InjectDrug& c) const {
         Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
@@ -106,6 +116,18 @@ void Session::Apply::operator()(const FinishInjection&) const {
     }
 }
 
+// The dial keeps the settings that can follow a tear.
+void Session::Apply::operator()(const UseTear& c) const {
+    DeformPart& part = deform();
+    if (!c.on) return part.set_tear(std::nullopt);
+    const QualityDial able = dial_that_tears(session.dial_);
+    if (part.setting().order != ElementOrder::linear ||
+        part.setting().solver == LinearSolverKind::skeleton)
+        part.use(able.at(session.point_ ? session.dial_.quality_of(*session.point_) : 0.5).options);
+    part.set_tear(TearSpec{.tear_factor = c.tear_factor});
+    session.take_dial(able);
+}
+
 void Session::Apply::operator()(const SetQuality& c) const {
     if (!(c.quality >= 0.0 && c.quality <= 1.0))
         throw InputError("is " + std::to_string(c.quality), "quality",
@@ -149,6 +171,7 @@ void Session::Apply::operator()(const RestoreSnapshot&) const {
 
 void Session::apply(const Command& command) {
     std::visit(Apply{*this, *world_}, command);
+    world_->follow_tear();
 }
 
 }  // namespace hepatica

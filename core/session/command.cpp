@@ -69,6 +69,22 @@ void fields(UseTools& c, Visitor& v) {
     v("on", c.on);
 }
 template <class Visitor>
+void fields(CutLine& c, Visitor& v) {
+    v("from_mm", c.from_mm);
+    v("to_mm", c.to_mm);
+    v("strength", c.strength);
+}
+template <class Visitor>
+void fields(Blade& c, Visitor& v) {
+    v("from_mm", c.from_mm);
+    v("to_mm", c.to_mm);
+}
+template <class Visitor>
+void fields(UseTear& c, Visitor& v) {
+    v("on", c.on);
+    v("tear_factor", c.tear_factor);
+}
+template <class Visitor>
 void fields(InjectDrug& c, Visitor& v) {
     v("point_mm", c.point_mm);
     v("mass_flow_g_s", c.mass_flow_g_s);
@@ -134,7 +150,8 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "set_paused",     "reset_world",   "restore_snapshot", "set_automatic_quality",
     "use_setting",    "set_wall",      "finish_injection", "add_tool",
     "move_tool",      "shift_tool",    "remove_tool",      "turn_tool",
-    "use_tools",      "close_forceps", "open_forceps"};
+    "use_tools",      "close_forceps", "open_forceps",
+    "cut_line",       "blade",         "use_tear"};
 
 struct Writer {
     Json& json;

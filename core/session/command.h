@@ -67,6 +67,26 @@ struct UseTools {
     bool on = true;
 };
 
+// Lowers the strength of the vessel along a line: all that lies between the places nearest to its
+// ends, on the way along the tree from one to the other; the section across where they are one.
+// In a scene that does not tear, this and the next are refused.
+struct CutLine {
+    Vec3 from_mm = Vec3::Zero();
+    Vec3 to_mm = Vec3::Zero();
+    double strength = 0.0;  // 0 to 1, of what it was
+};
+// Lets the vessels tear in a scene that has not said so, or makes them whole again and stops that.
+struct UseTear {
+    bool on = true;
+    double tear_factor = 1.0;  // > 0, of the tissue's strength
+};
+// A blade that goes from one point to another, across the vessel that is nearest to its way, and
+// cuts through it as far as it goes.
+struct Blade {
+    Vec3 from_mm = Vec3::Zero();
+    Vec3 to_mm = Vec3::Zero();
+};
+
 // Injects at the point of the deformed tree nearest to point_mm. An earlier injection is replaced;
 // the drug's clock starts at zero and runs. The injection of a drug that does not flow like blood
 // is computed on another thread, and shown by FinishInjection.
@@ -135,7 +155,8 @@ using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, Injec
                              PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
                              SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
                              UseSetting, SetWall, FinishInjection, AddTool, MoveTool, ShiftTool,
-                             RemoveTool, TurnTool, UseTools, CloseForceps, OpenForceps>;
+                             RemoveTool, TurnTool, UseTools, CloseForceps, OpenForceps, CutLine,
+                             Blade, UseTear>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -35,10 +35,10 @@ Vec3 vector_of(const Json& json, const char* key) {
     return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
-ScriptPlace place_of(const Json& action) {
-    const auto where = action.find("where");
+ScriptPlace place_of(const Json& action, const char* key = "where") {
+    const auto where = action.find(key);
     if (where == action.end() || !where->is_object())
-        refuse(R"(needs a "where" with point_mm or share_of_longest_path)");
+        refuse("needs a \"" + std::string(key) + "\" with point_mm or share_of_longest_path");
     ScriptPlace place;
     if (where->contains("point_mm")) {
         place.point_mm = vector_of(*where, "point_mm");
@@ -98,6 +98,17 @@ ScriptAction action_from(const Json& json) {
             action.by_mm = vector_of(json, "by_mm");
         action.over_s = number(json, "over_s", 0.0);
     } else if (action.what == "close_forceps" || action.what == "open_forceps") {
+        action.over_s = number(json, "over_s", 0.0);
+    } else if (action.what == "cut_line") {
+        action.place = place_of(json, "from");
+        action.to_place = place_of(json, "to");
+        CutLine line;
+        line.strength = number(json, "strength", 0.0);
+        if (!(line.strength >= 0.0 && line.strength <= 1.0))
+            refuse("strength must lie from 0 to 1");
+        action.command = line;
+    } else if (action.what == "blade") {
+        action.command = Blade{vector_of(json, "from_mm"), vector_of(json, "to_mm")};
         action.over_s = number(json, "over_s", 0.0);
     } else if (action.what == "release") {
         action.command = ReleaseGrab{};
@@ -228,6 +239,19 @@ std::vector<std::vector<Command>> schedule(const Script& script, const VesselTre
                 else
                     add(first + i, OpenForceps{share});
             }
+        } else if (action.what == "cut_line") {
+            CutLine line = std::get<CutLine>(*action.command);
+            line.from_mm = resolve(action.place, tree);
+            line.to_mm = resolve(action.to_place, tree);
+            add(first, line);
+        } else if (action.what == "blade") {
+            const Blade whole = std::get<Blade>(*action.command);
+            const long moves = std::max(1L, step_at(action.over_s));
+            const auto at = [&](long i) {
+                return Vec3(whole.from_mm + static_cast<double>(i) / static_cast<double>(moves) *
+                                                (whole.to_mm - whole.from_mm));
+            };
+            for (long i = 0; i < moves; ++i) add(first + i, Blade{at(i), at(i + 1)});
         } else if (action.what == "inject") {
             InjectDrug injection = std::get<InjectDrug>(*action.command);
             injection.point_mm = resolve(action.place, tree);

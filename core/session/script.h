@@ -27,7 +27,8 @@ struct ScriptAction {
     // grab, move, release, inject, tool, move_tool, close_forceps, open_forceps, or the name of a
     // plain command
     std::string what;
-    ScriptPlace place{};          // of grab, inject and tool
+    ScriptPlace place{};          // of grab, inject and tool; where a cut line begins
+    ScriptPlace to_place{};       // where it ends
     Vec3 by_mm = Vec3::Zero();    // of move and move_tool: displacement from the present target
     std::optional<Vec3> to_mm{};  // of move_tool, instead of by_mm
     double over_s = 0.0;          // of these and of forceps: duration, at constant speed
@@ -52,6 +53,9 @@ struct Script {
 //    {"at_s": 4.5, "do": "tool", "tool": "forceps", "radius_mm": 1.5, "length_mm": 20,
 //     "direction": [0, 1, 0], "side": [0, 0, 1], "where": {"share_of_longest_path": 0.5}},
 //    {"at_s": 5,   "do": "close_forceps", "over_s": 0.5},               (and "open_forceps")
+//    {"at_s": 6,   "do": "cut_line", "from": {"share_of_longest_path": 0.4},
+//     "to": {"share_of_longest_path": 0.4}, "strength": 0.1},
+//    {"at_s": 7,   "do": "blade", "from_mm": [1, 2, 3], "to_mm": [9, 2, 3], "over_s": 0.5},
 //    {"at_s": 3,   "do": "set_gravity", "gravity_mm_per_s2": [0, 9806.65, 0]}]}
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);

@@ -51,7 +51,7 @@ std::vector<double> costs_of(const QualityDial& dial) {
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
-    : dial_(dial_of(*patient)),
+    : dial_(spec.tear ? dial_that_tears(dial_of(*patient)) : dial_of(*patient)),
       governor_(costs_of(dial_)),
       world_(std::make_unique<World>(patient, spec, job, back_end)) {
     message_.reserve(longest_message);
@@ -137,7 +137,8 @@ void Session::use_dial(QualityDial dial) {
 void Session::take_dial(QualityDial dial) {
     const bool was_on_dial = point_.has_value();
     const double turn = was_on_dial ? dial_.quality_of(*point_) : 0.0;
-    dial_ = std::move(dial);
+    const bool tears = world_->deform() != nullptr && world_->deform()->tears();
+    dial_ = tears ? dial_that_tears(dial) : std::move(dial);
     governor_ = QualityGovernor(costs_of(dial_));
     if (world_->deform() == nullptr) return;
     point_ = point_of(world_->deform()->setting());

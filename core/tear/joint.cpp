@@ -7,10 +7,6 @@
 namespace hepatica {
 namespace {
 
-// Corners of the face that lies opposite to corner i, counter-clockwise seen from outside.
-constexpr std::array<std::array<int, 3>, 4> face_corners{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 struct Face {
     std::array<int, 3> vertices{};  // ascending
     int tetrahedron = 0;

@@ -12,6 +12,10 @@
 
 namespace hepatica {
 
+// Corners of the face opposite to each corner of a tetrahedron, counter-clockwise seen from outside.
+inline constexpr std::array<std::array<int, 3>, 4> face_corners{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
 struct Joint {
     std::array<int, 2> tetrahedra{};
     // Which corners of each tetrahedron lie on it: corner k of both was one vertex before anything

@@ -47,6 +47,7 @@ Tearing::Tearing(const TetMesh& mesh, const TearLaw& law, std::span<const double
             factor *= 0.5 * (strength_factor[joint.tetrahedra[0]] +
                              strength_factor[joint.tetrahedra[1]]);
         factor_.push_back(factor);
+        sides_.push_back(joint.tetrahedra);
     }
     weakness_.assign(factor_.size(), 1.0);
     most_mm_.assign(factor_.size(), {0.0, 0.0, 0.0});
@@ -91,32 +92,42 @@ std::vector<int> Tearing::crossing(const Vec3& corner_mm, const Vec3& first_edge
     return found;
 }
 
-void Tearing::find_loads(const TearLoads& loads, std::vector<double>& load) const {
+double Tearing::load_of(const Joint& joint, double limit_pa, const TearLoads& loads) const {
+    const Vec3 traction = traction_on(joint, loads.stress_pa[joint.tetrahedra[0]],
+                                      loads.stress_pa[joint.tetrahedra[1]]);
+    const auto& one = topology_.tetrahedra()[joint.tetrahedra[0]];
+    const auto corner = [&](int k) -> const Vec3& {
+        return loads.positions_mm[one[joint.corners[0][k]]];
+    };
+    const double pull = effective_traction_pa(
+        traction, normal_of(corner(0), corner(1), corner(2), joint.normal));
+    if (limit_pa > 0.0) return pull / limit_pa;
+    return pull > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+// No traction is larger than the mean of the two stresses' norms, which few joints need to go
+// beyond.
+void Tearing::find_loads(const TearLoads& loads, double least, std::vector<double>& load) {
+    stress_pa_.resize(loads.stress_pa.size());
+    parallel_blocks(stress_pa_.size(), joint_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) stress_pa_[t] = loads.stress_pa[t].norm();
+    });
     const auto joints = topology_.joints();
     load.assign(joints.size(), 0.0);
     parallel_blocks(joints.size(), joint_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j) {
-            if (topology_.parted(static_cast<int>(j))) continue;
-            const Joint& joint = joints[j];
             const double limit = law_.strength_pa * factor_[j] * weakness_[j];
-            if (!std::isfinite(limit)) continue;
-            const Vec3 traction = traction_on(joint, loads.stress_pa[joint.tetrahedra[0]],
-                                              loads.stress_pa[joint.tetrahedra[1]]);
-            const auto& one = topology_.tetrahedra()[joint.tetrahedra[0]];
-            const auto corner = [&](int k) -> const Vec3& {
-                return loads.positions_mm[one[joint.corners[0][k]]];
-            };
-            const double pull = effective_traction_pa(
-                traction, normal_of(corner(0), corner(1), corner(2), joint.normal));
-            load[j] = limit > 0.0 ? pull / limit
-                                  : (pull > 0.0 ? std::numeric_limits<double>::infinity() : 0.0);
+            const auto& [one, other] = sides_[j];
+            if (0.5 * (stress_pa_[one] + stress_pa_[other]) < least * limit) continue;
+            if (topology_.parted(static_cast<int>(j)) || !std::isfinite(limit)) continue;
+            load[j] = load_of(joints[j], limit, loads);
         }
     });
 }
 
 bool Tearing::part_overloaded(const TearLoads& loads) {
     if (stopped_) return false;
-    find_loads(loads, load_);
+    find_loads(loads, 1.0, load_);
     std::vector<int> overloaded;
     for (std::size_t j = 0; j < load_.size(); ++j)
         if (load_[j] >= 1.0) overloaded.push_back(static_cast<int>(j));

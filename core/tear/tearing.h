@@ -78,8 +78,9 @@ class Tearing {
     // Entropy, and with it the stop, after a step of a body.
     void measure(const TearLoads& loads);
 
-    // Load over limit of each joint, 0 where it has parted: 1 tears.
-    void find_loads(const TearLoads& loads, std::vector<double>& load) const;
+    // Load over limit of each joint, 0 where it has parted: 1 tears. Those that are below `least`
+    // may be given as 0, which costs a fraction.
+    void find_loads(const TearLoads& loads, double least, std::vector<double>& load);
 
     // What binds the parted joints. The caller keeps them while it makes steps, and gives back how
     // far they were opened, in their order, before anything else is asked.
@@ -100,6 +101,7 @@ class Tearing {
         int corner;
     };
 
+    double load_of(const Joint& joint, double limit_pa, const TearLoads& loads) const;
     bool apart(double most_mm) const { return most_mm >= softening_.opening_mm; }
     void part(std::span<const int> joints, double most_mm);
     void make_ties();
@@ -110,6 +112,7 @@ class Tearing {
     TornTopology topology_;
     std::vector<std::array<int, 4>> whole_;  // tetrahedra before anything tore
     std::vector<double> volume_mm3_;         // of each, at rest
+    std::vector<std::array<int, 2>> sides_;  // tetrahedra of each joint
     std::vector<double> factor_;             // of each joint: times the strength, weakness apart
     std::vector<double> weakness_;           // of each joint
     std::vector<std::array<double, 3>> most_mm_;  // of each joint
@@ -119,8 +122,9 @@ class Tearing {
     bool begun_ = false, stopped_ = false;
     double entropy_before_ = 0.0, entropy_ = 0.0;
     TearReport report_;
-    std::vector<double> load_;     // scratch
-    std::vector<double> weights_;  // scratch
+    std::vector<double> load_;       // of joints; scratch
+    std::vector<double> weights_;    // of vertices; scratch
+    std::vector<double> stress_pa_;  // sizes of the tetrahedra's stress; scratch
 };
 
 }  // namespace hepatica

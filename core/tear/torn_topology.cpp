@@ -46,7 +46,26 @@ std::array<int, 2> TornTopology::sides(const Joint& joint, int k) const {
             tetrahedra_[joint.tetrahedra[1]][joint.corners[1][k]]};
 }
 
+std::vector<std::array<int, 3>> TornTopology::surface() const {
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t t = 0; t < tetrahedra_.size(); ++t)
+        for (int i = 0; i < 4; ++i) {
+            const int j = (*joint_opposite_)[t][i];
+            bool open = j < 0;
+            for (int k = 0; k < 3 && !open && parted_[j]; ++k) {
+                const auto both = sides((*joints_)[j], k);
+                open = both[0] != both[1];
+            }
+            if (!open) continue;
+            std::array<int, 3> triangle{};
+            for (int k = 0; k < 3; ++k) triangle[k] = tetrahedra_[t][face_corners[i][k]];
+            triangles.push_back(triangle);
+        }
+    return triangles;
+}
+
 void TornTopology::part(std::span<const int> joints, std::span<const double> volume_mm3) {
+    ++version_;
     std::vector<int> touched;
     for (const int j : joints) {
         parted_[j] = 1;
@@ -129,6 +148,7 @@ void TornTopology::restore(std::span<const int> parted, std::span<const int> par
             used[v] = 1;
         }
     fits(std::ranges::all_of(used, [](std::uint8_t is) { return is != 0; }));
+    ++version_;
     parents_.assign(parents.begin(), parents.end());
     tetrahedra_.assign(tetrahedra.begin(), tetrahedra.end());
     std::ranges::fill(parted_, 0);

@@ -26,6 +26,10 @@ class TornTopology {
     // others.
     std::span<const int> parents() const { return parents_; }
     int vertex_count() const { return static_cast<int>(parents_.size()); }
+    // Another after every change.
+    std::uint64_t version() const { return version_; }
+    // Its boundary, as boundary_triangles() has it, without a sort.
+    std::vector<std::array<int, 3>> surface() const;
     bool parted(int joint) const { return parted_[joint] != 0; }
     // The vertices at corner k of a joint, on its first and on its second side.
     std::array<int, 2> sides(const Joint& joint, int k) const;
@@ -49,6 +53,7 @@ class TornTopology {
 
     std::shared_ptr<const std::vector<Joint>> joints_;
     std::shared_ptr<const std::vector<std::array<int, 4>>> joint_opposite_;  // to each corner; -1
+    std::uint64_t version_ = 1;
     int whole_vertices_;
     std::vector<std::array<int, 4>> tetrahedra_;
     std::vector<std::vector<int>> tetrahedra_of_;  // each vertex, ascending

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that tear: conservation over splits, fracture energy, and what they go on from.
+// Bodies that tear: conservation over splits, fracture energy, where bars break, and what they go on
+// from.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <set>
 
+#include "core/base/error.h"
+#include "core/deform/body/torn_body.h"
+#include "core/deform/step/step_books.h"
 #include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/tear/tearing.h"
@@ -14,51 +24,355 @@ namespace {
 
 constexpr double dt_s = 1.0 / 60.0;
 
-BodyDescription bar(const Vec3& size_mm, const Index3& cells, const TearLaw& law) {
+BodyDescription bar(const Vec3& size_mm, const Index3& cells, const TearLaw& law,
+                    double young_modulus_pa = 0.5e6) {
     BodyDescription body;
     body.mesh = kuhn_brick(size_mm, cells);
-    body.material.young_modulus_pa = 0.5e6;
+    body.material.young_modulus_pa = young_modulus_pa;
     body.material.poisson_ratio = 0.3;
     body.fixed.assign(body.mesh.vertices_mm.size(), 0);
-    for (std::size_t v = 0; v < body.fixed.size(); ++v)
-        body.fixed[v] = body.mesh.vertices_mm[v].x() < 1e-9;
     body.tear = law;
     return body;
+}
+
+void clamp_at_0(BodyDescription& body) {
+    for (std::size_t v = 0; v < body.fixed.size(); ++v)
+        body.fixed[v] = body.mesh.vertices_mm[v].x() < 1e-9;
+}
+
+Grab spring(int vertex, const Vec3& target_mm, double stiffness = 1e6) {
+    Grab grab;
+    grab.vertices[0] = vertex;
+    grab.target_mm = target_mm;
+    grab.stiffness_un_per_mm = stiffness;
+    grab.force_limit_un = 1e12;
+    return grab;
 }
 
 // Every vertex of the far end is led by (x, 0, 0).
 std::vector<Grab> pull_of(const BodyDescription& body, double length_mm, double x_mm) {
     std::vector<Grab> grabs;
-    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
-        if (body.mesh.vertices_mm[v].x() < length_mm - 1e-9) continue;
-        Grab grab;
-        grab.vertices[0] = static_cast<int>(v);
-        grab.target_mm = body.mesh.vertices_mm[v] + Vec3(x_mm, 0, 0);
-        grab.stiffness_un_per_mm = 1e6;
-        grab.force_limit_un = 1e12;
-        grabs.push_back(grab);
-    }
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v)
+        if (body.mesh.vertices_mm[v].x() > length_mm - 1e-9)
+            grabs.push_back(
+                spring(static_cast<int>(v), body.mesh.vertices_mm[v] + Vec3(x_mm, 0, 0)));
     return grabs;
 }
 
-TEST(TearingBody, Explore) {
-    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
-    const auto stepper = make_cpu_stepper(body, {});
-    double work = 0.0, torn = 0.0;
-    for (int k = 0; k < 200; ++k) {
-        stepper->set_grabs(pull_of(body, 20.0, 0.1 * k));
-        const StepReport r = stepper->step(dt_s);
-        work += r.energy.tool_work;
-        torn += r.energy.tear_loss;
-        if (k % 5 == 0 || r.degraded)
-            std::printf("%d parted %d broken %d split %d pieces %d S %.4f dS %.4f el %.3g coh %.3g "
-                        "torn %.4g work %.4g imb %.2g %s\n",
-                        k, r.tear.joints_parted, r.tear.joints_broken, r.tear.vertices_split,
-                        r.tear.pieces, r.tear.entropy_nats, r.tear.entropy_produced_nats,
-                        r.energy.elastic, r.energy.cohesion, torn, work,
-                        relative_imbalance(r.energy), r.message.c_str());
+// Pulls the bar until it is in two pieces; how many steps that took.
+int pull_apart(Stepper& stepper, const BodyDescription& body, double length_mm, double step_mm) {
+    for (int k = 1; k <= 400; ++k) {
+        stepper.set_grabs(pull_of(body, length_mm, step_mm * k));
+        if (stepper.step(dt_s).tear.pieces > 1) return k;
     }
-    std::printf("G A = %g\n", 164e3 * 16);
+    return -1;
+}
+
+// Of the joints that have parted with all their corners, and of those alone.
+std::vector<Vec3> torn_places(const Stepper& stepper) {
+    std::vector<Vec3> places;
+    const TornTopology& topology = stepper.tearing()->topology();
+    for (std::size_t j = 0; j < topology.joints().size(); ++j) {
+        const Joint& joint = topology.joints()[j];
+        bool open = topology.parted(static_cast<int>(j));
+        for (int k = 0; k < 3 && open; ++k) {
+            const auto [a, b] = topology.sides(joint, k);
+            open = a != b && (stepper.positions_mm()[a] - stepper.positions_mm()[b]).norm() >
+                                 stepper.tearing()->law().softening().opening_mm;
+        }
+        if (open) places.push_back(joint.centre_mm);
+    }
+    return places;
+}
+
+struct Sums {
+    double mass = 0.0, kinetic = 0.0;
+    Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
+};
+
+Sums sums_of(const BodyDescription& whole, const Stepper& stepper) {
+    const Body body = build_body(torn(whole, torn_body_of(*stepper.tearing())),
+                                 ElementModel::corotated, ElementOrder::linear);
+    Sums sums;
+    const BodyState state = stepper.state();
+    sums.kinetic = kinetic_energy(body, state.velocities_mm_per_s);
+    for (int i = 0; i < body.node_count(); ++i) {
+        sums.mass += body.mass_g[i];
+        sums.momentum += body.mass_g[i] * state.velocities_mm_per_s[i];
+        sums.angular += body.mass_g[i] * state.positions_mm[i].cross(state.velocities_mm_per_s[i]);
+    }
+    return sums;
+}
+
+TEST(TearingBody, ASplitKeepsMassMomentumSpinAndEnergy) {
+    const BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {});
+    const auto stepper = make_cpu_stepper(body, {});
+    std::mt19937 random(1);
+    std::normal_distribution<double> gauss;
+    BodyState state = stepper->state();
+    for (std::size_t i = 0; i < state.positions_mm.size(); ++i) {
+        state.positions_mm[i] += 0.05 * Vec3(gauss(random), gauss(random), gauss(random));
+        state.velocities_mm_per_s[i] = 50.0 * Vec3(gauss(random), gauss(random), gauss(random)) +
+                                       Vec3(0, 0, 4.0).cross(state.positions_mm[i]);
+    }
+    stepper->set_state(state.positions_mm, state.velocities_mm_per_s);
+    const Sums before = sums_of(body, *stepper);
+    const EnergyLedger energy = stepper->energies();
+    for (const double x : {3.1, 7.3, 12.9, 17.2}) {
+        stepper->cut(Vec3(x, -5, -5), Vec3(0.3, 14, 0), Vec3(-0.4, 0, 14));
+        const Sums after = sums_of(body, *stepper);
+        EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
+        EXPECT_NEAR(after.kinetic, before.kinetic, 1e-12 * before.kinetic);
+        EXPECT_LT((after.momentum - before.momentum).norm(), 1e-12 * before.momentum.norm());
+        EXPECT_LT((after.angular - before.angular).norm(), 1e-12 * before.angular.norm());
+        EXPECT_NEAR(stored_energy(stepper->energies()), stored_energy(energy),
+                    1e-12 * stored_energy(energy));
+    }
+    EXPECT_EQ(stepper->tearing()->report().pieces, 5);
+}
+
+TEST(TearingBody, WithoutALimitHasTheBitsOfOneThatDoesNotTear) {
+    BodyDescription body =
+        bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e300, .fracture_energy_j_m2 = 1e300});
+    clamp_at_0(body);
+    body.tether_pa_per_mm2 = 20.0;
+    BodyDescription other = body;
+    other.tear.reset();
+    const auto tears = make_live_stepper(body, {}), whole = make_live_stepper(other, {});
+    for (int k = 0; k < 60; ++k) {
+        for (Stepper* stepper : {static_cast<Stepper*>(tears.get()), static_cast<Stepper*>(whole.get())}) {
+            stepper->set_grabs(pull_of(body, 20.0, 0.3 * k));
+            stepper->step(dt_s);
+        }
+        ASSERT_TRUE(std::ranges::equal(tears->positions_mm(), whole->positions_mm())) << k;
+    }
+}
+
+// What a slow peel costs beyond what is stored, over the area that it has opened.
+TEST(TearingBody, APeelCostsTheFractureEnergyThatWasSet) {
+    const double height = 4.0, width = 2.0;
+    const TearLaw law{.strength_pa = 5e5, .fracture_energy_j_m2 = 10.0};
+    BodyDescription body = bar(Vec3(24, height, width), {24, 4, 2}, law, 1e8);
+    StepperOptions options;
+    options.newton_iterations = 10;
+    const auto stepper = make_cpu_stepper(body, options);
+    // Only the plane in the middle tears.
+    std::vector<int> others;
+    const auto joints = stepper->tearing()->topology().joints();
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (std::abs(joints[j].centre_mm.y() - 0.5 * height) > 1e-9)
+            others.push_back(static_cast<int>(j));
+    stepper->weaken(others, 1e6);
+    double work = 0.0, stored = 0.0, area = 0.0, losses = 0.0;
+    for (int k = 1; k <= 260; ++k) {
+        const double opening = 0.005 * k;
+        std::vector<Grab> grabs;
+        for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+            const Vec3& x = body.mesh.vertices_mm[v];
+            if (x.x() > 1e-9 || std::abs(x.y() - 0.5 * height) < 0.5 * height - 1e-9) continue;
+            grabs.push_back(spring(static_cast<int>(v),
+                                   x + Vec3(0, x.y() > 0.5 * height ? opening : -opening, 0), 1e8));
+        }
+        stepper->set_grabs(grabs);
+        const StepReport report = stepper->step(dt_s);
+        work += report.energy.tool_work;
+        losses += report.energy.damping_loss + report.energy.integrator_loss;
+        stored = stored_energy(report.energy) - report.energy.cohesion;
+        area = 0.0;
+        double held = 0.0;
+        for (const SofteningTie& tie : stepper->tearing()->ties()) {
+            // What a tie has taken counts as the area that it would have opened with it.
+            const SofteningLaw softening = law.softening();
+            const double taken = softening.energy_un_mm(tie.most_mm, 0.0) * tie.area_mm2;
+            held += std::min(1.0, taken / (1e3 * law.fracture_energy_j_m2 * tie.area_mm2)) *
+                    tie.area_mm2;
+        }
+        area = held;
+    }
+    const double torn_mm2 = area;
+    std::printf("work %g stored %g losses %g area %g G %g\n", work, stored, losses, torn_mm2,
+                1e-3 * (work - stored) / torn_mm2);
+    EXPECT_GT(torn_mm2, 8.0 * width);
+    EXPECT_NEAR(1e-3 * (work - stored) / torn_mm2, law.fracture_energy_j_m2,
+                0.05 * law.fracture_energy_j_m2);
+}
+
+TEST(TearingBody, ANotchedBarBreaksAtItsNotch) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {20, 4, 4}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->cut(Vec3(12.5, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 3));
+    ASSERT_EQ(stepper->tearing()->report().pieces, 1);
+    EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
+    for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.5, 2.0);
+}
+
+TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {20, 4, 4}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
+    for (const Vec3& place : torn_places(*stepper))
+        EXPECT_GT(std::abs(place.x() - 10.0), 6.0);  // the pulled end is a clamp, too
+}
+
+// Vertices and tetrahedra in another order.
+TEST(TearingBody, TheSameFacesBreakHoweverTheyAreNumbered) {
+    BodyDescription body = bar(Vec3(12, 4, 4), {6, 2, 2}, {.strength_pa = 1e5});
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> near(-0.2, 0.2);
+    for (Vec3& x : body.mesh.vertices_mm)  // nothing is symmetric
+        if (x.x() > 0.1 && x.x() < 11.9) x += Vec3(near(random), near(random), near(random));
+    BodyDescription other = body;
+    std::vector<int> number(body.mesh.vertices_mm.size());
+    std::iota(number.begin(), number.end(), 0);
+    std::ranges::shuffle(number, random);
+    for (std::size_t v = 0; v < number.size(); ++v)
+        other.mesh.vertices_mm[number[v]] = body.mesh.vertices_mm[v];
+    for (auto& corners : other.mesh.tetrahedra)
+        for (int& v : corners) v = number[v];
+    std::ranges::shuffle(other.mesh.tetrahedra, random);
+    clamp_at_0(body);
+    clamp_at_0(other);
+    std::vector<std::set<std::array<long, 3>>> torn;
+    for (const BodyDescription& one : {body, other}) {
+        const auto stepper = make_cpu_stepper(one, {});
+        EXPECT_GT(pull_apart(*stepper, one, 12.0, 0.2), 0);
+        auto& places = torn.emplace_back();
+        for (const Vec3& p : torn_places(*stepper))
+            places.insert({std::lround(1e6 * p.x()), std::lround(1e6 * p.y()),
+                           std::lround(1e6 * p.z())});
+    }
+    EXPECT_GT(torn[0].size(), 4u);
+    EXPECT_EQ(torn[0], torn[1]);
+}
+
+TEST(TearingBody, TheLedgerClosesWhileItTearsAndFractureOnlyTakes) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    StepperOptions options;
+    options.audit = true;
+    options.newton_iterations = 3;
+    const auto stepper = make_cpu_stepper(body, options);
+    double torn = 0.0;
+    for (int k = 1; k <= 80; ++k) {
+        stepper->set_grabs(pull_of(body, 20.0, 0.1 * k));
+        const StepReport report = stepper->step(dt_s);
+        EXPECT_LT(relative_imbalance(report.energy), 1e-5) << k;
+        EXPECT_GE(report.energy.tear_loss, -1e-9 * energy_handled(report.energy)) << k;
+        torn += report.energy.tear_loss;
+    }
+    EXPECT_GT(torn, 164e3 * 16.0 * 0.9);  // a section of 4 x 4 mm at least
+}
+
+TEST(TearingBody, GoesOnToTheSameBitsFromTheMiddleOfATear) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    body.tether_pa_per_mm2 = 20.0;
+    const auto one = make_live_stepper(body, {});
+    one->weaken(std::vector{3, 4, 5, 40}, 0.5);
+    const auto step = [&](Stepper& stepper, int k) {
+        stepper.set_grabs(pull_of(body, 20.0, 0.1 * k));
+        stepper.step(dt_s);
+    };
+    int middle = 1;
+    for (; middle < 300 && one->tearing()->report().vertices_split < 20; ++middle)
+        step(*one, middle);
+    ASSERT_LT(middle, 300);
+    const StepperCheckpoint kept = checkpoint_from_bytes(to_bytes(one->checkpoint()));
+    const auto fresh = make_live_stepper(body, {}), used = make_live_stepper(body, {});
+    for (int k = 1; k < 100; ++k) step(*used, k);  // torn further than the checkpoint
+    EXPECT_GT(used->tearing()->report().vertices_split, 20);
+    fresh->restore(kept);
+    used->restore(kept);
+    for (int k = middle; k < middle + 40; ++k) {
+        for (Stepper* stepper : {one.get(), fresh.get(), used.get()}) step(*stepper, k);
+        ASSERT_EQ(one->state_hash(), fresh->state_hash()) << k;
+        ASSERT_EQ(one->state_hash(), used->state_hash()) << k;
+    }
+    EXPECT_GT(one->tearing()->report().vertices_split, 20);
+}
+
+TEST(TearingBody, AnotherBackEndGoesOnWithTheTear) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    ASSERT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
+    const TearReport before = stepper->tearing()->report();
+    StepperOptions other;
+    other.model = ElementModel::neohookean;
+    other.solver = LinearSolverKind::block_jacobi;
+    ASSERT_TRUE(stepper->set_options(other));
+    EXPECT_EQ(stepper->tearing()->report(), before);
+    for (int k = 0; k < 10; ++k) stepper->step(dt_s);
+    EXPECT_EQ(stepper->tearing()->report().pieces, 2);
+}
+
+TEST(TearingBody, IsWholeAgainWhenItIsMadeSo) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    ASSERT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
+    stepper->set_tear({});
+    stepper->set_grabs({});
+    const std::vector<Vec3> still(body.mesh.vertices_mm.size(), Vec3::Zero());
+    stepper->set_state(body.mesh.vertices_mm, still);
+    EXPECT_EQ(stepper->positions_mm().size(), body.mesh.vertices_mm.size());
+    EXPECT_EQ(stepper->tearing()->report().vertices_split, 0);
+    EXPECT_EQ(pull_apart(*stepper, body, 20.0, 0.2),
+              pull_apart(*make_cpu_stepper(body, {}), body, 20.0, 0.2));
+}
+
+TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
+    TearLaw law{.strength_pa = 5e4, .bare_limit = true};
+    std::vector<TearReport> reports;
+    for (const TearStop stop : {TearStop::none, TearStop::vertices, TearStop::entropy}) {
+        law.stop = stop;
+        law.vertex_budget = 10;
+        law.entropy_budget_nats = 0.05;
+        BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, law);
+        clamp_at_0(body);
+        const auto stepper = make_cpu_stepper(body, {});
+        for (int k = 1; k <= 120; ++k) {
+            stepper->set_grabs(pull_of(body, 20.0, 0.1 * k));
+            stepper->step(dt_s);
+        }
+        reports.push_back(stepper->tearing()->report());
+    }
+    EXPECT_FALSE(reports[0].stopped);
+    EXPECT_TRUE(reports[1].stopped);
+    EXPECT_TRUE(reports[2].stopped);
+    EXPECT_GE(reports[1].vertices_split, 10);
+    EXPECT_GT(reports[0].joints_broken, reports[1].joints_broken);
+    EXPECT_GT(reports[0].joints_broken, reports[2].joints_broken);
+}
+
+TEST(TearingBody, RefusesElementsAndSolversThatCannotTear) {
+    const BodyDescription body = bar(Vec3(4, 2, 2), {2, 1, 1}, {});
+    EXPECT_THROW(make_cpu_stepper(body, {.order = ElementOrder::quadratic}), InputError);
+    EXPECT_THROW(make_cpu_stepper(body, {.solver = LinearSolverKind::skeleton}), InputError);
+    BodyDescription wrong = body;
+    wrong.tear->strength_pa = 0.0;
+    EXPECT_THROW(make_cpu_stepper(wrong, {}), InputError);
+    const auto stepper = make_cpu_stepper(body, {});
+    EXPECT_THROW(stepper->weaken(std::vector{-1}, 0.5), InputError);
+    EXPECT_THROW(stepper->weaken(std::vector{0}, -0.5), InputError);
+}
+
+// Every face at once, while it flies and spins.
+TEST(TearingBody, FallsToSingleTetrahedra) {
+    BodyDescription body =
+        bar(Vec3(6, 4, 4), {3, 2, 2}, {.strength_pa = 1e-3, .bare_limit = true});
+    const auto stepper = make_cpu_stepper(body, {});
+    BodyState state = stepper->state();
+    for (std::size_t i = 0; i < state.positions_mm.size(); ++i)
+        state.velocities_mm_per_s[i] =
+            Vec3(0, 0, 10.0).cross(state.positions_mm[i]) + 20.0 * state.positions_mm[i];
+    stepper->set_state(state.positions_mm, state.velocities_mm_per_s);
+    for (int k = 0; k < 10; ++k) stepper->step(dt_s);
+    EXPECT_EQ(stepper->tearing()->report().pieces,
+              static_cast<int>(body.mesh.tetrahedra.size()));
+    for (const Vec3& x : stepper->positions_mm()) EXPECT_TRUE(x.allFinite());
 }
 
 }  // namespace

@@ -73,13 +73,34 @@ TEST(TornTopology, AWholePlanePartsABrickInTwoClosedPieces) {
     EXPECT_EQ(topology.pieces({}), 2);
     EXPECT_EQ(topology.vertex_count(), 5 * 9 + 9);
     EXPECT_TRUE(is_closed_manifold(surface_of(torn_mesh(mesh, topology)).mesh));
-    // The larger part keeps the numbers: new ones are where x <= 1.
-    const TetMesh torn = torn_mesh(mesh, topology);
-    for (const auto& corners : torn.tetrahedra)
-        for (const int v : corners)
-            if (v >= 45) {
-                for (const int w : corners) EXPECT_LE(torn.vertices_mm[w].x(), 1.0);
-            }
+}
+
+// One tetrahedron at a corner against all the others.
+TEST(TornTopology, TheLargestGroupKeepsTheNumber) {
+    const TetMesh mesh = kuhn_brick(Vec3(4, 2, 2), {4, 2, 2});
+    TornTopology topology(mesh);
+    std::vector<int> around;
+    for (std::size_t j = 0; j < topology.joints().size(); ++j)
+        for (const int t : topology.joints()[j].tetrahedra)
+            if (t == 0) around.push_back(static_cast<int>(j));
+    topology.part(around, volumes_of(mesh));
+    EXPECT_EQ(topology.pieces({}), 2);
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const bool whole = topology.tetrahedra()[t] == mesh.tetrahedra[t];
+        EXPECT_EQ(whole, t != 0) << t;
+    }
+}
+
+TEST(TornTopology, ItsSurfaceIsTheBoundaryOfTheTornMesh) {
+    const TetMesh mesh = kuhn_brick(Vec3(4, 2, 2), {4, 2, 2});
+    TornTopology topology(mesh);
+    EXPECT_EQ(topology.surface(), boundary_triangles(mesh));
+    topology.part(on_plane(topology, 2.0), volumes_of(mesh));
+    EXPECT_EQ(topology.surface(), boundary_triangles(torn_mesh(mesh, topology)));
+    const std::uint64_t version = topology.version();
+    topology.part(std::vector{0, 5, 9}, volumes_of(mesh));
+    EXPECT_EQ(topology.surface(), boundary_triangles(torn_mesh(mesh, topology)));
+    EXPECT_NE(topology.version(), version);
 }
 
 TEST(TornTopology, AJointInTheMiddlePartsNothing) {

@@ -45,6 +45,10 @@ struct MaterialPreset {
     std::string name;
     std::string source;
     Material material;
+    // What it takes to tear it, and where that is known from.
+    double strength_pa = 1e6;
+    double fracture_energy_j_m2 = 164.0;
+    std::string strength_source{};
 };
 std::span<const MaterialPreset> material_presets();
 

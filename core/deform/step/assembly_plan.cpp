@@ -52,78 +52,143 @@ int find(const AssemblyPlan& plan, int i, int j) {
     return static_cast<int>(std::lower_bound(first, last, j) - plan.column.begin());
 }
 
-void lay_out_pattern(const Body& body, AssemblyPlan& plan) {
-    std::vector<std::array<int, 2>> entries;
-    for (int i = 0; i < body.node_count(); ++i) entries.push_back({i, i});
-    for (const ElementGroup& group : body.groups) {
-        const int n = group.nodes_per_element;
-        for (std::size_t first = 0; first < group.connectivity.size(); first += n)
-            for (int a = 0; a < n; ++a)
-                for (int b = 0; b < n; ++b)
-                    if (a != b)
-                        entries.push_back(
-                            {group.connectivity[first + a], group.connectivity[first + b]});
-    }
-    for (const auto& [i, j] : body.parted_pairs) {
-        entries.push_back({i, j});
-        entries.push_back({j, i});
-    }
-    std::ranges::sort(entries);
-    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-    plan.row_begin.assign(body.node_count() + 1, 0);
-    plan.diagonal.resize(body.node_count());
-    for (const auto& [i, j] : entries) {
-        if (i == j) plan.diagonal[i] = static_cast<int>(plan.column.size());
-        plan.column.push_back(j);
-        ++plan.row_begin[i + 1];
-    }
-    for (int i = 0; i < body.node_count(); ++i) plan.row_begin[i + 1] += plan.row_begin[i];
-    plan.mirror.resize(plan.column.size());
-    for (int i = 0; i < body.node_count(); ++i)
-        for (int k = plan.row_begin[i]; k < plan.row_begin[i + 1]; ++k)
-            plan.mirror[k] = find(plan, plan.column[k], i);
+// The force slots of each node, in the order of the elements.
+void list_forces(const Body& body, AssemblyPlan& plan) {
+    plan.forces.begin.assign(static_cast<std::size_t>(body.node_count()) + 1, 0);
+    for (const ElementGroup& group : body.groups)
+        for (const int node : group.connectivity) ++plan.forces.begin[node + 1];
+    for (int i = 0; i < body.node_count(); ++i) plan.forces.begin[i + 1] += plan.forces.begin[i];
+    plan.forces.place.resize(static_cast<std::size_t>(plan.force_slots));
+    std::vector<int> next = plan.forces.begin;
+    int slot = 0;
+    for (const ElementGroup& group : body.groups)
+        for (const int node : group.connectivity) plan.forces.place[next[node]++] = slot++;
 }
 
-// Sorts (entry, place) by entry; places of one entry keep their order.
-GatherLists by_entry(std::size_t entries, const std::vector<std::array<int, 2>>& pairs) {
-    GatherLists lists;
-    lists.begin.assign(entries + 1, 0);
-    for (const auto& [entry, place] : pairs) ++lists.begin[entry + 1];
-    for (std::size_t k = 0; k < entries; ++k) lists.begin[k + 1] += lists.begin[k];
-    lists.place.resize(pairs.size());
-    std::vector<int> next = lists.begin;
-    for (const auto& [entry, place] : pairs) lists.place[next[entry]++] = place;
-    return lists;
-}
+// One block row of the matrix: its columns, and what is added up in those right of the diagonal.
+class RowPlan {
+  public:
+    RowPlan(const Body& body, const AssemblyPlan& plan)
+        : body_(body), plan_(plan), parted_with_(parted_with(body)) {}
 
-void list_contributions(const Body& body, AssemblyPlan& plan) {
-    std::vector<std::array<int, 2>> forces, factors, blocks, transposed;
-    for (std::size_t g = 0; g < body.groups.size(); ++g) {
-        const ElementGroup& group = body.groups[g];
-        const int n = group.nodes_per_element;
-        for (int e = 0; e < group.size(); ++e) {
-            const int* nodes = group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * n;
-            const int first = plan.force_slot(g, e, n);
-            for (int a = 0, pair = plan.block_slot(g, e, group.pairs()); a < n; ++a) {
-                forces.push_back({nodes[a], first + a});
-                for (int b = a + 1; b < n; ++b, ++pair) {
-                    const bool turned = nodes[a] > nodes[b];
-                    const int low = turned ? b : a, high = turned ? a : b;
-                    const int k = find(plan, nodes[low], nodes[high]);
-                    if (!plan.groups[g].in_factors) {
-                        (turned ? transposed : blocks).push_back({k, pair});
-                        continue;
-                    }
-                    factors.push_back({k, first + low});
-                    factors.push_back({k, first + high});
-                }
+    void find(int row) {
+        columns_.assign(1, row);
+        if (!parted_with_.empty())
+            columns_.insert(columns_.end(), parted_with_[row].begin(), parted_with_[row].end());
+        for_each_neighbour(row, [&](const Neighbour& other) { columns_.push_back(other.node); });
+        std::ranges::sort(columns_);
+        columns_.erase(std::ranges::unique(columns_).begin(), columns_.end());
+    }
+    const std::vector<int>& columns() const { return columns_; }
+
+    // Appends the lists of the row that was found last.
+    void append_lists(int row, AssemblyPlan& plan) {
+        for (auto* lists : {&factors_, &blocks_, &transposed_}) lists->clear();
+        for_each_neighbour(row, [&](const Neighbour& other) {
+            if (other.node < row) return;
+            const int place =
+                static_cast<int>(std::ranges::lower_bound(columns_, other.node) - columns_.begin());
+            const GroupSlots& slots = plan_.groups[other.group];
+            if (slots.in_factors) {
+                factors_.push_back({place, other.own_slot});
+                factors_.push_back({place, other.slot});
+            } else {
+                (other.turned ? transposed_ : blocks_).push_back({place, other.block_slot});
+            }
+        });
+        append(factors_, plan.factors);
+        append(blocks_, plan.blocks);
+        append(transposed_, plan.transposed);
+    }
+
+  private:
+    // Another node of an element of the row's node.
+    struct Neighbour {
+        int node;
+        std::size_t group;
+        int own_slot;
+        int slot;
+        int block_slot;  // of the pair
+        bool turned;     // it was written for (other, row)
+    };
+
+    static std::vector<std::vector<int>> parted_with(const Body& body) {
+        std::vector<std::vector<int>> others;
+        if (body.parted_pairs.empty()) return others;
+        others.resize(static_cast<std::size_t>(body.node_count()));
+        for (const auto& [i, j] : body.parted_pairs) {
+            others[i].push_back(j);
+            others[j].push_back(i);
+        }
+        return others;
+    }
+
+    template <class Visit>
+    void for_each_neighbour(int row, const Visit& visit) const {
+        for (int s = plan_.forces.begin[row]; s < plan_.forces.begin[row + 1]; ++s) {
+            const int slot = plan_.forces.place[s];
+            std::size_t g = 0;
+            while (g + 1 < plan_.groups.size() &&
+                   slot >= static_cast<int>(plan_.groups[g + 1].first_force))
+                ++g;
+            const ElementGroup& group = body_.groups[g];
+            const int n = group.nodes_per_element;
+            const int local = slot - static_cast<int>(plan_.groups[g].first_force);
+            const int element = local / n, own = local % n;
+            const int* nodes = group.connectivity.data() + static_cast<std::ptrdiff_t>(element) * n;
+            const int first_block = plan_.block_slot(g, element, group.pairs());
+            for (int a = 0; a < n; ++a) {
+                if (a == own) continue;
+                const int low = std::min(a, own), high = std::max(a, own);
+                const int pair = low * n - low * (low + 1) / 2 + high - low - 1;
+                visit(Neighbour{nodes[a], g, slot, slot - own + a, first_block + pair, a < own});
             }
         }
     }
-    plan.forces = by_entry(static_cast<std::size_t>(body.node_count()), forces);
-    plan.factors = by_entry(plan.column.size(), factors);
-    plan.blocks = by_entry(plan.column.size(), blocks);
-    plan.transposed = by_entry(plan.column.size(), transposed);
+
+    // Entries of one place keep their order.
+    void append(const std::vector<std::array<int, 2>>& entries, GatherLists& lists) const {
+        const std::size_t first = lists.begin.size() - 1;
+        const int before = lists.begin.back();
+        lists.begin.resize(lists.begin.size() + columns_.size(), 0);
+        for (const auto& entry : entries) ++lists.begin[first + 1 + entry[0]];
+        for (std::size_t k = first + 1; k < lists.begin.size(); ++k)
+            lists.begin[k] += k == first + 1 ? before : lists.begin[k - 1];
+        lists.place.resize(static_cast<std::size_t>(lists.begin.back()));
+        std::vector<int> next(lists.begin.begin() + static_cast<std::ptrdiff_t>(first),
+                              lists.begin.end() - 1);
+        for (const auto& [place, slot] : entries) lists.place[next[place]++] = slot;
+    }
+
+    const Body& body_;
+    const AssemblyPlan& plan_;
+    std::vector<std::vector<int>> parted_with_;  // of each node; empty where nothing has parted
+    std::vector<int> columns_;
+    std::vector<std::array<int, 2>> factors_, blocks_, transposed_;
+};
+
+// Row after row, and each from the elements of its node.
+void lay_out_rows(const Body& body, AssemblyPlan& plan) {
+    list_forces(body, plan);
+    RowPlan row(body, plan);
+    plan.diagonal.resize(body.node_count());
+    for (int i = 0; i < body.node_count(); ++i) {
+        row.find(i);
+        const auto& columns = row.columns();
+        plan.diagonal[i] =
+            static_cast<int>(plan.column.size() +
+                             (std::ranges::lower_bound(columns, i) - columns.begin()));
+        plan.column.insert(plan.column.end(), columns.begin(), columns.end());
+        plan.row_begin.push_back(static_cast<int>(plan.column.size()));
+        row.append_lists(i, plan);
+    }
+    plan.mirror.resize(plan.column.size());
+    for (int i = 0; i < body.node_count(); ++i)
+        for (int k = plan.diagonal[i]; k < plan.row_begin[i + 1]; ++k) {
+            const int other = find(plan, plan.column[k], i);
+            plan.mirror[k] = other;
+            plan.mirror[other] = k;
+        }
 }
 
 }  // namespace
@@ -131,8 +196,7 @@ void list_contributions(const Body& body, AssemblyPlan& plan) {
 AssemblyPlan plan_assembly(const Body& body, Tangent tangent) {
     AssemblyPlan plan;
     lay_out_slots(body, tangent, plan);
-    lay_out_pattern(body, plan);
-    list_contributions(body, plan);
+    lay_out_rows(body, plan);
     return plan;
 }
 

@@ -55,7 +55,7 @@ struct AssemblyPlan {
 };
 
 // `tangent` is the stiffness that is written, not Tangent::none. Throws InputError for a body of
-// more slots than an int can count. Costs a sort of all pairs of nodes that share an element.
+// more slots than an int can count. Costs one pass over the elements of every node.
 AssemblyPlan plan_assembly(const Body& body, small::Tangent tangent);
 
 // The piece of each node, counted from 0 in the order of their first nodes: nodes that share an

@@ -368,13 +368,15 @@ void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
     follow_tear();
 }
 
-void GovernedStepper::mend() {
+void GovernedStepper::set_tear(const TearState& state) {
     if (!tearing_) return;
-    tearing_.emplace(description_.mesh, *description_.tear, description_.stiffness_factor);
+    tearing_->restore(state);
     stress_pa_.clear();
-    if (region_) region_ = region_of(description_, region_->options());
     follow_tear(*back_end_);
     wake();
+    if (!region_) return;
+    region_ = region_of(description_, region_->options());
+    region_->follow_split(tearing_->topology().parents());
 }
 
 void GovernedStepper::set_state(std::span<const Vec3> positions_mm,

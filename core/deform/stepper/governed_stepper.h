@@ -49,7 +49,7 @@ class GovernedStepper final : public LiveStepper {
     void weaken(std::span<const int> joints, double factor) override;
     void cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
              const Vec3& second_edge_mm) override;
-    void mend() override;
+    void set_tear(const TearState& state) override;
 
   private:
     bool asleep() const;

@@ -14,10 +14,10 @@
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/stepper/stepper_options.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 
-class Tearing;             // core/tear/tearing.h
 struct StepperCheckpoint;  // core/deform/stepper/stepper_checkpoint.h
 
 class Stepper {
@@ -65,8 +65,9 @@ class Stepper {
     // Cuts along a parallelogram with this corner and these edges, see Tearing::crossing.
     virtual void cut(const Vec3& /*corner_mm*/, const Vec3& /*first_edge_mm*/,
                      const Vec3& /*second_edge_mm*/) {}
-    // Makes it whole, without a cut line; vertices that were split off are gone.
-    virtual void mend() {}
+    // Makes it torn like that, whole by default; vertices come and go. The places of those that
+    // stay are as before. Throws InputError, and changes nothing, where it is not of this mesh.
+    virtual void set_tear(const TearState& /*state*/) {}
 
     // Kinetic, elastic, grab, tether and contact energy of the present state, and the tool_work
     // that the next step will report; all other terms are 0.

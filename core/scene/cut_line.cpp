@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/cut_line.h"
+
+#include <algorithm>
+#include <map>
+
+namespace hepatica {
+namespace {
+
+// Part of a segment, by arc length.
+struct Stretch {
+    double from_mm = 0.0;
+    double to_mm = 0.0;
+    double length_mm() const { return to_mm - from_mm; }
+};
+
+std::vector<int> ancestry(const VesselTree& tree, int segment) {
+    std::vector<int> chain;
+    for (int s = segment; s >= 0; s = tree.segments[s].parent) chain.push_back(s);
+    return chain;
+}
+
+// The stretches of the way, by segment.
+std::map<int, Stretch> way_between(const VesselTree& tree, const TreePoint& from,
+                                   const TreePoint& to) {
+    std::map<int, Stretch> way;
+    if (from.segment == to.segment) {
+        way[from.segment] = {std::min(from.arclength_mm, to.arclength_mm),
+                             std::max(from.arclength_mm, to.arclength_mm)};
+        return way;
+    }
+    const std::vector<int> up = ancestry(tree, from.segment), down = ancestry(tree, to.segment);
+    const auto meet = std::ranges::find_first_of(up, down);
+    if (meet == up.end()) return way;
+    const auto climb = [&](const TreePoint& end, const std::vector<int>& chain) {
+        for (const int s : chain) {
+            const double length = length_mm(tree.segments[s]);
+            if (s == *meet) return;
+            way[s] = {0.0, s == end.segment ? end.arclength_mm : length};
+        }
+    };
+    climb(from, up);
+    climb(to, down);
+    // One of the two may lie on the segment where the ways meet: the rest of it is on the way.
+    for (const TreePoint& end : {from, to})
+        if (end.segment == *meet)
+            way[*meet] = {end.arclength_mm, length_mm(tree.segments[*meet])};
+    return way;
+}
+
+}  // namespace
+
+std::vector<int> joints_along(const VesselTree& tree, std::span<const Joint> joints,
+                              std::span<const VertexPlace> tetrahedra, const TreePoint& from,
+                              const TreePoint& to, double section_mm) {
+    const std::map<int, Stretch> way = way_between(tree, from, to);
+    double length = 0.0;
+    for (const auto& [segment, stretch] : way) length += stretch.length_mm();
+    const bool section = way.size() == 1 && length < section_mm;
+    const auto on_way = [&](const TreePoint& place) {
+        const auto stretch = way.find(place.segment);
+        return stretch != way.end() && place.arclength_mm >= stretch->second.from_mm &&
+               place.arclength_mm <= stretch->second.to_mm;
+    };
+    const auto crosses_section = [&](const TreePoint& one, const TreePoint& other) {
+        const auto& [segment, stretch] = *way.begin();
+        const double middle = 0.5 * (stretch.from_mm + stretch.to_mm);
+        return one.segment == segment && other.segment == segment &&
+               (one.arclength_mm < middle) != (other.arclength_mm < middle);
+    };
+    std::vector<int> found;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const TreePoint& one = tetrahedra[joints[j].tetrahedra[0]].on_tree;
+        const TreePoint& other = tetrahedra[joints[j].tetrahedra[1]].on_tree;
+        if (section ? crosses_section(one, other) : on_way(one) && on_way(other))
+            found.push_back(static_cast<int>(j));
+    }
+    return found;
+}
+
+BladeSweep blade_sweep(const Vec3& from_mm, const Vec3& to_mm, const Vec3& axis, double reach_mm) {
+    const Vec3 way = to_mm - from_mm;
+    Vec3 edge = way.cross(axis);
+    if (!(edge.norm() > 1e-6 * way.norm() * axis.norm())) edge = way.unitOrthogonal();
+    edge.normalize();
+    return {from_mm - reach_mm * edge, way, 2.0 * reach_mm * edge};
+}
+
+}  // namespace hepatica
