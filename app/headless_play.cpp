@@ -174,8 +174,9 @@ Json injection_facts(const VesselTree& tree, const Injection& made, double end_s
 }  // namespace
 
 HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
-                           const std::filesystem::path& folder, Job& job) {
-    Session session(patient, default_scene(), job);
+                           const std::filesystem::path& folder, Job& job,
+                           const DeformBackEnd& back_end) {
+    Session session(patient, default_scene(), job, back_end);
     Player player(session, job);
     job.begin_stage("Playing");
     player.step(1);

@@ -11,6 +11,7 @@
 
 #include "core/base/job.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 
 namespace hepatica {
 
@@ -30,6 +31,7 @@ struct HeadlessPlay {
 // Begins three stages of the job. Throws InputError (a folder that cannot be written, a case
 // without a body), Cancelled.
 HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
-                           const std::filesystem::path& folder, Job& job);
+                           const std::filesystem::path& folder, Job& job,
+                           const DeformBackEnd& back_end = cpu_back_end());
 
 }  // namespace hepatica

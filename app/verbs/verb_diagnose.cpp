@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/verbs/verbs.h"
+#include "gpu/machine/device_machine.h"
 
 namespace hepatica {
 
@@ -30,10 +31,25 @@ Json library_versions() {
     return versions;
 }
 
+Json text_or_null(const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+// What can be had of CUDA here; without a device, `reason` says why in words.
+Json cuda() {
+    const gpu::DeviceInfo info = gpu::device_info();
+    return {{"compiled", info.compiled},
+            {"architectures", text_or_null(info.architectures)},
+            {"device", text_or_null(info.device)},
+            {"memory_bytes", info.device.empty() ? Json(nullptr) : Json(info.memory_bytes)},
+            {"driver", text_or_null(info.driver)},
+            {"reason", text_or_null(info.reason)}};
+}
+
 Json diagnose() {
     return {{"version", HEPATICA_VERSION},
             {"cpu", {{"name", processor_name()}, {"threads", std::thread::hardware_concurrency()}}},
-            {"cuda", {{"compiled", false}, {"device", nullptr}}},
+            {"cuda", cuda()},
             {"libraries", library_versions()}};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/back_end_choice.h"
 #include "app/headless_play.h"
 #include "app/html_report.h"
 #include "app/output_place.h"
@@ -25,6 +26,7 @@ struct Options {
     fs::path patient;  // CT, case or tree; empty: the built-in patient
     std::string name;
     fs::path out = "out";
+    std::string backend = "cpu";
 };
 
 Json facts_of(const VesselTree& tree, const TetMesh& mesh) {
@@ -105,6 +107,7 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
 Json run(const Options& options, Job& job) {
     const fs::path report = options.out / "report.html";
     require_writable_folder(options.out);
+    const BackEndChoice back_end = choose_back_end(options.backend);
     const OpenRequest request = request_of(options);
     job.expect_stages(stage_count_of(request));
     const OpenedPatient opened = open_patient(request, job);
@@ -115,7 +118,7 @@ Json run(const Options& options, Job& job) {
     const Json accuracy = request.built_in ? accuracy_of_built_in(*opened.patient, job) : Json();
     HeadlessPlay played;
     write_files_atomically(options.out, [&](const fs::path& folder) {
-        played = play_headless(opened.patient, folder, job);
+        played = play_headless(opened.patient, folder, job, back_end.back_end);
         write_report(folder / report.filename(), title_of(options, *opened.patient), opened,
                      accuracy, played);
     });
@@ -127,6 +130,7 @@ Json run(const Options& options, Job& job) {
             {"tree", facts_of(opened.patient->tree, opened.patient->mesh)},
             {"accuracy", accuracy},
             {"simulation", played.simulation},
+            {"gpu", facts_of(back_end)},
             {"injection", played.injection},
             {"warnings", opened.warnings}};
 }
@@ -141,6 +145,9 @@ void add_play(CommandLine& line) {
     verb.add_option("patient", options->patient, "CT, case or tree; none: the built-in patient");
     verb.add_option("--out", options->out,
                     "Folder for pictures and report.html, which appear together at the end")
+        ->capture_default_str();
+    verb.add_option("--backend", options->backend, "Where the solver runs")
+        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
         ->capture_default_str();
 }
 

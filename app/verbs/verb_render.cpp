@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/back_end_choice.h"
 #include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
@@ -93,7 +94,8 @@ std::unique_ptr<Session> played(const Options& options, const Recording& recordi
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError("the recording was made on another patient", options.recording.string(),
                          "give the case that it was made on");
-    auto session = std::make_unique<Session>(patient, recording.scene, job);
+    auto session = std::make_unique<Session>(patient, recording.scene, job,
+                                             choose_back_end(recording.back_end).back_end);
     const double end_s = options.time_s.value_or(std::numeric_limits<double>::infinity());
     for (const RecordedStep& step : recording.steps) {
         if (session->world().time_s() >= end_s) break;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/back_end_choice.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -58,7 +59,8 @@ Json run(const Options& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(patient_of(recording, options, job));
-    const ReplayResult result = replay(recording, patient, job, options.from_step);
+    const ReplayResult result = replay(recording, patient, job, options.from_step,
+                                       choose_back_end(recording.back_end).back_end);
     if (options.verify && result.diverged_at)
         throw InputError(
             "diverged from the recording at step " + std::to_string(*result.diverged_at),

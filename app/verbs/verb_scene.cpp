@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 
+#include "app/back_end_choice.h"
 #include "app/verbs/verbs.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/world.h"
@@ -11,18 +12,24 @@ namespace hepatica {
 
 namespace {
 
+struct Options {
+    std::filesystem::path file;
+    std::string backend = "cpu";
+};
+
 // A scene file names its case; a case alone stands for the default scene.
 SceneFile scene_of(const std::filesystem::path& file) {
     return is_case(file) ? SceneFile{default_scene(), file} : read_scene(file);
 }
 
 // Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
-Json run(const std::filesystem::path& file, Job& job) {
-    const SceneFile scene = scene_of(file);
+Json run(const Options& options, Job& job) {
+    const BackEndChoice back_end = choose_back_end(options.backend);
+    const SceneFile scene = scene_of(options.file);
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(scene.patient));
-    Session session(patient, scene.spec, job);
+    Session session(patient, scene.spec, job, back_end.back_end);
     job.begin_stage("Weighing the parts");
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
     if (scene.spec.flow) session.post(InjectDrug{held});
@@ -47,17 +54,21 @@ Json run(const std::filesystem::path& file, Job& job) {
     return {{"scene", scene.spec.name},
             {"case", scene.patient.string()},
             {"vertices", session.world().vertex_count()},
-            {"parts", parts}};
+            {"parts", parts},
+            {"gpu", facts_of(back_end)}};
 }
 
 }  // namespace
 
 void add_scene(CommandLine& line) {
-    auto file = std::make_shared<std::filesystem::path>();
+    auto options = std::make_shared<Options>();
     CLI::App& verb = line.add_verb(
         "scene", "The parts that a scene builds, their memory, and their cost per frame",
-        [file](Job& job) { return run(*file, job); });
-    verb.add_option("file", *file, "Scene file (JSON) or case")->required();
+        [options](Job& job) { return run(*options, job); });
+    verb.add_option("file", options->file, "Scene file (JSON) or case")->required();
+    verb.add_option("--backend", options->backend, "Where the solver runs")
+        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
+        ->capture_default_str();
 }
 
 }  // namespace hepatica

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/as_published.h"
+#include "app/back_end_choice.h"
 #include "app/output_place.h"
 #include "app/step_times.h"
 #include "app/verbs/verbs.h"
@@ -150,8 +151,7 @@ SceneSpec scene_of(const Options& options, const Script& script) {
 }
 
 Json run(const Options& options, Job& job) {
-    if (options.backend != "cpu")
-        throw InputError("this build has no CUDA back end", "--backend", "Use --backend cpu");
+    const BackEndChoice back_end = choose_back_end(options.backend);
     if (!options.record.empty()) require_writable(options.record);
     if (!options.final_mesh.empty()) require_writable(options.final_mesh);
     std::optional<ThreadLimit> limit;
@@ -161,7 +161,7 @@ Json run(const Options& options, Job& job) {
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
     const SceneSpec spec = scene_of(options, script);
-    Session session(patient, spec, job);
+    Session session(patient, spec, job, back_end.back_end);
     std::optional<RecordingWriter> recording;
     if (!options.record.empty()) {
         recording.emplace(options.record, session.recording_start());
@@ -219,6 +219,8 @@ Json run(const Options& options, Job& job) {
         {"stopped_by", spec.tear ? Json(stopped_by(*spec.tear, played.tear)) : Json(nullptr)},
         {"tear_work_nj", spec.tear ? Json(played.torn_nj) : Json(nullptr)},
         {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
+        {"back_end", session.recording_start().back_end},
+        {"gpu", facts_of(back_end)},
         {"finite", played.finite},
         {"stopped_because", statistics.diverged ? Json(statistics.message) : Json(nullptr)},
         {"state_hash", to_hex(session.state_hash())}};
@@ -245,8 +247,9 @@ void add_simulate(CommandLine& line) {
     verb.add_flag("--fit-velocity-error", options->fit_velocity_error,
                   "Fit E of eq. (11) to the first 120 steps; a scene may name it: "
                   "\"velocity_error\": [alpha_per_s, beta_s]");
-    verb.add_option("--backend", options->backend, "Where the solver runs")
-        ->check(CLI::IsMember({"cpu", "cuda"}))
+    verb.add_option("--backend", options->backend,
+                    "Where the solver runs; cuda-emulated: the GPU's kernels on the processor")
+        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
         ->capture_default_str();
     verb.add_option("--threads", options->threads, "At most so many threads")
         ->check(CLI::Range(1, 1024));

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/deform_back_end.h"
 
-#include "core/deform/stepper/cpu_stepper.h"
-#include "core/deform/stepper/live_stepper.h"
+#include <utility>
+
+#include "core/deform/stepper/cpu_back_end.h"
 
 namespace hepatica {
 
-DeformBackEnd cpu_back_end() {
-    return {"cpu",
-            [](const BodyDescription& body, const StepperOptions& options,
-               const LiveRegionOptions& region) -> std::unique_ptr<Stepper> {
-                if (body.tether_pa_per_mm2 > 0.0) return make_live_stepper(body, options, region);
-                return make_cpu_stepper(body, options);
+DeformBackEnd governed_back_end(std::string name, GovernedStepper::MakeBackEnd make) {
+    return {std::move(name),
+            [make = std::move(make)](const BodyDescription& body, const StepperOptions& options,
+                                     const LiveRegionOptions& region) -> std::unique_ptr<Stepper> {
+                const bool held = body.tether_pa_per_mm2 > 0.0;
+                return std::make_unique<GovernedStepper>(
+                    body, options, held ? std::optional(region) : std::nullopt, make);
             }};
+}
+
+DeformBackEnd cpu_back_end() {
+    return governed_back_end("cpu", make_cpu_back_end);
 }
 
 }  // namespace hepatica

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/deform/stepper/governed_stepper.h"
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/stepper.h"
 
@@ -20,8 +21,11 @@ struct DeformBackEnd {
         make;
 };
 
-// The reference: on the processor, in double precision. Where tissue holds the vessels only the
-// stretches near the hand and those that move are computed.
+// Steps by `make`, governed alike for all. Where tissue holds the vessels only the stretches near
+// the hand and those that move are computed.
+DeformBackEnd governed_back_end(std::string name, GovernedStepper::MakeBackEnd make);
+
+// The reference: on the processor, in double precision.
 DeformBackEnd cpu_back_end();
 
 }  // namespace hepatica

@@ -66,10 +66,6 @@ void read_header(const Json& json, Recording& recording) {
         throw InputError("was recorded by version " + recording.program + ", and this is " +
                              program_version() + ", whose steps do not have the same bits",
                          "", "Replay it with version " + recording.program);
-    if (recording.back_end != cpu_back_end().name)
-        throw InputError("was computed by the back end \"" + recording.back_end +
-                             "\", which this program does not have",
-                         "", "Replay it with the program that recorded it");
     recording.patient_hash = from_hex(json.at("patient_hash").get<std::string>());
     recording.scene = scene_from_json(json.at("scene"));
 }

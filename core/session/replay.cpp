@@ -24,14 +24,22 @@ const RecordedStep* keyframe_before(const Recording& recording, std::uint64_t st
 
 }  // namespace
 
+void require_back_end(const Recording& recording, const DeformBackEnd& back_end) {
+    if (recording.back_end != back_end.name)
+        throw InputError("was computed by the back end \"" + recording.back_end +
+                             "\", and this is \"" + back_end.name + "\"",
+                         "recording", "Replay it with the back end that recorded it");
+}
+
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
-                    Job& job, std::uint64_t from_step) {
+                    Job& job, std::uint64_t from_step, const DeformBackEnd& back_end) {
+    require_back_end(recording, back_end);
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError(
             "is not the patient that was recorded", "patient",
             "Give the case whose tree and mesh have the hash " + to_hex(recording.patient_hash));
     const RecordedStep* start = keyframe_before(recording, from_step);
-    Session session(std::move(patient), recording.scene, job);
+    Session session(std::move(patient), recording.scene, job, back_end);
     ReplayResult result;
     if (start != nullptr) {
         Keyframe keyframe = *start->keyframe;

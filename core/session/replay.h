@@ -8,6 +8,7 @@
 
 #include "core/base/job.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 #include "core/session/recording.h"
 
 namespace hepatica {
@@ -19,10 +20,14 @@ struct ReplayResult {
     std::uint64_t state_hash = 0;              // of the state after the last step
 };
 
+// Throws InputError where the recording is of another back end, whose steps have other bits.
+void require_back_end(const Recording& recording, const DeformBackEnd& back_end);
+
 // Begins at the last keyframe that is not after `from_step`, or at rest where there is none. Throws
-// InputError if the patient is another one, if there is no such step, or if the keyframe is
-// damaged; throws Cancelled. Reports progress to the job.
+// InputError if the patient or the back end is another one, if there is no such step, or if the
+// keyframe is damaged; throws Cancelled. Reports progress to the job.
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
-                    Job& job, std::uint64_t from_step = 0);
+                    Job& job, std::uint64_t from_step = 0,
+                    const DeformBackEnd& back_end = cpu_back_end());
 
 }  // namespace hepatica

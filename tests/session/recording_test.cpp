@@ -199,12 +199,17 @@ TEST(RecordingFile, OfAnotherVersionIsRefusedWithTheReason) {
     EXPECT_THAT(refusal_of(replaced(text, "\"program\":\"" + program_version() + "\"",
                                     "\"program\":\"0.0.7\"")),
                 HasSubstr("was recorded by version 0.0.7"));
-    EXPECT_THAT(refusal_of(replaced(text, "\"back_end\":\"cpu\"", "\"back_end\":\"cuda\"")),
-                HasSubstr("\"cuda\", which this program does not have"));
     EXPECT_THAT(refusal_of("{\"format\": \"else\"}\n"), HasSubstr("is not a recording"));
     EXPECT_THAT(refusal_of("a text"), HasSubstr("is not a recording"));
     EXPECT_THAT(refusal_of(""), HasSubstr("is empty"));
     EXPECT_THAT(refusal_of(text.substr(0, 40)), HasSubstr("is not a recording"));
+}
+
+TEST(RecordingFile, OfAnotherBackEndIsNotReplayed) {
+    Recording recording = few_steps();
+    require_back_end(recording, cpu_back_end());
+    recording.back_end = "cuda";
+    EXPECT_THROW(require_back_end(recording, cpu_back_end()), InputError);
 }
 
 // Wherever a program dies while it writes its last line.

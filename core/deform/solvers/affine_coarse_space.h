@@ -38,6 +38,11 @@ class AffineCoarseSpace {
     void project(const BlockMatrix& matrix, BlockMatrix& coarse) const;
 
     int node_count() const { return node_count_; }
+    // Rows of P, at the shape that was taken: a vertex moves with two nodes, and has a weight in
+    // each of the four vectors of either.
+    using Modes = Eigen::Vector4d;
+    const SkeletonBinding& binding() const { return binding_; }
+    std::span<const std::array<Modes, 2>> modes() const { return modes_; }
     // The centre of each node at the current shape: the weighted mean of its vertices.
     const std::vector<Vec3>& centres_mm() const { return centres_mm_; }
 
@@ -48,7 +53,6 @@ class AffineCoarseSpace {
         std::vector<int> vertices;
         std::vector<int> columns;  // nodes that the vertices' rows of A reach, ascending
     };
-    using Modes = Eigen::Vector4d;
 
     void project_group(const BlockMatrix& matrix, const Group& group,
                        std::vector<double>& product) const;
