@@ -10,6 +10,13 @@
 namespace hepatica::gpu {
 namespace {
 
+// Empty for block-jacobi. A body with kernels has tetrahedra alone.
+CoarseSkeleton skeleton_for(const BodyDescription& description, const StepperOptions& options) {
+    if (options.solver == LinearSolverKind::block_jacobi) return {};
+    return description.skeleton.size() > 0 ? description.skeleton
+                                           : skeleton_of_mesh(description.mesh);
+}
+
 class CudaBackEnd final : public StepBackEnd {
   public:
     CudaBackEnd(const BodyDescription& description, const StepperOptions& options,
@@ -19,7 +26,10 @@ class CudaBackEnd final : public StepBackEnd {
           machine_(std::move(machine)),
           cpu_(make_cpu_back_end(description, options)) {
         if (why_not_on_device(cpu_->body(), options_)) return;
-        guarded([&] { device_ = make_device_step(*machine_, cpu_->body(), cuda_.precision); });
+        guarded([&] {
+            device_ = make_device_step(*machine_, cpu_->body(), skeleton_for(description, options),
+                                       cuda_.precision);
+        });
     }
 
     const Body& body() const override { return cpu_->body(); }
@@ -177,9 +187,7 @@ std::optional<std::string> why_not_on_device(const Body& body, const StepperOpti
     if (body.tears) return "bodies that tear have no kernels yet";
     if (body.self_pad) return "surfaces that touch each other have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
-    if (options.solver == LinearSolverKind::cholesky ||
-        options.solver == LinearSolverKind::skeleton)
-        return "the solver " + std::string(name_of(options.solver)) + " has no kernels yet";
+    if (options.solver == LinearSolverKind::cholesky) return "the solver cholesky has no kernels";
     if (options.published || options.audit || options.velocity_error.alpha_per_s != 0.0 ||
         options.velocity_error.beta_s != 0.0)
         return "the published step, E of eq. (11) and audits have no kernels";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gpu/kernels/assembly_kernels.h"
+#include "gpu/kernels/coarse_kernels.h"
 #include "gpu/kernels/solve_kernels.h"
 #include "gpu/kernels/step_kernels.h"
 #include "gpu/machine/kernel.h"
@@ -23,21 +24,21 @@ struct Joined<KernelList<A...>, KernelList<B...>, Rest...> {
 };
 
 template <class Real>
-using KernelsOf =
-    KernelList<ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
-               ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
-               ForEach<EvaluateSprings<Real>>, ForEach<GatherForces<Real>>,
-               ForEach<GatherStiffness<Real>>, ForEach<InvertDiagonal<Real>>,
-               SumChunks<Product<Real>>, SumChunks<BeginSolve<Real>>, SumChunks<TakeStep<Real>>,
-               ForEach<TurnDirection<Real>>, ForEach<PlaceNodes<Real>>, ForEach<Descent<Real>>,
-               ForEach<Subtract<Real>>, ForEach<RoundVelocity<Real>>,
-               SumChunks<AlongDirection<Real>>, SumChunks<Works<Real>>>;
+using KernelsOf = KernelList<
+    ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
+    ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
+    ForEach<EvaluateSprings<Real>>, ForEach<GatherForces<Real>>, ForEach<GatherStiffness<Real>>,
+    ForEach<InvertDiagonal<Real>>, SumChunks<Product<Real>>, SumChunks<BeginSolve<Real>>,
+    SumChunks<TakeStep<Real>>, ForEach<TurnDirection<Real>>, ForEach<PlaceNodes<Real>>,
+    ForEach<Descent<Real>>, ForEach<Subtract<Real>>, ForEach<RoundVelocity<Real>>,
+    SumChunks<AlongDirection<Real>>, SumChunks<Works<Real>>, ForEach<ProjectMatrix<Real>>,
+    SumChunks<RestrictResidual<Real>>, RunStages<Real>, SumChunks<AddMotion<Real>>>;
 
 using SharedKernels =
     KernelList<ForEach<PullGrabs>, ForEach<KeepForces>, SumChunks<Energies>,
                FinishSum<StartIteration>, FinishSum<ChooseStep>, FinishSum<EndIteration>,
                FinishSum<KeepSums<1>>, FinishSum<KeepSums<2>>, FinishSum<KeepSums<3>>,
-               FinishSum<KeepSums<Energies::width>>>;
+               FinishSum<KeepSums<3 * coarse_vectors>>, FinishSum<KeepSums<Energies::width>>>;
 
 }  // namespace detail
 

@@ -38,13 +38,13 @@ static_assert(1 << halvings == sum_threads);
 //   void operator()(int node, double* sum) const   adds `width` numbers; may write node's values
 template <class Term>
 struct SumChunks {
-    static constexpr int threads = sum_threads, shared = Term::width * sum_threads,
-                         phases = 2 + detail::halvings;
+    static constexpr int threads = sum_threads, shared = Term::width * sum_threads;
     Term term;
     PartitionView partition;
     View<double> partial;  // of each chunk, `width` numbers
 
     int blocks() const { return partition.chunks(); }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
     std::size_t bytes() const {
         return term.bytes() + bytes_of(partition.order) +
                static_cast<std::size_t>(blocks()) * Term::width * sizeof(double);
@@ -68,13 +68,13 @@ struct SumChunks {
 // Then: static constexpr int width; void operator()(int segment, const double* sum) const
 template <class Then>
 struct FinishSum {
-    static constexpr int threads = sum_threads, shared = Then::width * sum_threads,
-                         phases = 2 + detail::halvings;
+    static constexpr int threads = sum_threads, shared = Then::width * sum_threads;
     Then then;
     PartitionView partition;
     View<const double> partial;
 
     int blocks() const { return partition.segments(); }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
     std::size_t bytes() const {
         return static_cast<std::size_t>(partition.chunks()) * Then::width * sizeof(double);
     }

@@ -16,7 +16,7 @@ void require(cudaError_t status, const char* what) {
 template <class Kernel>
 __global__ void __launch_bounds__(Kernel::threads) run_phases(const Kernel kernel) {
     __shared__ double shared[Kernel::shared];
-    for (int phase = 0; phase < Kernel::phases; ++phase) {
+    for (int phase = 0; phase < kernel.phases(); ++phase) {
         if (phase > 0) __syncthreads();
         kernel(phase, static_cast<int>(blockIdx.x), static_cast<int>(threadIdx.x), shared);
     }

@@ -48,7 +48,7 @@ class Emulator final : public MachineBy<Emulator> {
     void execute(const Kernel& kernel) {
         double shared[Kernel::shared];
         loops_.run(kernel.blocks(), [&](int block) {
-            for (int phase = 0; phase < Kernel::phases; ++phase)
+            for (int phase = 0; phase < kernel.phases(); ++phase)
                 loops_.run(Kernel::threads,
                            [&](int thread) { kernel(phase, block, thread, shared); });
         });

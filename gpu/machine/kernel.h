@@ -4,8 +4,8 @@
 // block wrote in the phase before. Blocks run in any order and know nothing of each other, and so
 // do the threads of a block within a phase. Written so, one source runs as a CUDA kernel and, to
 // the last bit the same, in two loops on the host (see emulator.h). A kernel has
-//   static constexpr int threads, shared, phases;     shared: numbers (double) of a block
-//   int blocks() const;
+//   static constexpr int threads, shared;             shared: numbers (double) of a block
+//   int blocks() const, phases() const;
 //   std::size_t bytes() const;                        see bytes_of
 //   void operator()(int phase, int block, int thread, double* shared) const;
 #pragma once
@@ -19,10 +19,11 @@ namespace hepatica::gpu {
 // The kernel that calls item(i) for every i in [0, item.count()): one thread an item.
 template <class Item>
 struct ForEach {
-    static constexpr int threads = 128, shared = 1, phases = 1;
+    static constexpr int threads = 128, shared = 1;
     Item item;
 
     int blocks() const { return (item.count() + threads - 1) / threads; }
+    HEPATICA_HOST_DEVICE int phases() const { return 1; }
     std::size_t bytes() const { return item.bytes(); }
     HEPATICA_HOST_DEVICE void operator()(int, int block, int thread, double*) const {
         const int i = block * threads + thread;

@@ -65,7 +65,7 @@ class Machine : public RunsAll<AllKernels> {
     void launch(const Kernel& kernel) {
         if (kernel.blocks() == 0) return;
         ++traffic_.launches;
-        traffic_.barriers += Kernel::phases - 1;
+        traffic_.barriers += kernel.phases() - 1;
         traffic_.kernel_bytes += kernel.bytes();
         static_cast<Runs<Kernel>&>(*this).run(kernel);
     }

@@ -29,28 +29,41 @@ SolveScalars DeviceSolver<Real>::scalars() const {
     return now;
 }
 
+// After a term that leaves r and z = D^-1 r.
 template <class Real>
-void DeviceSolver<Real>::begin(const SystemView<Real>& system, View<const Vector3<Real>> b) {
-    machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
-    nodes_.sum(BeginSolve<Real>{b, inverse_.read(), x_.view(), r_.view(), z_.view()},
-               StartIteration{scalars_.view()});
+template <class Term, class Then>
+void DeviceSolver<Real>::precondition(const Term& term, const Then& then,
+                                      const DeviceSkeleton<Real>* skeleton) {
+    if (skeleton == nullptr) return nodes_.sum(term, then);
+    nodes_.apply(term);
+    skeleton->correct(nodes_, r_.read(), z_.view(), then);
 }
 
 template <class Real>
-void DeviceSolver<Real>::iterate(const SystemView<Real>& system) {
+void DeviceSolver<Real>::begin(const SystemView<Real>& system, View<const Vector3<Real>> b,
+                               const DeviceSkeleton<Real>* skeleton) {
+    machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
+    precondition(BeginSolve<Real>{b, inverse_.read(), x_.view(), r_.view(), z_.view()},
+                 StartIteration{scalars_.view()}, skeleton);
+}
+
+template <class Real>
+void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
+                                 const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
     nodes_.sum(Product<Real>{system, p_.read(), product_.view()}, ChooseStep{scalars_.view()});
-    nodes_.sum(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
-                              x_.view(), r_.view(), z_.view()},
-               EndIteration{scalars_.view(), record_.view()});
+    precondition(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
+                                x_.view(), r_.view(), z_.view()},
+                 EndIteration{scalars_.view(), record_.view()}, skeleton);
 }
 
 template <class Real>
 SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
+                                      const DeviceSkeleton<Real>* skeleton,
                                       const SolveLimits& limits) {
     SolveReport report;
-    report.method = "block-jacobi";
-    begin(system, b);
+    report.method = skeleton != nullptr ? "skeleton" : "block-jacobi";
+    begin(system, b, skeleton);
     SolveScalars now = scalars();
     const double rhs_squared = now.residual_squared;
     if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
@@ -71,7 +84,7 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
     std::array<IterationRecord, batch> records;
     while (!finished()) {
         const int more = std::min(batch, limits.max_iterations - report.iterations);
-        for (int k = 0; k < more; ++k) iterate(system);
+        for (int k = 0; k < more; ++k) iterate(system, skeleton);
         now = scalars();
         record_.download(records);
         for (; report.iterations < now.iterations; ++report.iterations) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conjugate gradients on a machine, preconditioned by the inverse diagonal blocks. Iterations run
+// Conjugate gradients on a machine, preconditioned by the inverse diagonal blocks and, where there
+// is a skeleton, the additive correction of its coarse space. Iterations run
 // there in batches; after each the host reads what they did and stops by the rules of
 // ConjugateGradient, so that a solve may do a few iterations more than it needs.
 #pragma once
 
 #include "core/deform/solvers/linear_solver.h"
 #include "gpu/kernels/solve_kernels.h"
+#include "gpu/step/device_skeleton.h"
 #include "gpu/step/partition.h"
 
 namespace hepatica::gpu {
@@ -16,9 +18,10 @@ class DeviceSolver {
   public:
     DeviceSolver(Machine& machine, const Partition& nodes, std::size_t node_count);
 
+    // `skeleton`, prepared for this matrix, may be null.
     // Solves A x = b from x = 0. Not converged where it broke down or ran out of iterations.
     SolveReport solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
-                      const SolveLimits& limits);
+                      const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits);
 
     View<const Vector3<Real>> solution() const { return x_.read(); }
     View<const Vector3<Real>> residual() const { return r_.read(); }  // b - A x
@@ -30,8 +33,11 @@ class DeviceSolver {
   private:
     static constexpr int batch = 8;
 
-    void begin(const SystemView<Real>& system, View<const Vector3<Real>> b);
-    void iterate(const SystemView<Real>& system);
+    void begin(const SystemView<Real>& system, View<const Vector3<Real>> b,
+               const DeviceSkeleton<Real>* skeleton);
+    void iterate(const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton);
+    template <class Term, class Then>
+    void precondition(const Term& term, const Then& then, const DeviceSkeleton<Real>* skeleton);
     SolveScalars scalars() const;
 
     Machine& machine_;

@@ -100,7 +100,7 @@ struct Underway {
 template <class Real>
 class Step final : public DeviceStep {
   public:
-    Step(Machine& machine, const Body& body)
+    Step(Machine& machine, const Body& body, const CoarseSkeleton& skeleton)
         : machine_(machine),
           body_(without_surfaces(body)),
           plan_(plan_assembly(body_, small::Tangent::rotated)),
@@ -127,6 +127,9 @@ class Step final : public DeviceStep {
           p_(machine, nodes_),
           damping_(machine, nodes_) {
         copy_in(machine, body_.rest_positions_mm, rest_);
+        if (skeleton.size() > 0)
+            skeleton_ = std::make_unique<DeviceSkeleton<Real>>(machine, skeleton,
+                                                               body_.rest_positions_mm, plan_);
         set_state({body_.rest_positions_mm, std::vector<Vec3>(nodes_, Vec3::Zero())});
     }
 
@@ -186,6 +189,7 @@ class Step final : public DeviceStep {
     DeviceGrabs grabs_;
     Partition all_, pieces_;
     DeviceSolver<Real> solver_;
+    std::unique_ptr<DeviceSkeleton<Real>> skeleton_;  // null: none
     Array<double> mass_, tether_;
     Array<std::uint8_t> device_held_;
     Array<Vector3<double>> rest_, start_, before_, position_, velocity_, start_force_;
@@ -297,8 +301,9 @@ void Step<Real>::stand(Underway& step) {
 template <class Real>
 bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report) {
     const double dt = step.dt_s;
-    const SolveReport solved =
-        solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(), limits);
+    if (skeleton_) skeleton_->prepare(step_matrix(dt), state_.positions_mm, held_);
+    const SolveReport solved = solver_.solve(
+        step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(), skeleton_.get(), limits);
     report.linear_solves = report.newton_iterations = 1;
     report.linear_iterations = solved.iterations;
     report.linear_residual = solved.relative_residual;
@@ -392,10 +397,10 @@ bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& rep
 }  // namespace
 
 std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
-                                             Precision precision) {
+                                             const CoarseSkeleton& skeleton, Precision precision) {
     if (precision == Precision::double_precision)
-        return std::make_unique<Step<double>>(machine, body);
-    return std::make_unique<Step<float>>(machine, body);
+        return std::make_unique<Step<double>>(machine, body, skeleton);
+    return std::make_unique<Step<float>>(machine, body, skeleton);
 }
 
 }  // namespace hepatica::gpu

@@ -42,8 +42,9 @@ class DeviceStep {
     virtual void set_solver_memory(double memory) = 0;
 };
 
-// Throws DeviceError. The body has_kernels(). Tools and surfaces that touch play no part.
+// Throws DeviceError. The body has_kernels(). Tools and surfaces that touch play no part. With an
+// empty skeleton the solver is preconditioned by the diagonal blocks alone.
 std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
-                                             Precision precision);
+                                             const CoarseSkeleton& skeleton, Precision precision);
 
 }  // namespace hepatica::gpu

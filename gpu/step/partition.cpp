@@ -19,8 +19,8 @@ struct Layout {
     }
 };
 
-Layout layout_of(std::span<const int> piece_of_node) {
-    std::vector<int> sizes;
+Layout layout_of(std::span<const int> piece_of_node, int pieces) {
+    std::vector<int> sizes(static_cast<std::size_t>(pieces), 0);
     for (const int piece : piece_of_node) {
         sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(piece) + 1), 0);
         ++sizes[piece];
@@ -43,8 +43,9 @@ std::vector<int> by_piece(std::span<const int> piece_of_node) {
 Partition::Partition(Machine& machine, int nodes)
     : Partition(machine, std::vector<int>(static_cast<std::size_t>(nodes), 0)) {}
 
-Partition::Partition(Machine& machine, std::span<const int> piece_of_node) : machine_(machine) {
-    const Layout layout = layout_of(piece_of_node);
+Partition::Partition(Machine& machine, std::span<const int> piece_of_node, int pieces)
+    : machine_(machine) {
+    const Layout layout = layout_of(piece_of_node, pieces);
     order_ = Array<int>(machine, by_piece(piece_of_node));
     chunk_begin_ = Array<int>(machine, layout.chunk_begin);
     segment_begin_ = Array<int>(machine, layout.segment_begin);

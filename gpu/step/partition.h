@@ -14,11 +14,16 @@ class Partition {
   public:
     // All nodes in one segment.
     Partition(Machine& machine, int nodes);
-    // One segment for each piece, 0, 1, ...
-    Partition(Machine& machine, std::span<const int> piece_of_node);
+    // One segment for each piece, 0, 1, ...; there are `pieces` of them, or as many as are named.
+    Partition(Machine& machine, std::span<const int> piece_of_node, int pieces = 0);
 
     int segments() const { return static_cast<int>(segment_begin_.size()) - 1; }
 
+    // Calls the term for every node; its sums are lost.
+    template <class Term>
+    void apply(const Term& term) const {
+        machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
+    }
     // Adds up the term over each segment and hands the sums to `then`, on the machine.
     template <class Term, class Then>
     void sum(const Term& term, const Then& then) const {
@@ -36,7 +41,7 @@ class Partition {
     }
 
   private:
-    static constexpr int most_width = 6;
+    static constexpr int most_width = 12;
 
     PartitionView view() const {
         return {order_.read(), chunk_begin_.read(), segment_begin_.read()};
