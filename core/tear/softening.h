@@ -18,7 +18,7 @@ struct SofteningLaw {
     // The share of the critical opening over which the traction rises. Its slope is the stiffness
     // with which parted joints that still hold are bound: small enough to bend nothing, large enough
     // for single precision.
-    static constexpr double rise = 0.05;
+    static constexpr double rise = 0.02;
 
     double peak_mm() const { return rise * opening_mm; }
     double fracture_energy_j_m2() const { return 0.5e-3 * strength_pa * opening_mm; }

@@ -16,6 +16,9 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t joint_block = 1024;
+// What shares a vertex with an overloaded joint parts at this share of its own limit. Its ties bear
+// all of it, so that this weakens nothing.
+constexpr double share_of_neighbour = 0.5;
 
 [[noreturn]] void refuse(const std::string& problem) {
     throw InputError(problem, "the checkpoint of a body",
@@ -127,20 +130,39 @@ void Tearing::find_loads(const TearLoads& loads, double least, std::vector<doubl
 
 bool Tearing::part_overloaded(const TearLoads& loads) {
     if (stopped_) return false;
-    find_loads(loads, 1.0, load_);
-    std::vector<int> overloaded;
+    find_loads(loads, law_.bare_limit ? 1.0 : share_of_neighbour, load_);
+    std::vector<int> parting;
     for (std::size_t j = 0; j < load_.size(); ++j)
-        if (load_[j] >= 1.0) overloaded.push_back(static_cast<int>(j));
-    if (overloaded.empty()) return false;
+        if (load_[j] >= 1.0) parting.push_back(static_cast<int>(j));
     // The most loaded first, equal ones by their place: no numbering decides what tears.
     const auto rank = [&](int j) {
         const Vec3& at = topology_.joints()[j].centre_mm;
         return std::tuple(-load_[j], at.x(), at.y(), at.z());
     };
-    std::ranges::sort(overloaded, {}, rank);
-    if (overloaded.size() > most_joints) overloaded.resize(most_joints);
-    part(overloaded, law_.bare_limit ? softening_.opening_mm : softening_.peak_mm());
+    std::ranges::sort(parting, {}, rank);
+    if (parting.size() > most_joints) parting.resize(most_joints);
+    if (!law_.bare_limit) add_neighbours(parting);
+    if (parting.empty()) return false;
+    part(parting, law_.bare_limit ? softening_.opening_mm : softening_.peak_mm());
     return true;
+}
+
+// Joints next to those that part, or that have begun to soften: no vertex opens before all joints
+// across the crack's way there have parted, and a crack would go on by leaps.
+void Tearing::add_neighbours(std::vector<int>& parting) const {
+    std::vector<int> all = parting, sources = parting;
+    for (std::size_t i = 0; i < ties_.size(); ++i)
+        if (ties_[i].most_mm > softening_.peak_mm() && !apart(ties_[i].most_mm) &&
+            (sources.empty() || sources.back() != tied_[i].joint))
+            sources.push_back(tied_[i].joint);
+    for (const int j : sources)
+        for (int k = 0; k < 3; ++k)
+            for (const int v : topology_.sides(topology_.joints()[j], k))
+                for (const int other : topology_.joints_at(v))
+                    if (load_[other] >= share_of_neighbour) all.push_back(other);
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    parting = std::move(all);
 }
 
 void Tearing::cut(std::span<const int> joints) {

@@ -104,6 +104,7 @@ class Tearing {
     double load_of(const Joint& joint, double limit_pa, const TearLoads& loads) const;
     bool apart(double most_mm) const { return most_mm >= softening_.opening_mm; }
     void part(std::span<const int> joints, double most_mm);
+    void add_neighbours(std::vector<int>& overloaded) const;
     void make_ties();
     void count();
 

@@ -64,6 +64,18 @@ std::vector<std::array<int, 3>> TornTopology::surface() const {
     return triangles;
 }
 
+std::vector<int> TornTopology::joints_at(int vertex) const {
+    std::vector<int> found;
+    for (const int t : tetrahedra_of_[vertex])
+        for (int i = 0; i < 4; ++i) {
+            const int j = (*joint_opposite_)[t][i];
+            if (j >= 0 && tetrahedra_[t][i] != vertex && !parted_[j]) found.push_back(j);
+        }
+    std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    return found;
+}
+
 void TornTopology::part(std::span<const int> joints, std::span<const double> volume_mm3) {
     ++version_;
     std::vector<int> touched;

@@ -34,6 +34,9 @@ class TornTopology {
     // The vertices at corner k of a joint, on its first and on its second side.
     std::array<int, 2> sides(const Joint& joint, int k) const;
 
+    // The joints at a vertex that have not parted, ascending.
+    std::vector<int> joints_at(int vertex) const;
+
     // Parts these joints, and splits the vertices that this sets free, in one transaction. The group
     // with the largest volume keeps the number; the others get the next ones. `volume_mm3` is that of
     // each tetrahedron at rest. Costs what lies around the joints.

@@ -61,7 +61,7 @@ std::vector<Grab> pull_of(const BodyDescription& body, double length_mm, double 
 
 // Pulls the bar until it is in two pieces; how many steps that took.
 int pull_apart(Stepper& stepper, const BodyDescription& body, double length_mm, double step_mm) {
-    for (int k = 1; k <= 400; ++k) {
+    for (int k = 1; k * step_mm <= 80.0; ++k) {
         stepper.set_grabs(pull_of(body, length_mm, step_mm * k));
         if (stepper.step(dt_s).tear.pieces > 1) return k;
     }
@@ -148,70 +148,79 @@ TEST(TearingBody, WithoutALimitHasTheBitsOfOneThatDoesNotTear) {
     }
 }
 
-// What a slow peel costs beyond what is stored, over the area that it has opened.
+// The area that has been torn, a tie counted by what it has taken of its part of the fracture energy.
+double torn_area_mm2(const Stepper& stepper) {
+    const Tearing& tearing = *stepper.tearing();
+    const SofteningLaw law = tearing.law().softening();
+    const TearState state = tearing.state();
+    double area = 0.0;
+    for (std::size_t i = 0; i < state.parted.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const Joint& joint = tearing.topology().joints()[state.parted[i]];
+            const auto sides = tearing.topology().sides(joint, k);
+            if (sides[0] == sides[1]) continue;
+            const double most = std::max(state.most_mm[3 * i + k], law.peak_mm());
+            area += joint.area_mm2 / 3.0 * (law.energy_un_mm(most, 0.0) - law.energy_un_mm(most, most)) /
+                    (1e3 * law.fracture_energy_j_m2());
+        }
+    return area;
+}
+
+// A double cantilever with a crack of 6 mm, peeled slowly along the plane in its middle. While the
+// crack goes on, the work that is not stored over the area that it has gone on by.
 TEST(TearingBody, APeelCostsTheFractureEnergyThatWasSet) {
-    const double height = 4.0, width = 2.0;
-    const TearLaw law{.strength_pa = 5e5, .fracture_energy_j_m2 = 10.0};
-    BodyDescription body = bar(Vec3(24, height, width), {24, 4, 2}, law, 1e8);
+    const double height = 4.0, width = 1.0;
+    const TearLaw law{.strength_pa = 3e5, .fracture_energy_j_m2 = 10.0};
+    BodyDescription body = bar(Vec3(24, height, width), {48, 8, 2}, law, 1e8);
     StepperOptions options;
-    options.newton_iterations = 10;
+    options.newton_iterations = 4;
     const auto stepper = make_cpu_stepper(body, options);
-    // Only the plane in the middle tears.
     std::vector<int> others;
     const auto joints = stepper->tearing()->topology().joints();
     for (std::size_t j = 0; j < joints.size(); ++j)
         if (std::abs(joints[j].centre_mm.y() - 0.5 * height) > 1e-9)
             others.push_back(static_cast<int>(j));
     stepper->weaken(others, 1e6);
-    double work = 0.0, stored = 0.0, area = 0.0, losses = 0.0;
-    for (int k = 1; k <= 260; ++k) {
-        const double opening = 0.005 * k;
+    stepper->cut(Vec3(-1, 0.5 * height, -1), Vec3(7.01, 0, 0), Vec3(0, 0, 4));
+    double work = 0.0, lost = 0.0, lost_before = 0.0, area_before = 0.0;
+    for (int k = 1; k <= 240; ++k) {
         std::vector<Grab> grabs;
         for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
             const Vec3& x = body.mesh.vertices_mm[v];
             if (x.x() > 1e-9 || std::abs(x.y() - 0.5 * height) < 0.5 * height - 1e-9) continue;
-            grabs.push_back(spring(static_cast<int>(v),
-                                   x + Vec3(0, x.y() > 0.5 * height ? opening : -opening, 0), 1e8));
+            const double way = 0.004 * std::min(k, 120) + 0.002 * std::max(k - 120, 0);
+            const double opening = x.y() > 0.5 * height ? way : -way;
+            grabs.push_back(spring(static_cast<int>(v), x + Vec3(0, opening, 0), 1.5e5));
         }
         stepper->set_grabs(grabs);
         const StepReport report = stepper->step(dt_s);
         work += report.energy.tool_work;
-        losses += report.energy.damping_loss + report.energy.integrator_loss;
-        stored = stored_energy(report.energy) - report.energy.cohesion;
-        area = 0.0;
-        double held = 0.0;
-        for (const SofteningTie& tie : stepper->tearing()->ties()) {
-            // What a tie has taken counts as the area that it would have opened with it.
-            const SofteningLaw softening = law.softening();
-            const double taken = softening.energy_un_mm(tie.most_mm, 0.0) * tie.area_mm2;
-            held += std::min(1.0, taken / (1e3 * law.fracture_energy_j_m2 * tie.area_mm2)) *
-                    tie.area_mm2;
-        }
-        area = held;
+        lost = work - stored_energy(report.energy);
+        if (k != 130) continue;  // the crack has begun to run
+        lost_before = lost;
+        area_before = torn_area_mm2(*stepper);
     }
-    const double torn_mm2 = area;
-    std::printf("work %g stored %g losses %g area %g G %g\n", work, stored, losses, torn_mm2,
-                1e-3 * (work - stored) / torn_mm2);
-    EXPECT_GT(torn_mm2, 8.0 * width);
-    EXPECT_NEAR(1e-3 * (work - stored) / torn_mm2, law.fracture_energy_j_m2,
+    const double area = torn_area_mm2(*stepper) - area_before;
+    EXPECT_GT(area, 2.0 * width);
+    EXPECT_NEAR(1e-3 * (lost - lost_before) / area, law.fracture_energy_j_m2,
                 0.05 * law.fracture_energy_j_m2);
 }
 
 TEST(TearingBody, ANotchedBarBreaksAtItsNotch) {
-    BodyDescription body = bar(Vec3(20, 4, 4), {20, 4, 4}, {.strength_pa = 1e5});
+    BodyDescription body = bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5});
     clamp_at_0(body);
     const auto stepper = make_cpu_stepper(body, {});
-    stepper->cut(Vec3(12.5, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 3));
+    stepper->cut(Vec3(12.0, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 2.5));
     ASSERT_EQ(stepper->tearing()->report().pieces, 1);
     EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
-    for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.5, 2.0);
+    for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.0, 2.5);
 }
 
 TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
-    BodyDescription body = bar(Vec3(20, 4, 4), {20, 4, 4}, {.strength_pa = 1e5});
+    BodyDescription body = bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5});
     clamp_at_0(body);
     const auto stepper = make_cpu_stepper(body, {});
-    EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
+    EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.03), 0);
     for (const Vec3& place : torn_places(*stepper))
         EXPECT_GT(std::abs(place.x() - 10.0), 6.0);  // the pulled end is a clamp, too
 }
@@ -254,12 +263,13 @@ TEST(TearingBody, TheLedgerClosesWhileItTearsAndFractureOnlyTakes) {
     options.audit = true;
     options.newton_iterations = 3;
     const auto stepper = make_cpu_stepper(body, options);
-    double torn = 0.0;
-    for (int k = 1; k <= 80; ++k) {
-        stepper->set_grabs(pull_of(body, 20.0, 0.1 * k));
+    double torn = 0.0, handled = 0.0;
+    for (int k = 1; k <= 100; ++k) {
+        stepper->set_grabs(pull_of(body, 20.0, 0.12 * k));
         const StepReport report = stepper->step(dt_s);
         EXPECT_LT(relative_imbalance(report.energy), 1e-5) << k;
-        EXPECT_GE(report.energy.tear_loss, -1e-9 * energy_handled(report.energy)) << k;
+        EXPECT_GE(report.energy.tear_loss, -1e-7 * handled) << k;
+        handled += std::abs(report.energy.tool_work);
         torn += report.energy.tear_loss;
     }
     EXPECT_GT(torn, 164e3 * 16.0 * 0.9);  // a section of 4 x 4 mm at least
@@ -324,12 +334,12 @@ TEST(TearingBody, IsWholeAgainWhenItIsMadeSo) {
 }
 
 TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
-    TearLaw law{.strength_pa = 5e4, .bare_limit = true};
+    TearLaw law{.strength_pa = 5e4};
     std::vector<TearReport> reports;
     for (const TearStop stop : {TearStop::none, TearStop::vertices, TearStop::entropy}) {
         law.stop = stop;
         law.vertex_budget = 10;
-        law.entropy_budget_nats = 0.05;
+        law.entropy_budget_nats = 0.1;
         BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, law);
         clamp_at_0(body);
         const auto stepper = make_cpu_stepper(body, {});
@@ -343,8 +353,8 @@ TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
     EXPECT_TRUE(reports[1].stopped);
     EXPECT_TRUE(reports[2].stopped);
     EXPECT_GE(reports[1].vertices_split, 10);
-    EXPECT_GT(reports[0].joints_broken, reports[1].joints_broken);
-    EXPECT_GT(reports[0].joints_broken, reports[2].joints_broken);
+    EXPECT_GT(reports[0].joints_parted, reports[1].joints_parted);
+    EXPECT_GT(reports[0].joints_parted, reports[2].joints_parted);
 }
 
 TEST(TearingBody, RefusesElementsAndSolversThatCannotTear) {
