@@ -8,13 +8,17 @@ set(HEPATICA_CUDA_ARCHITECTURES "75-real;80-real;86-real;90" CACHE STRING "As CU
 
 set(HEPATICA_HAS_CUDA OFF)
 if(NOT HEPATICA_CUDA STREQUAL "OFF")
-    find_program(HEPATICA_NVCC nvcc HINTS ENV CUDACXX PATHS /usr/local/cuda/bin)
-    if(HEPATICA_NVCC)
-        set(CMAKE_CUDA_COMPILER ${HEPATICA_NVCC} CACHE FILEPATH "CUDA compiler")
+    find_program(HEPATICA_NVCC nvcc PATHS /usr/local/cuda/bin)
+    if(HEPATICA_NVCC AND NOT DEFINED ENV{CUDACXX})
+        set(ENV{CUDACXX} ${HEPATICA_NVCC})
+    endif()
+    include(CheckLanguage)
+    check_language(CUDA)
+    if(CMAKE_CUDA_COMPILER)
         enable_language(CUDA)
         set(HEPATICA_HAS_CUDA ON)
     elseif(HEPATICA_CUDA STREQUAL "ON")
-        message(FATAL_ERROR "HEPATICA_CUDA is ON, but there is no nvcc. "
+        message(FATAL_ERROR "HEPATICA_CUDA is ON, but there is no nvcc that works. "
             "Install the CUDA toolkit or choose AUTO.")
     endif()
 endif()

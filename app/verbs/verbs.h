@@ -20,6 +20,7 @@ void add_play(CommandLine& line);    // only where the window is built
 void add_render(CommandLine& line);  // only where the window is built
 void add_scene(CommandLine& line);
 void add_skeleton(CommandLine& line);
+void add_bench_gpu(CommandLine& line);
 void add_bench_drag(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_keyframe(CommandLine& line);

@@ -24,6 +24,11 @@ template <class Real>
 constexpr double energy_rounding = 1e-5;
 template <>
 constexpr double energy_rounding<double> = 1e-13;
+// And so is a strain below this: at rest all energies are.
+template <class Real>
+constexpr double strain_rounding = 1e-6;
+template <>
+constexpr double strain_rounding<double> = 0.0;
 // And below this the limiter lets it pass.
 template <class Real>
 constexpr double limiter_rounding = 1e-5;
@@ -36,6 +41,18 @@ Body without_surfaces(Body body) {
     body.self_surface.clear();
     body.self_pad.reset();
     return body;
+}
+
+// Of the body at a strain of 1, about [nJ].
+double energy_at_unit_strain(const Body& body) {
+    double sum = 0.0;
+    for (const ElementGroup& group : body.groups) {
+        for (const auto& rest : group.tetrahedra) sum += rest.mu * rest.volume;
+        for (const auto& rest : group.springs)
+            for (int e = 0; e < 6; ++e)
+                sum += 0.5 * rest.stiffness[e] * rest.length[e] * rest.length[e];
+    }
+    return sum;
 }
 
 void copy_in(Machine& machine, const std::vector<Vec3>& from, Array<Vector3<double>>& to) {
@@ -107,6 +124,8 @@ class Step final : public DeviceStep {
           potentials_(body_),
           limiter_(body_, plan_),
           held_(body_.fixed),
+          energy_floor_(strain_rounding<Real> * strain_rounding<Real> *
+                        energy_at_unit_strain(body_)),
           nodes_(body_.rest_positions_mm.size()),
           elements_(machine, body_, plan_),
           grabs_(machine),
@@ -184,6 +203,7 @@ class Step final : public DeviceStep {
     PotentialList potentials_;  // for what the limiter asks of grabs
     EnergyLimiter limiter_;
     std::vector<std::uint8_t> held_;
+    double energy_floor_;  // below it energies mean nothing
     std::size_t nodes_;
     DeviceBody<Real> elements_;
     DeviceGrabs grabs_;
@@ -333,7 +353,8 @@ bool Step<Real>::accepted(Underway& step) {
     place(dt, 1.0, solver_.solution(), false);
     step.after = balance();
     const double value = value_of(step.after, dt, step.damping_form);
-    const double noise = energy_rounding<Real> * (std::abs(value) + std::abs(step.value));
+    const double noise =
+        energy_rounding<Real> * (std::abs(value) + std::abs(step.value)) + energy_floor_;
     return std::isfinite(value) && value <= step.value + armijo * step.slope + noise;
 }
 

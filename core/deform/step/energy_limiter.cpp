@@ -141,7 +141,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
                                             std::span<const Vec3> positions_mm,
                                             std::span<const std::uint8_t> held_nodes,
                                             std::vector<Vec3>& velocities_mm_per_s) const {
-    const auto& [before, now, rounding, together] = energies;
+    const auto& [before, now, rounding, least_nj, together] = energies;
     std::vector<int> joined(nodes_.size());
     std::iota(joined.begin(), joined.end(), 0);
     for (const auto& potential : potentials.all()) potential->join_pieces(piece_of_node_, joined);
@@ -157,7 +157,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
             kinetic += now[p].kinetic;
         }
         // At rest the energies are rounding errors, of either sign.
-        if (!(kinetic > 0.0) || !(excess > rounding * size)) continue;
+        if (!(kinetic > 0.0) || !(excess > rounding * size + least_nj)) continue;
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
         for (const auto& potential : potentials.all()) potential->mark_held(positions_mm, marked);
         std::vector<int> nodes;

@@ -49,7 +49,8 @@ class EnergyLimiter {
 
     // The same for a step whose energies by piece were summed up elsewhere, one entry per piece:
     // all that is stored at the start, and at the end less the work of weight. An excess below
-    // `rounding` of the energies means nothing. Elements and contacts take no part in it.
+    // `rounding` of the energies plus `least_nj` means nothing. Elements and contacts take no part
+    // in it.
     struct Balance {
         double energy = 0.0;   // of all kinds
         double kinetic = 0.0;  // of it
@@ -57,6 +58,7 @@ class EnergyLimiter {
     struct Pieces {
         std::span<const Balance> before, after;
         double rounding = 1e-9;
+        double least_nj = 0.0;
         bool together = false;  // see StepUnderway
     };
     Outcome limit(const Pieces& pieces, const PotentialList& potentials,

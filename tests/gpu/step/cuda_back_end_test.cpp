@@ -222,6 +222,17 @@ TEST(CudaBackEnd, TheSkeletonSavesMostIterations) {
     }
 }
 
+// In float a body at rest has the energies of its rounding, which no step lowers for certain.
+TEST(CudaBackEnd, ABodyAtRestStaysThereOnTheDevice) {
+    const gpu::CudaOptions cuda;
+    const auto back_end =
+        gpu::make_cuda_back_end(test::gpu_bar(), StepperOptions{}, gpu::make_emulator(), cuda);
+    for (int k = 0; k < 20; ++k) EXPECT_FALSE(back_end->advance(dt_s).degraded);
+    EXPECT_EQ(cuda.share->device, 20);
+    const Body& body = back_end->body();
+    EXPECT_LT(relative_distance(back_end->state().positions_mm, body.rest_positions_mm), 1e-6);
+}
+
 // What has no kernels is computed by the processor, to its bits, and said once.
 TEST(CudaBackEnd, LeavesToTheProcessorWhatHasNoKernels) {
     StepperOptions newton = test::exact_options("corotated"), cholesky = newton;

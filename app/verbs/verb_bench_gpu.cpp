@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "app/verbs/verbs.h"
+#include "gpu/machine/device_machine.h"
+#include "gpu/study/gpu_study.h"
+
+namespace hepatica {
+
+namespace {
+
+struct Options {
+    gpu::GpuStudyOptions study;
+    std::string plan;
+};
+
+Json number_or_null(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const gpu::GpuRow& row) {
+    return {{"tetrahedra", row.tetrahedra},
+            {"element", row.element},
+            {"solver", row.solver},
+            {"ms", row.ms},
+            {"iterations", row.iterations},
+            {"bytes", row.traffic.kernel_bytes},
+            {"bandwidth_share", number_or_null(row.bandwidth_share)},
+            {"launches", row.traffic.launches},
+            {"barriers", row.traffic.barriers},
+            {"copies", row.traffic.copies},
+            {"copied_bytes", row.traffic.copied_bytes},
+            {"device_steps", row.device_steps},
+            {"cpu_ms", number_or_null(row.cpu_ms)},
+            {"cpu_ratio", row.cpu_ms ? Json(*row.cpu_ms / row.ms) : Json(nullptr)},
+            {"measured", row.measured}};
+}
+
+Json run(Options options, Job& job) {
+    Json answer = {{"device", gpu::device_info().device}};
+    if (!options.plan.empty()) {
+        options.study.plan = gpu::planned_device(options.plan);
+        answer = {{"device", options.plan}, {"source", options.study.plan->source}};
+    }
+    Json rows = Json::array();
+    study_gpu(options.study, [&](const gpu::GpuRow& row) {
+        job.throw_if_cancelled();
+        rows.push_back(json_of(row));
+    });
+    answer["rows"] = rows;
+    return answer;
+}
+
+}  // namespace
+
+void add_bench_gpu(CommandLine& line) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb(
+        "bench", "Benchmarks", "gpu",
+        "A step on the CUDA device of this computer, or planned for another from counted bytes",
+        [options](Job& job) { return run(*options, job); });
+    std::vector<std::string> names;
+    for (const gpu::PlannedDevice& device : gpu::planned_devices()) names.push_back(device.name);
+    verb.add_option("--plan", options->plan, "Device to plan for; nothing is measured")
+        ->check(CLI::IsMember(names));
+    verb.add_option("--tetrahedra", options->study.tetrahedra, "Sizes of the bar")
+        ->check(CLI::Range(96, 2'000'000))
+        ->capture_default_str();
+    verb.add_option("--element", options->study.elements, "Elements")
+        ->check(CLI::IsMember({"spring", "corotated", "corotated-10", "neohookean"}))
+        ->capture_default_str();
+    verb.add_option("--solver", options->study.solvers, "Linear solvers")
+        ->check(CLI::IsMember({"block-jacobi", "skeleton"}))
+        ->capture_default_str();
+    verb.add_option("--steps", options->study.steps, "Steps of 1/60 s")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step costs on a device: measured there, or planned from what the emulator counts.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/deform/body/body.h"
+#include "gpu/machine/machine.h"
+#include "gpu/study/device_table.h"
+
+namespace hepatica::gpu {
+
+struct GpuStudyOptions {
+    std::vector<int> tetrahedra{10000};
+    std::vector<std::string> elements{"corotated"};
+    std::vector<std::string> solvers{"block-jacobi", "skeleton"};
+    int steps = 10;
+    std::optional<PlannedDevice> plan{};  // none: measured on the device of this computer
+};
+
+// Means over the steps. What a plan cannot know is empty.
+struct GpuRow {
+    int tetrahedra = 0;
+    std::string element, solver;
+    double ms = 0.0;
+    double iterations = 0.0;
+    Traffic traffic;                        // of a step
+    std::optional<double> bandwidth_share;  // of a copy on the device, while measured
+    std::optional<double> cpu_ms;           // of the same step on all cores of this computer
+    double device_steps = 0.0;              // the share of steps that the device made
+    bool measured = false;
+};
+
+// A slender bar of bricks cut into tetrahedra, four cells across, clamped at one end, pulled and
+// under gravity; linear error 1 %, single precision. `row_done` hears of each row. Throws
+// InputError where there is no device to measure.
+std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
+                              const std::function<void(const GpuRow&)>& row_done = {});
+
+// The body of that study, with at least so many tetrahedra.
+BodyDescription slender_bar(int tetrahedra);
+
+}  // namespace hepatica::gpu

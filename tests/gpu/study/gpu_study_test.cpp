@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counted traffic, and plans made of it.
+#include "gpu/study/gpu_study.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "gpu/machine/device_machine.h"
+
+namespace hepatica::gpu {
+namespace {
+
+TEST(PlannedSeconds, AreTheSumOfAllThatIsCounted) {
+    const PlannedDevice device{"a device", 1e12, 1e10, ""};
+    EXPECT_DOUBLE_EQ(planned_seconds({}, device), 0.0);
+    const Traffic traffic{.launches = 10,
+                          .barriers = 100,
+                          .kernel_bytes = 2'000'000'000,
+                          .copies = 3,
+                          .copied_bytes = 50'000'000};
+    EXPECT_DOUBLE_EQ(planned_seconds(traffic, device),
+                     10 * launch_s + 100 * barrier_s + 2e-3 + 3 * copy_s + 5e-3);
+}
+
+TEST(PlannedDevice, HasASourceAndAName) {
+    for (const PlannedDevice& device : planned_devices()) {
+        EXPECT_FALSE(device.source.empty());
+        EXPECT_EQ(planned_device(device.name).bytes_per_s, device.bytes_per_s);
+    }
+    EXPECT_THROW(planned_device("a potato"), InputError);
+}
+
+// The matrix alone is read once an iteration: nine floats and a column for each block.
+TEST(GpuStudy, PlansWhatTheDeviceWouldDo) {
+    GpuStudyOptions options;
+    options.tetrahedra = {960};
+    options.steps = 2;
+    options.plan = planned_device("H200");
+    const std::vector<GpuRow> rows = study_gpu(options);
+    ASSERT_EQ(rows.size(), 2u);
+    for (const GpuRow& row : rows) {
+        EXPECT_EQ(row.tetrahedra, 960);
+        EXPECT_EQ(row.device_steps, 1.0);
+        EXPECT_FALSE(row.measured);
+        EXPECT_FALSE(row.cpu_ms.has_value());
+        EXPECT_DOUBLE_EQ(row.ms, 1e3 * planned_seconds(row.traffic, *options.plan));
+        EXPECT_GT(static_cast<double>(row.traffic.kernel_bytes), row.iterations * 40.0 * 2500.0);
+    }
+    EXPECT_LT(rows[1].iterations, rows[0].iterations);
+}
+
+TEST(GpuStudy, MeasuresOnADeviceAlone) {
+    GpuStudyOptions options;
+    options.tetrahedra = {960};
+    options.steps = 2;
+    if (!device_info().reason.empty()) {
+        EXPECT_THROW(study_gpu(options), InputError);
+        return;
+    }
+    for (const GpuRow& row : study_gpu(options)) {
+        EXPECT_TRUE(row.measured);
+        EXPECT_GT(row.cpu_ms.value(), 0.0);
+    }
+}
+
+}  // namespace
+}  // namespace hepatica::gpu
