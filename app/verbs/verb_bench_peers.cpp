@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "app/peers/bullet_beam.h"
+#include "app/peers/bullet_world.h"
 #include "app/verbs/verbs.h"
 #include "core/base/parallel.h"
 #include "core/deform/stepper/cpu_stepper.h"
@@ -91,7 +91,8 @@ Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
         ours.push_back({make_cpu_stepper(body, ours_options), threads, {}});
         ours.back().stepper->set_gravity(gravity);
     }
-    BulletBeam peer(body.mesh, body.fixed, body.material, gravity);
+    BulletWorld peer(gravity);
+    peer.add_body(body.mesh, body.fixed, body.material);
     std::vector<double> peer_ms;
     for (int first = 0; first < options.steps; first += steps_per_turn) {
         job.advance(static_cast<double>(first) / options.steps);
@@ -101,7 +102,7 @@ Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
         for (int k = 0; k < steps; ++k) peer_ms.push_back(timed_ms([&] { peer.step(dt_s); }));
     }
     const double our_tip = sag_mm(body, ours[0].stepper->positions_mm());
-    const double peer_tip = sag_mm(body, peer.positions_mm());
+    const double peer_tip = sag_mm(body, peer.positions_mm(0));
     const double single_ms = quantile(ours[0].ms, 0.5), our_ms = quantile(ours[1].ms, 0.5);
     return {{"peer", "Bullet deformable, corotational"},
             {"tetrahedra", body.mesh.tetrahedra.size()},

@@ -15,6 +15,7 @@ Json json_of(const ExtremeRow& row) {
               {"survived", row.survived},
               {"refused", row.refused},
               {"energy_made", row.energy_made},
+              {"touched_steps", row.touched_steps},
               {"degraded_steps", row.degraded_steps},
               {"audit_gap", row.audit_gap},
               {"unresolved_steps", row.unresolved_steps}};
@@ -30,13 +31,16 @@ Json json_of(const ExtremeRow& row) {
 
 void add_extremes(CommandLine& line) {
     const auto filter = std::make_shared<std::string>();
+    const auto suite = std::make_shared<std::string>("stability");
+    const auto campaign = std::make_shared<TouchCampaign>();
     CLI::App& verb = line.add_verb(
         "extremes", "The stability suite: bodies and scenes at the edge, a row each",
-        [filter](Job& job) {
+        [filter, suite, campaign](Job& job) {
             Json rows = Json::array(), failed = Json::array();
             int survived = 0;
             job.expect_stages(1);
-            for (const ExtremeRow& row : run_extremes(*filter, job)) {
+            const auto cases = *suite == "touch" ? touch_cases(*campaign) : extreme_cases();
+            for (const ExtremeRow& row : run_extremes(cases, *filter, job)) {
                 rows.push_back(json_of(row));
                 survived += row.survived;
                 if (!row.survived) failed.push_back({{"name", row.name}, {"note", row.note}});
@@ -47,6 +51,16 @@ void add_extremes(CommandLine& line) {
             return Json{
                 {"cases", rows.size()}, {"survived", survived}, {"failed", failed}, {"rows", rows}};
         });
+    verb.add_option("--suite", *suite, "stability, or touch: a campaign of random trees in contact")
+        ->check(CLI::IsMember({"stability", "touch"}))
+        ->capture_default_str();
+    verb.add_option("--seed", campaign->seed, "Of the campaign")->capture_default_str();
+    verb.add_option("--trials", campaign->trials, "Of the campaign")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    verb.add_option("--steps", campaign->steps, "Of each trial of the campaign")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
     verb.add_option("--filter", *filter, "Only rows whose name contains this");
 }
 

@@ -25,6 +25,7 @@ void add_all_verbs(CommandLine& line) {
     add_bench_iterations(line);
     add_bench_keyframe(line);
     add_bench_peers(line);
+    add_bench_contacts(line);
     add_bench_region(line);
     add_bench_refinement(line);
     add_bench_reconstruct(line);

@@ -25,6 +25,7 @@ void add_bench_drag(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_keyframe(CommandLine& line);
 void add_bench_peers(CommandLine& line);
+void add_bench_contacts(CommandLine& line);
 void add_bench_region(CommandLine& line);
 void add_bench_refinement(CommandLine& line);
 void add_bench_reconstruct(CommandLine& line);

@@ -16,10 +16,11 @@ std::vector<ExtremeCase> extreme_cases() {
     return cases;
 }
 
-std::vector<ExtremeRow> run_extremes(const std::string& filter, Job& job) {
+std::vector<ExtremeRow> run_extremes(const std::vector<ExtremeCase>& cases,
+                                     const std::string& filter, Job& job) {
     std::vector<ExtremeCase> chosen;
-    for (ExtremeCase& extreme : extreme_cases())
-        if (extreme.name.find(filter) != std::string::npos) chosen.push_back(std::move(extreme));
+    for (const ExtremeCase& extreme : cases)
+        if (extreme.name.find(filter) != std::string::npos) chosen.push_back(extreme);
     std::vector<ExtremeRow> rows;
     job.begin_stage("extremes");
     for (const ExtremeCase& extreme : chosen) {

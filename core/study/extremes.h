@@ -5,6 +5,7 @@
 // or if what cannot be simulated was refused with an InputError.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -20,6 +21,7 @@ struct ExtremeRow {
     bool refused = false;      // by name, and rightly
     std::string note;          // what went wrong, or the words of the refusal
     double energy_made = 0.0;  // largest of any step, relative to what it handled
+    int touched_steps = 0;     // steps after which surfaces or a tool touch
     int degraded_steps = 0;    // steps that the stepper itself shortened or braked, and said so
     // Where energies and forces were audited against each other (see energy_ledger.h): the largest
     // gap of any step, relative to what it handled; and steps whose way crossed so many inverted
@@ -38,7 +40,20 @@ struct ExtremeCase {
 // All of them, more than 200, in a fixed order.
 std::vector<ExtremeCase> extreme_cases();
 
+// Random vessel trees in touch: tools led through them at 0.01 to 100 m/s, turned and closed,
+// vessels dragged through each other and a knot pulled. At 20 looks of each nothing crosses and no
+// tool stands in a vessel. Tools, drags and knots take turns; a mesh that crosses itself at rest is
+// refused.
+struct TouchCampaign {
+    std::uint64_t seed = 1;
+    int trials = 500;
+    int steps = 600;
+    int most_tetrahedra = 2000;
+};
+std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign);
+
 // Runs those whose name contains `filter` (all where it is empty).
-std::vector<ExtremeRow> run_extremes(const std::string& filter, Job& job);
+std::vector<ExtremeRow> run_extremes(const std::vector<ExtremeCase>& cases,
+                                     const std::string& filter, Job& job);
 
 }  // namespace hepatica

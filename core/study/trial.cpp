@@ -26,6 +26,7 @@ bool Trial::run(int steps, double dt_s) {
         for (const Vec3& x : stepper_.positions_mm())
             if (!require(x.allFinite(), "a position is not finite")) return false;
         row_.degraded_steps += report.degraded;
+        row_.touched_steps += report.tool.contacts > 0 || report.self.contacts > 0;
         if (!check_energy(report)) return false;
     }
     return true;

@@ -17,11 +17,23 @@ TEST(Extremes, HasTwoHundredRowsOfDifferentNames) {
     EXPECT_EQ(names.size(), cases.size());
 }
 
+// A sample of the campaign: each kind of play twice, on small trees.
+TEST(Extremes, NothingPassesInASampleOfTouch) {
+    Job job;
+    const auto cases = touch_cases({.seed = 3, .trials = 12, .steps = 60, .most_tetrahedra = 700});
+    int touched = 0;
+    for (const ExtremeRow& row : run_extremes(cases, "", job)) {
+        EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+        touched += row.touched_steps > 0 ? 1 : 0;
+    }
+    EXPECT_GT(touched, 6);
+}
+
 class QuickExtremes : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuickExtremes, Survive) {
     Job job;
-    const auto rows = run_extremes(GetParam(), job);
+    const auto rows = run_extremes(extreme_cases(), GetParam(), job);
     ASSERT_FALSE(rows.empty());
     for (const ExtremeRow& row : rows) EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
 }

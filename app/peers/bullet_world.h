@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies in Bullet's deformable world with its implicit corotational force, as a peer to measure
+// against. (btDeformableCorotatedForce has no force differential in Bullet 3 and is hence explicit;
+// btDeformableLinearElasticityForce is the corotational force that Bullet can step implicitly.)
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/deform/body/material.h"
+#include "core/mesh/tet_mesh.h"
+
+namespace hepatica {
+
+class BulletWorld {
+  public:
+    explicit BulletWorld(const Vec3& gravity_mm_s2);
+    ~BulletWorld();
+
+    // Lumped masses; fixed vertices (nonzero) have none, which is how Bullet holds them. With a
+    // margin > 0 it touches other bodies and balls, closer than that.
+    void add_body(const TetMesh& mesh, const std::vector<std::uint8_t>& fixed,
+                  const Material& material, double margin_mm = 0.0);
+    // That does not move.
+    void add_ball(const Vec3& centre_mm, double radius_mm, double margin_mm);
+
+    void step(double dt_s);
+    std::vector<Vec3> positions_mm(std::size_t body) const;
+    // Of the last step: faces against nodes, and faces against balls.
+    int contacts() const;
+
+  private:
+    struct World;
+    std::unique_ptr<World> world_;
+};
+
+}  // namespace hepatica

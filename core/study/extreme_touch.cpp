@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Touch at the edge: random vessel trees that tools and vessels are driven through at any speed,
+// are squeezed, wrapped around themselves, and pulled into knots.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/crossing_triangles.h"
+#include "core/scene/tools/tool_choice.h"
+#include "core/study/extreme_cases.h"
+#include "core/study/touch_bodies.h"
+#include "core/study/trial.h"
+#include "core/study/vessel_body.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double dt_s = 1.0 / 60.0;
+constexpr int looks = 20;
+constexpr double slowest_mm_per_s = 10.0, fastest_mm_per_s = 1e5;
+constexpr int points_on_axis = 9;
+constexpr double grab_stiffness_un_per_mm = 5e4, grab_limit_un = 2e5;
+constexpr int steps_to_a_goal = 20;
+
+enum class Play { sphere, capsule, hook, squeeze, drag, knot };
+constexpr std::array<const char*, 6> names{"sphere", "rod", "hook", "squeeze", "drag", "knot"};
+
+bool holds(const TetMesh& mesh, std::span<const Vec3> x, const Vec3& point) {
+    return std::ranges::any_of(mesh.tetrahedra, [&](const auto& t) {
+        for (int a = 0; a < 4; ++a) {
+            std::array<Vec3, 4> with{x[t[0]], x[t[1]], x[t[2]], x[t[3]]};
+            with[a] = point;
+            if (!(signed_volume_mm3(with[0], with[1], with[2], with[3]) > 0.0)) return false;
+        }
+        return true;
+    });
+}
+
+// One play on one body.
+class TouchTrial {
+  public:
+    TouchTrial(Play play, double speed_mm_per_s, std::mt19937_64& random, int tetrahedra)
+        : play_(play), random_(random), speed_mm_per_s_(speed_mm_per_s) {
+        Job job;
+        body_ = play == Play::knot ? body_of(open_knot(uniform(random, 0.8, 1.6)), tetrahedra, job)
+                                   : body_of(random_study_tree(random), tetrahedra, job);
+        body_.self.emplace();
+        body_.touchable = true;
+        surface_ = boundary_triangles(body_.mesh);
+        for (const Vec3& x : body_.mesh.vertices_mm) middle_mm_ += x;
+        middle_mm_ /= static_cast<double>(body_.mesh.vertices_mm.size());
+        for (const Vec3& x : body_.mesh.vertices_mm)
+            reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
+    }
+
+    ExtremeRow run(int steps) {
+        ExtremeRow row;
+        // A mesh of branches that pass close by may cross itself before anything has moved.
+        if (!crossing_triangles(surface_, body_.mesh.vertices_mm).empty())
+            throw InputError("crosses itself at rest", "the mesh of the tree", "Take another seed");
+        stepper_ = make_cpu_stepper(body_, {});
+        Trial trial(*stepper_, row);
+        begin();
+        for (int k = 0; k < steps; ++k) {
+            if (k % steps_to_a_goal == 0) choose_goal();
+            lead();
+            if (!trial.run(1, dt_s)) return row;
+            if (k % std::max(1, steps / looks) == 0 && !look(trial)) return row;
+        }
+        look(trial);
+        return row;
+    }
+
+  private:
+    Vec3 vertex() {
+        const auto& x = stepper_->positions_mm();
+        return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
+    }
+    Vec3 direction() {
+        Vec3 d = Vec3::Zero();
+        while (d.norm() < 0.1)
+            for (int c = 0; c < 3; ++c) d[c] = uniform(random_, -1.0, 1.0);
+        return d.normalized();
+    }
+
+    // A tool stands beside the body; or a vessel is grabbed by its end.
+    void begin() {
+        if (play_ == Play::drag || play_ == Play::knot) {
+            grab_.vertices[0] = furthest_vertex(body_);
+            grab_.stiffness_un_per_mm = grab_stiffness_un_per_mm;
+            grab_.force_limit_un = grab_limit_un;
+            grab_.target_mm = body_.mesh.vertices_mm[grab_.vertices[0]];
+            return;
+        }
+        ToolChoice choice;
+        choice.kind = play_ == Play::sphere    ? "sphere"
+                      : play_ == Play::capsule ? "capsule"
+                      : play_ == Play::hook    ? "hook"
+                                               : "forceps";
+        choice.radius_mm = uniform(random_, 0.5, 4.0);
+        choice.length_mm = play_ == Play::sphere ? 0.0 : uniform(random_, 3.0, 20.0);
+        choice.direction = direction();
+        const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
+        stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
+                                   body_.material.young_modulus_pa));
+    }
+
+    // A vessel, or a place beyond it; forceps open and close by turns.
+    void choose_goal() {
+        goal_mm_ = vertex() + uniform(random_, 0.0, 0.3) * reach_mm_ * direction();
+        ++goals_;
+        if (play_ != Play::squeeze) return;
+        const double widest = widest_opening_mm(*stepper_->tool());
+        stepper_->open_tool(goals_ % 3 == 0 ? 0.0 : widest);
+    }
+
+    void lead() {
+        const auto next = [&](const Vec3& at_mm) -> Vec3 {
+            const Vec3 way = goal_mm_ - at_mm;
+            return at_mm + std::min(1.0, speed_mm_per_s_ * dt_s / std::max(way.norm(), 1e-9)) * way;
+        };
+        if (!stepper_->tool()) {
+            grab_.target_mm = next(grab_.target_mm);
+            stepper_->set_grabs(std::span(&grab_, 1));
+            return;
+        }
+        stepper_->lead_tool(next(stepper_->tool()->centre_mm()));
+        if (play_ != Play::sphere) stepper_->turn_tool(uniform(random_, 0.0, 0.1) * direction());
+    }
+
+    bool look(Trial& trial) const {
+        const auto x = stepper_->positions_mm();
+        if (!trial.require(crossing_triangles(surface_, x).empty(), "triangles cross"))
+            return false;
+        if (!stepper_->tool()) return true;
+        for (const Capsule& part : stepper_->tool()->shapes())
+            for (int k = 0; k < points_on_axis; ++k) {
+                const double along = 2.0 * k / (points_on_axis - 1) - 1.0;
+                const Vec3 point = part.centre_mm + along * part.half_axis_mm;
+                if (!trial.require(!holds(body_.mesh, x, point), "the tool stands in a vessel"))
+                    return false;
+            }
+        return true;
+    }
+
+    Play play_;
+    std::mt19937_64& random_;
+    double speed_mm_per_s_;
+    BodyDescription body_;
+    std::vector<std::array<int, 3>> surface_;
+    Vec3 middle_mm_ = Vec3::Zero(), goal_mm_ = Vec3::Zero();
+    double reach_mm_ = 0.0;
+    int goals_ = 0;
+    std::unique_ptr<Stepper> stepper_;
+    Grab grab_;
+};
+
+}  // namespace
+
+// Each trial has numbers of its own: a row can be run alone.
+std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign) {
+    std::vector<ExtremeCase> cases;
+    for (int t = 0; t < campaign.trials; ++t) {
+        std::mt19937_64 random(campaign.seed * 1'000'003 + static_cast<std::uint64_t>(t));
+        const auto play = static_cast<Play>(static_cast<std::size_t>(t) % names.size());
+        const double speed = slowest_mm_per_s * std::pow(fastest_mm_per_s / slowest_mm_per_s,
+                                                         uniform(random, 0.0, 1.0));
+        const int tetrahedra =
+            static_cast<int>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
+        char name[80];
+        std::snprintf(name, sizeof name, "touch %d %s at %.3g mm/s, %d tetrahedra", t,
+                      names[static_cast<std::size_t>(play)], speed, tetrahedra);
+        cases.push_back({name, [=, steps = campaign.steps]() mutable {
+                             return TouchTrial(play, speed, random, tetrahedra).run(steps);
+                         }});
+    }
+    return cases;
+}
+
+}  // namespace hepatica
