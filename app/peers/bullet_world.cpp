@@ -35,10 +35,6 @@ struct BulletWorld::World {
         std::unique_ptr<btSoftBody> body;
         std::unique_ptr<btDeformableLagrangianForce> elasticity, weight;
     };
-    struct Ball {
-        std::unique_ptr<btSphereShape> shape;
-        std::unique_ptr<btRigidBody> body;
-    };
 
     btSoftBodyRigidBodyCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
@@ -48,13 +44,11 @@ struct BulletWorld::World {
     btDeformableMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &constraint_solver,
                                              &configuration, &body_solver};
     std::vector<Soft> bodies;
-    std::vector<Ball> balls;
     btVector3 gravity;
 
     World() { constraint_solver.setDeformableSolver(&body_solver); }
     ~World() {
         for (Soft& soft : bodies) world.removeSoftBody(soft.body.get());
-        for (Ball& ball : balls) world.removeRigidBody(ball.body.get());
     }
 };
 
@@ -63,8 +57,6 @@ BulletWorld::BulletWorld(const Vec3& gravity_mm_s2) : world_(std::make_unique<Wo
     w.gravity = to_bullet(gravity_mm_s2);
     w.world.setGravity(w.gravity);
     w.world.getWorldInfo().m_gravity = w.gravity;
-    w.world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz(btScalar(0.01));
-    w.world.getWorldInfo().m_sparsesdf.Reset();
     w.world.setImplicit(true);
     w.world.setLineSearch(false);
     w.world.setUseProjection(true);  // conjugate gradients, with held vertices projected out
@@ -73,7 +65,7 @@ BulletWorld::BulletWorld(const Vec3& gravity_mm_s2) : world_(std::make_unique<Wo
 BulletWorld::~BulletWorld() = default;
 
 void BulletWorld::add_body(const TetMesh& mesh, const std::vector<std::uint8_t>& fixed,
-                           const Material& material, double margin_mm) {
+                           const Material& material) {
     World& w = *world_;
     World::Soft soft;
     std::vector<btVector3> positions;
@@ -98,13 +90,6 @@ void BulletWorld::add_body(const TetMesh& mesh, const std::vector<std::uint8_t>&
                                               : static_cast<btScalar>(mass_g[v] / kilogram_g));
     body.m_sleepingThreshold = 0;
     body.setActivationState(DISABLE_DEACTIVATION);
-    if (margin_mm > 0.0) {
-        body.m_cfg.collisions = btSoftBody::fCollision::SDF_RDF | btSoftBody::fCollision::VF_DD;
-        body.getCollisionShape()->setMargin(metres(margin_mm));
-        body.m_softSoftCollision = true;
-        body.setSelfCollision(false);
-        body.initializeFaceTree();
-    }
     w.world.addSoftBody(&body);
     const Lame lame = lame_of(material);
     soft.elasticity = std::make_unique<btDeformableLinearElasticityForce>(
@@ -114,19 +99,6 @@ void BulletWorld::add_body(const TetMesh& mesh, const std::vector<std::uint8_t>&
     w.world.addForce(&body, soft.elasticity.get());
     w.world.addForce(&body, soft.weight.get());
     w.bodies.push_back(std::move(soft));
-}
-
-void BulletWorld::add_ball(const Vec3& centre_mm, double radius_mm, double margin_mm) {
-    World::Ball ball;
-    ball.shape = std::make_unique<btSphereShape>(metres(radius_mm));
-    ball.shape->setMargin(metres(margin_mm));
-    ball.body = std::make_unique<btRigidBody>(btScalar(0), nullptr, ball.shape.get());
-    btTransform at;
-    at.setIdentity();
-    at.setOrigin(to_bullet(centre_mm));
-    ball.body->setWorldTransform(at);
-    world_->world.addRigidBody(ball.body.get());
-    world_->balls.push_back(std::move(ball));
 }
 
 void BulletWorld::step(double dt_s) {
@@ -142,14 +114,6 @@ std::vector<Vec3> BulletWorld::positions_mm(std::size_t body) const {
         positions.emplace_back(metre_mm * x.x(), metre_mm * x.y(), metre_mm * x.z());
     }
     return positions;
-}
-
-int BulletWorld::contacts() const {
-    int sum = 0;
-    for (const World::Soft& soft : world_->bodies)
-        sum += soft.body->m_faceNodeContacts.size() + soft.body->m_faceRigidContacts.size() +
-               soft.body->m_nodeRigidContacts.size();
-    return sum;
 }
 
 }  // namespace hepatica

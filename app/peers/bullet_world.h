@@ -18,17 +18,12 @@ class BulletWorld {
     explicit BulletWorld(const Vec3& gravity_mm_s2);
     ~BulletWorld();
 
-    // Lumped masses; fixed vertices (nonzero) have none, which is how Bullet holds them. With a
-    // margin > 0 it touches other bodies and balls, closer than that.
+    // Lumped masses; fixed vertices (nonzero) have none, which is how Bullet holds them.
     void add_body(const TetMesh& mesh, const std::vector<std::uint8_t>& fixed,
-                  const Material& material, double margin_mm = 0.0);
-    // That does not move.
-    void add_ball(const Vec3& centre_mm, double radius_mm, double margin_mm);
+                  const Material& material);
 
     void step(double dt_s);
     std::vector<Vec3> positions_mm(std::size_t body) const;
-    // Of the last step: faces against nodes, and faces against balls.
-    int contacts() const;
 
   private:
     struct World;

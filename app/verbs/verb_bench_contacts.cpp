@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's table of contacts: how long a step takes with more and more of them, here and in
-// Bullet's deformable world, on the same meshes. A block rests on another (self), or a slab on a
+// The paper's table of contacts: how long a step takes with more and more of them.
+// A block rests on another (self), or a slab on a
 // ball (tool), under its weight; the touching area grows from row to row, the tetrahedra do not.
 #include <algorithm>
 #include <memory>
 
-#include "app/peers/bullet_world.h"
 #include "app/verbs/verbs.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
@@ -18,17 +17,16 @@ namespace hepatica {
 namespace {
 
 constexpr double dt_s = 1.0 / 60.0;
-constexpr double cell_mm = 2.0, layers_mm = 6.0, gap_mm = 0.05, peer_margin_mm = 0.2;
+constexpr double cell_mm = 2.0, layers_mm = 6.0, gap_mm = 0.05;
 constexpr int layers = 3, cells = 24;  // of the lower block: 10,368 tetrahedra
 constexpr int rows_of_a_self_contact = 1, rows_of_a_tool_contact = 3;
 constexpr int rows_of_a_point_in_the_paper = 6;
-constexpr int most_settling = 60, steps_per_turn = 5;
+constexpr int most_settling = 60;
 
 struct ContactOptions {
     int steps = 30;
     int threads = 2;
     double budget_ms = 16.7;
-    bool without_peer = false;
 };
 
 struct Setup {
@@ -109,32 +107,16 @@ Json measure(const Setup& setup, const ContactOptions& options) {
     const ThreadLimit limit(options.threads);
     const Vec3 gravity(0.0, 0.0, -units::standard_gravity);
     const auto ours = our_world(setup, gravity);
-    std::unique_ptr<BulletWorld> peer;
-    if (!options.without_peer) {
-        peer = std::make_unique<BulletWorld>(gravity);
-        peer->add_body(setup.lower, setup.fixed, setup.material, peer_margin_mm);
-        if (!setup.upper.tetrahedra.empty())
-            peer->add_body(setup.upper, {}, setup.material, peer_margin_mm);
-        if (setup.ball_mm > 0.0) peer->add_ball(ball_centre(setup), setup.ball_mm, peer_margin_mm);
-    }
     StepReport report;
-    for (int k = 0; k < most_settling; ++k) {
-        report = ours->step(dt_s);
-        if (peer) peer->step(dt_s);
-    }
-    std::vector<double> our_ms, peer_ms, iterations;
-    for (int first = 0; first < options.steps; first += steps_per_turn) {
-        for (int k = 0; k < steps_per_turn; ++k) {
-            our_ms.push_back(timed_ms([&] { report = ours->step(dt_s); }));
-            iterations.push_back(report.linear_iterations);
-        }
-        for (int k = 0; k < steps_per_turn && peer; ++k)
-            peer_ms.push_back(timed_ms([&] { peer->step(dt_s); }));
+    for (int k = 0; k < most_settling; ++k) report = ours->step(dt_s);
+    std::vector<double> our_ms, iterations;
+    for (int k = 0; k < options.steps; ++k) {
+        our_ms.push_back(timed_ms([&] { report = ours->step(dt_s); }));
+        iterations.push_back(report.linear_iterations);
     }
     const bool tool = setup.ball_mm > 0.0;
     const int contacts = tool ? report.tool.contacts : report.self.contacts;
     const double step_ms = quantile(our_ms, 0.5);
-    const Json none(nullptr);
     return {{"backend", "cpu"},
             {"method", tool ? "in the matrix" : "conjugate gradients"},
             {"kind", setup.kind},
@@ -146,39 +128,36 @@ Json measure(const Setup& setup, const ContactOptions& options) {
             {"linear_iterations", quantile(iterations, 0.5)},
             {"in_time", step_ms <= options.budget_ms},
             {"tetrahedra", setup.lower.tetrahedra.size() + setup.upper.tetrahedra.size()},
-            {"peer", peer ? Json("Bullet deformable, corotational, 1 thread") : none},
-            {"peer_contacts", peer ? Json(peer->contacts()) : none},
-            {"peer_ms", peer ? Json(quantile(peer_ms, 0.5)) : none}};
+            {"peer", nullptr},
+            {"peer_ms", nullptr}};
 }
 
 }  // namespace
 
 void add_bench_contacts(CommandLine& line) {
     const auto options = std::make_shared<ContactOptions>();
-    CLI::App& verb = line.add_verb(
-        "bench", "Benchmarks", "contacts",
-        "Steps with more and more contacts, of surfaces and of a tool, and Bullet's beside them",
-        [options](Job& job) {
-            std::vector<Setup> setups;
-            for (const int across : {2, 3, 4, 6, 8, 12, 16, 22})
-                setups.push_back(self_setup(across));
-            for (const double radius_mm : {2.0, 5.0, 20.0, 100.0, 500.0})
-                setups.push_back(tool_setup(radius_mm));
-            Json rows = Json::array();
-            for (const Setup& setup : setups) {
-                job.begin_stage(setup.kind + " contact");
-                rows.push_back(measure(setup, *options));
-            }
-            return Json{{"threads", options->threads}, {"rows", rows}};
-        });
+    CLI::App& verb = line.add_verb("bench", "Benchmarks", "contacts",
+                                   "Steps with more and more contacts, of surfaces and of a tool",
+                                   [options](Job& job) {
+                                       std::vector<Setup> setups;
+                                       for (const int across : {2, 3, 4, 6, 8, 12, 16, 22})
+                                           setups.push_back(self_setup(across));
+                                       for (const double radius_mm : {2.0, 5.0, 20.0, 100.0, 500.0})
+                                           setups.push_back(tool_setup(radius_mm));
+                                       Json rows = Json::array();
+                                       for (const Setup& setup : setups) {
+                                           job.begin_stage(setup.kind + " contact");
+                                           rows.push_back(measure(setup, *options));
+                                       }
+                                       return Json{{"threads", options->threads}, {"rows", rows}};
+                                   });
     verb.add_option("--steps", options->steps, "Measured, after the bodies have come to rest")
         ->check(CLI::Range(5, 100000))
         ->capture_default_str();
-    verb.add_option("--threads", options->threads, "Of ours; Bullet's deformable world has one")
+    verb.add_option("--threads", options->threads, "Of ours")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     verb.add_option("--budget-ms", options->budget_ms, "Of a step in time")->capture_default_str();
-    verb.add_flag("--without-peer", options->without_peer, "Do not run Bullet beside");
 }
 
 }  // namespace hepatica
