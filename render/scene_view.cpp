@@ -85,6 +85,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver;
     GrabActor grab;
+    GrabActor stroke;
     ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
     Annotations annotations;
@@ -113,6 +114,8 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.AddActor(parts_->liver.actor());
     renderer.AddActor(parts_->grab.line());
     renderer.AddActor(parts_->grab.point());
+    renderer.AddActor(parts_->stroke.line());
+    renderer.AddActor(parts_->stroke.point());
     window.AddRenderer(&renderer);
     hepatica::look_from(*renderer.GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-50),
                         Vec3::Constant(50), 1.0);
@@ -148,6 +151,7 @@ void SceneView::render(double pixel_ratio) {
             height > 0 ? 2.0 * distance * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / height
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
+        parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
     }
     parts_->bridges.set_pixel_ratio(pixel_ratio);
@@ -165,6 +169,12 @@ void SceneView::set_vertex_systems(std::vector<VascularSystem> systems) {
 
 void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
     parts_->tree.set_highlight(std::move(vertices));
+}
+
+void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
+    std::optional<GrabView> line;
+    if (stroke) line = GrabView{(*stroke)[0], (*stroke)[1]};
+    parts_->stroke.update(line);
 }
 
 void SceneView::set_bridges(std::vector<BridgeView> bridges) {

@@ -68,6 +68,8 @@ class SceneView {
 
     void set_vertex_systems(std::vector<VascularSystem> systems);
     void set_highlight(std::vector<std::uint8_t> vertices);
+    // What is being drawn on the vessels, from one point to another; none removes it.
+    void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);
     // Gaps that might be bridged; drawn as dashed lines.
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it

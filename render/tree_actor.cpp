@@ -40,6 +40,8 @@ bool TreeActor::update(const Frame& frame) {
     const bool rebuilt = change == SurfaceGeometry::Change::topology;
     const bool touched_anew = take_touched(frame.tool);
     if (rebuilt) take_topology();
+    origins_ = frame.tear ? frame.tear->origins : nullptr;
+    rims_ = frame.tear ? frame.tear->rims : nullptr;
     if (rebuilt || touched_anew) take_colours();
     if (change != SurfaceGeometry::Change::none) {
         plain_is_old_ = rounded_is_old_ = true;
@@ -108,11 +110,15 @@ void TreeActor::take_colours() {
     std::vector<std::uint8_t> rgba;
     rgba.reserve(4 * surface_.frame_vertices().size());
     for (const int vertex : surface_.frame_vertices()) {
-        const auto v = static_cast<std::size_t>(vertex);
+        const auto shown = static_cast<std::size_t>(vertex);
+        const bool split = origins_ && shown < origins_->size();
+        const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
         const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
         const bool touched = std::ranges::binary_search(touched_, vertex);
-        const Colour colour = touched ? palette::touch : palette::vessel_system(system);
+        const Colour colour = touched                     ? palette::touch
+                              : split && (*rims_)[shown] ? palette::torn
+                                                         : palette::vessel_system(system);
         for (double channel : colour) {
             if (lit && !touched) channel = 0.45 * channel + 0.55;
             rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * channel)));

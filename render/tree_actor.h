@@ -60,6 +60,8 @@ class TreeActor {
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> highlight_;
     std::vector<int> touched_;  // vertices of the frame, ascending
+    std::shared_ptr<const std::vector<int>> origins_;       // see TearView
+    std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;

@@ -48,6 +48,10 @@ constexpr std::array table{
                "Forceps: the mouse leads two jaws that hold a vessel and pull it", true},
     ActionSpec{hook_tool, "&Play", "Hoo&k", "7",
                "Hook: the mouse leads it, and it holds a vessel aside", true},
+    ActionSpec{cut_mode, "&Play", "&Blade", "8",
+               "Blade: a line drawn across a vessel cuts through it", true},
+    ActionSpec{weaken_mode, "&Play", "Cut &line", "9",
+               "Cut line: along a line drawn across a vessel it tears more easily when pulled", true},
     ActionSpec{turn_tool, "&Play", "&Turn the tool", "T",
                "Turn the tool in hand against the clock, by 15°"},
     ActionSpec{turn_tool_back, "&Play", "Turn the tool bac&k", "Shift+T",
@@ -87,7 +91,7 @@ constexpr std::array table{
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 11> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 12> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
@@ -96,6 +100,7 @@ constexpr std::array<std::pair<const char*, const char*>, 11> gestures{{
     {"Click in Edit mode", "what the panel says: cut, link, delete, root, system"},
     {"Mouse with a tool in hand", "lead its tip, in the plane of the picture"},
     {"Wheel with a tool in hand", "move it in depth; Ctrl + wheel zooms"},
+    {"Left drag with blade or cut line", "across a vessel: cut it, or let it tear there"},
     {"Click on a dashed line", "bridge that gap"},
     {"Hover", "show what lies downstream, and its share of the flow"},
     {"Drop a file or folder", "open it"},

@@ -32,6 +32,8 @@ enum class ActionId {
     capsule_tool,
     forceps_tool,
     hook_tool,
+    cut_mode,
+    weaken_mode,
     turn_tool,
     turn_tool_back,
     close_or_open,

@@ -120,13 +120,19 @@ void MainWindow::build_view() {
          [this](const SurfacePick& pick) { inject(pick); },
          [this](const SurfacePick& pick) { show_hover(pick); },
          [this](const SurfacePick& pick) {
-             if (patient_) editing_->click(patient_->anatomy.tree_point(pick.nearest_vertex));
+             if (patient_)
+                 editing_->click(
+                     patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
          },
          [this](int bridge) { editing_->accept(bridge); },
          [this](const SurfacePick& pick) {
              if (!patient_) return Vec3(Vec3::Zero());
              return vessel_direction(patient_->patient->tree,
-                                     patient_->anatomy.tree_point(pick.nearest_vertex));
+                                     patient_->anatomy.tree_point(
+                                         frame().origin_of(pick.nearest_vertex)));
+         },
+         [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
+             tear(mode, stroke);
          }},
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
@@ -147,7 +153,8 @@ void MainWindow::build_panels() {
     QDockWidget* edit_dock = make_dock(*this, "Corrections", edit_panel_);
     tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
     tool_panel_ =
-        new ToolPanel([this](const ToolSize& size) { view_->mouse().hand().set_size(size); });
+        new ToolPanel({[this](const ToolSize& size) { view_->mouse().hand().set_size(size); },
+                       [this](const UseTear& tear) { post(tear); }});
     tabifyDockWidget(edit_dock, make_dock(*this, "Tool", tool_panel_));
     findChild<QDockWidget*>("Injection")->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -208,6 +215,12 @@ void MainWindow::build_tool_bar() {
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&(*actions_)[id])))
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
+    for (const ActionId id : {ActionId::cut_mode, ActionId::weaken_mode}) {
+        modes->addAction(&(*actions_)[id]);
+        bar->addAction(&(*actions_)[id]);
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&(*actions_)[id])))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
     bar->addSeparator();
     bar->addAction(&(*actions_)[ActionId::play_pause]);
     bar->addAction(&(*actions_)[ActionId::reset]);
@@ -260,13 +273,17 @@ void MainWindow::connect_play() {
 void MainWindow::connect_tools() {
     for (const auto& [id, kind] : tools)
         actions_->on(id, [this, kind = std::string(kind)] { take_tool(kind); });
+    actions_->on(ActionId::cut_mode, [this] { set_mouse_mode(MouseMode::cut); });
+    actions_->on(ActionId::weaken_mode, [this] { set_mouse_mode(MouseMode::weaken); });
     ToolHand& hand = view_->mouse().hand();
     hand.set_size(tool_panel_->size());
     actions_->on(ActionId::turn_tool, [&hand] { hand.turn(turn_rad); });
     actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });
     actions_->on(ActionId::close_or_open, [&hand] { hand.close_or_open(); });
     actions_->on(ActionId::put_tool_away, [this] {
-        if (view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
+        const MouseMode mode = view_->mouse().mode();
+        const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
+        if (draws || view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
     });
 }
 

@@ -110,6 +110,7 @@ class MainWindow : public QMainWindow {
     void show_message_of(const FrameStatistics& statistics);
     void show_hover(const SurfacePick& pick);
     void inject(const SurfacePick& pick);
+    void tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke);
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);

@@ -34,6 +34,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     quality_->post_choices();
     inject_->post_choices();
     view_->mouse().hand().begin_again();
+    tool_panel_->forget_tear();
     follow_simulation();
     editing_->show_body();
     if (!corrected) show_warnings();
@@ -104,6 +105,7 @@ void MainWindow::show_figures() {
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_tool(frame.tool);
+    tool_panel_->show_tear(frame.tear);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     show_message_of(frame.statistics);
@@ -130,7 +132,8 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     if (!patient_) return;
     if (pick.nearest_vertex == hovered_vertex_) return;
     hovered_vertex_ = pick.nearest_vertex;
-    const TreePoint point = patient_->anatomy.tree_point(pick.nearest_vertex);
+    const TreePoint point =
+        patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
     inject_->show_hover(
         QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
@@ -139,6 +142,20 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 
 void MainWindow::inject(const SurfacePick& pick) {
     post(inject_->injection_at(pick.position_mm));
+}
+
+void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
+    view_->draw_again();
+    if (!patient_) return;
+    if (!stroke) {
+        statusBar()->showMessage("The line meets no vessel: draw it across one", 6000);
+        return;
+    }
+    if (!frame().tear) post(tool_panel_->tear());
+    const auto& [from, to] = *stroke;
+    if (mode == MouseMode::cut) return post(Blade{from, to});
+    const Vec3 middle = 0.5 * (from + to);  // the section across the vessel
+    post(CutLine{middle, middle, tool_panel_->cut_line_strength()});
 }
 
 void MainWindow::picture_shown(const PictureTime& time) {
@@ -157,13 +174,17 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
     tool_panel_->show_kind(view_->mouse().hand().kind());
-    if (mode == MouseMode::tool) findChild<QDockWidget*>("Tool")->raise();
+    const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
+    if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
                              : mode == MouseMode::inject ? "Click on a vessel to inject there"
                              : mode == MouseMode::edit
                                  ? "Click on a vessel to correct the tree"
+                             : mode == MouseMode::cut ? "Draw a line across a vessel to cut it"
+                             : mode == MouseMode::weaken
+                                 ? "Draw a line across a vessel: it tears there when pulled"
                                  : "The mouse leads the tool, the wheel moves it in depth",
                              6000);
 }

@@ -27,6 +27,10 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         return;
     }
     const bool left = button == MouseButton::left;
+    if (left && draws() && !modifiers.control) {
+        action_ = Action::draw;
+        return;
+    }
     pressed_bridge_ = left ? view_.bridge_at(at, 1.5 * click_radius_px_) : -1;
     const bool leads = mode_ == MouseMode::tool && !modifiers.control;
     if (left && leads) hand_.press(at);
@@ -52,11 +56,16 @@ bool MouseTool::move(const Pixel& at) {
                 hand_.move(at);
                 return false;
             }
+            if (draws()) return false;
             callbacks_.hover(view_.pick(at));
             return false;
         case Action::pull:
             callbacks_.post(MoveGrab{view_.point_at_depth(at, held_mm_)});
             return false;
+        case Action::draw:
+            view_.set_stroke(std::array{view_.point_at_depth(pressed_, view_.axes().focus_mm),
+                                        view_.point_at_depth(at, view_.axes().focus_mm)});
+            return true;
         case Action::pan:
             view_.drag_pan(from, at);
             return true;
@@ -76,6 +85,7 @@ bool MouseTool::move(const Pixel& at) {
 
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
+    if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
     if (clicked_) click_at(at);
 }
@@ -93,7 +103,22 @@ void MouseTool::wheel(double steps, const MouseModifiers& modifiers) {
 
 void MouseTool::cancel() {
     if (action_ == Action::pull) callbacks_.post(ReleaseGrab{});
+    if (action_ == Action::draw) view_.set_stroke(std::nullopt);
     action_ = Action::none;
+}
+
+std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
+    constexpr int samples = 48;
+    std::optional<Vec3> depth;
+    for (int i = 0; i <= samples && !depth; ++i) {
+        // From the middle outwards: what is drawn across lies there.
+        const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * i / samples;
+        const SurfacePick pick = view_.pick({pressed_.x + share * (at.x - pressed_.x),
+                                             pressed_.y + share * (at.y - pressed_.y)});
+        if (pick.triangle >= 0) depth = pick.position_mm;
+    }
+    if (!depth) return std::nullopt;
+    return std::array{view_.point_at_depth(pressed_, *depth), view_.point_at_depth(at, *depth)};
 }
 
 void MouseTool::click_at(const Pixel& at) {

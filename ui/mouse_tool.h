@@ -7,11 +7,15 @@
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
 // the tool in depth, Ctrl + wheel zooms.
+// In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
+// vessel tears more easily there.
 // In inject and edit mode a plain click on a vessel injects or edits there, and a drag that began
 // on it orbits. In every mode a click on the dashed line of a gap bridges it.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "core/session/command.h"
 #include "render/scene_view.h"
@@ -20,7 +24,7 @@
 namespace hepatica {
 
 enum class MouseButton { left, middle, right };
-enum class MouseMode { pull, inject, edit, tool };
+enum class MouseMode { pull, inject, edit, tool, cut, weaken };
 
 struct MouseModifiers {
     bool shift = false;
@@ -38,6 +42,8 @@ class MouseTool {
         std::function<void(int bridge)> accept_bridge;        // of those that the view shows
         // Which way the vessel runs there; 0 where that is not known.
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
+        // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.
+        std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
@@ -65,9 +71,12 @@ class MouseTool {
     bool pulling() const { return action_ == Action::pull; }
 
   private:
-    enum class Action { none, pull, orbit, pan, wait_for_click };
+    enum class Action { none, pull, orbit, pan, wait_for_click, draw };
 
     void click_at(const Pixel& at);
+    bool draws() const { return mode_ == MouseMode::cut || mode_ == MouseMode::weaken; }
+    // Between where the line that is drawn first and last meets the vessels, at their depth.
+    std::optional<std::array<Vec3, 2>> stroke_to(const Pixel& at) const;
     void inject_at(const Pixel& at);
 
     SceneView& view_;

@@ -72,6 +72,23 @@ void draw_hook(QPainter& p) {
     p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(4.5, 4.5), QPointF(9.5, 2.5)}));
 }
 
+void draw_blade(QPainter& p) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(bright);
+    p.drawPolygon(QPolygonF({QPointF(2, 14), QPointF(9.5, 4), QPointF(12, 6.5)}));
+    p.setPen(pen(QColor(0x77, 0x80, 0x8c), 2.6));
+    p.drawLine(QPointF(11, 5), QPointF(14, 2));
+}
+
+void draw_cut_line(QPainter& p) {
+    p.setPen(pen(vessel, 4.0));
+    p.drawLine(QPointF(2, 11), QPointF(14, 5));
+    QPen dashed = pen(bright, 1.6);
+    dashed.setDashPattern({1.5, 1.8});
+    p.setPen(dashed);
+    p.drawLine(QPointF(5, 2), QPointF(11, 14));
+}
+
 Draw draw_of(ActionId id) {
     switch (id) {
         case ActionId::pull_mode:
@@ -88,6 +105,10 @@ Draw draw_of(ActionId id) {
             return draw_forceps;
         case ActionId::hook_tool:
             return draw_hook;
+        case ActionId::cut_mode:
+            return draw_blade;
+        case ActionId::weaken_mode:
+            return draw_cut_line;
         default:
             return nullptr;
     }

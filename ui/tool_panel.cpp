@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tool_panel.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "render/tool_actor.h"
 #include "ui/decimal_spin_box.h"
@@ -17,10 +19,10 @@ constexpr double shortest_mm = 2.0, longest_mm = 200.0;
 
 }  // namespace
 
-ToolPanel::ToolPanel(std::function<void(const ToolSize&)> resize, QWidget* parent)
-    : QWidget(parent) {
+ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
+    : QWidget(parent), callbacks_(std::move(callbacks)) {
     auto* column = new QVBoxLayout(this);
-    column->addWidget(make_size(resize));
+    column->addWidget(make_size());
     auto* felt = new QGroupBox("What it feels", this);
     auto* lines = new QVBoxLayout(felt);
     force_ = new QLabel(felt);
@@ -32,6 +34,7 @@ ToolPanel::ToolPanel(std::function<void(const ToolSize&)> resize, QWidget* paren
     grip_->setAccessibleName("Force with which the jaws hold");
     lines->addWidget(grip_);
     column->addWidget(felt);
+    column->addWidget(make_tear());
     help_ = new QLabel(this);
     help_->setObjectName("quiet");
     help_->setWordWrap(true);
@@ -41,7 +44,7 @@ ToolPanel::ToolPanel(std::function<void(const ToolSize&)> resize, QWidget* paren
     show_tool(std::nullopt);
 }
 
-QWidget* ToolPanel::make_size(const std::function<void(const ToolSize&)>& resize) {
+QWidget* ToolPanel::make_size() {
     auto* box = new QGroupBox("Size", this);
     auto* form = new QFormLayout(box);
     const ToolSize begin;
@@ -53,12 +56,78 @@ QWidget* ToolPanel::make_size(const std::function<void(const ToolSize&)>& resize
         field->setSingleStep(0.5);
         field->setKeyboardTracking(false);  // a number that is half typed is no size
         form->addRow(label, field);
-        connect(field, &QDoubleSpinBox::valueChanged, this, [this, resize] { resize(size()); });
+        connect(field, &QDoubleSpinBox::valueChanged, this,
+                [this] { callbacks_.resize(size()); });
         return field;
     };
     radius_ = make("Radius", "toolRadius", thinnest_mm, thickest_mm, begin.radius_mm);
     length_ = make("Length", "toolLength", shortest_mm, longest_mm, begin.length_mm);
     return box;
+}
+
+QWidget* ToolPanel::make_tear() {
+    auto* box = new QGroupBox("Tearing", this);
+    auto* form = new QFormLayout(box);
+    tears_ = new QCheckBox("Vessels tear", box);
+    tears_->setObjectName("vesselsTear");
+    tears_->setToolTip("Vessels that are pulled beyond their strength tear; off makes them whole");
+    form->addRow(tears_);
+    tear_factor_ = new DecimalSpinBox(0.001, 10.0, 1.0, 3, "", box);
+    tear_factor_->setObjectName("tearFactor");
+    tear_factor_->setAccessibleName("Tear factor: share of the tissue's strength");
+    tear_factor_->setToolTip("Share of the tissue's strength at which it tears: the tear factor");
+    tear_factor_->setKeyboardTracking(false);
+    form->addRow("Tear factor", tear_factor_);
+    line_strength_ = new DecimalSpinBox(0.0, 1.0, 0.05, 2, "", box);
+    line_strength_->setObjectName("lineStrength");
+    line_strength_->setAccessibleName("Strength along a cut line");
+    line_strength_->setToolTip("What is left of the strength along a cut line that you draw");
+    form->addRow("Along a line", line_strength_);
+    torn_ = new QLabel(box);
+    torn_->setObjectName("torn");
+    torn_->setAccessibleName("How the vessels are torn");
+    torn_->setWordWrap(true);
+    form->addRow(torn_);
+    const auto tell = [this] {
+        UseTear use = tear();
+        use.on = tears_->isChecked();
+        callbacks_.use_tear(use);
+    };
+    connect(tears_, &QCheckBox::clicked, this, tell);
+    connect(tear_factor_, &QDoubleSpinBox::valueChanged, this, [this, tell] {
+        if (tears_->isChecked()) tell();
+    });
+    return box;
+}
+
+UseTear ToolPanel::tear() const {
+    return {.on = true, .tear_factor = tear_factor_->value()};
+}
+
+double ToolPanel::cut_line_strength() const {
+    return line_strength_->value();
+}
+
+void ToolPanel::show_tear(const std::optional<TearView>& tear) {
+    tears_->setChecked(tear.has_value());
+    if (!tear) return torn_->setText("whole");
+    QString text = tear->joints_broken == 0
+                       ? QString("nothing torn")
+                       : QString("%1 joints torn, %2 pieces, entropy produced %3 nats")
+                             .arg(tear->joints_broken)
+                             .arg(tear->pieces)
+                             .arg(tear->entropy_produced_nats, 0, 'f', 2);
+    if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0)
+        text += QString("; bleeds %1 g/s, %2 g so far")
+                    .arg(tear->leak_g_s, 0, 'f', 1)
+                    .arg(tear->leaked_g, 0, 'f', 0);
+    if (!tear->stopped_by.empty())
+        text += QString("; stopped by the %1 budget").arg(QString::fromStdString(tear->stopped_by));
+    torn_->setText(text);
+}
+
+void ToolPanel::forget_tear() {
+    if (tears_->isChecked()) callbacks_.use_tear(tear());
 }
 
 ToolSize ToolPanel::size() const {

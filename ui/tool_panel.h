@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size of the tool in the hand, and what it feels.
+// The size of the tool in the hand, and what it feels; whether the vessels tear, and how they are torn.
 #pragma once
 
 #include <QWidget>
@@ -7,6 +7,7 @@
 
 #include "ui/tool_hand.h"
 
+class QCheckBox;
 class QLabel;
 
 namespace hepatica {
@@ -15,21 +16,37 @@ class DecimalSpinBox;
 
 class ToolPanel : public QWidget {
   public:
-    explicit ToolPanel(std::function<void(const ToolSize&)> resize, QWidget* parent = nullptr);
+    struct Callbacks {
+        std::function<void(const ToolSize&)> resize;
+        std::function<void(const UseTear&)> use_tear;
+    };
+    explicit ToolPanel(Callbacks callbacks, QWidget* parent = nullptr);
 
     ToolSize size() const;
+    // As chosen, switched on.
+    UseTear tear() const;
+    double cut_line_strength() const;
+    void show_tear(const std::optional<TearView>& tear);
+    // A simulation has begun that has not been told.
+    void forget_tear();
     // Empty where no tool is in the hand.
     void show_kind(const std::string& kind);
     void show_tool(const std::optional<ToolView>& tool);
 
   private:
-    QWidget* make_size(const std::function<void(const ToolSize&)>& resize);
+    QWidget* make_size();
+    QWidget* make_tear();
 
     DecimalSpinBox* radius_ = nullptr;
     DecimalSpinBox* length_ = nullptr;
     QLabel* force_ = nullptr;
     QLabel* grip_ = nullptr;
     QLabel* help_ = nullptr;
+    Callbacks callbacks_;
+    QCheckBox* tears_ = nullptr;
+    DecimalSpinBox* tear_factor_ = nullptr;
+    DecimalSpinBox* line_strength_ = nullptr;
+    QLabel* torn_ = nullptr;
 };
 
 }  // namespace hepatica

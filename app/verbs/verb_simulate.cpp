@@ -15,6 +15,7 @@
 #include "core/deform/step/damping_regression.h"
 #include "core/mesh/mesh_io.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/bleeding.h"
 #include "core/scene/crossings.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
@@ -174,6 +175,7 @@ Json run(const Options& options, Job& job) {
     const Play played = play(session, commands, options.fit_velocity_error, job);
     if (recording) recording->close();
     FlowPart* flow = session.world().flow();
+    const Bleeding* bleeding = session.world().bleeding();
     session.update_frame();
     const FrameStatistics& statistics = session.frame().statistics;
     const bool moves = session.world().deform() != nullptr;
@@ -217,6 +219,10 @@ Json run(const Options& options, Job& job) {
         {"entropy", spec.tear ? Json(played.tear.entropy_nats) : Json(nullptr)},
         {"entropy_produced", spec.tear ? Json(played.tear.entropy_produced_nats) : Json(nullptr)},
         {"stopped_by", spec.tear ? Json(stopped_by(*spec.tear, played.tear)) : Json(nullptr)},
+        {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
+        {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
+        {"body_mass_error_relative",
+         spec.tear ? Json(session.world().deform()->mass_error_relative()) : Json(nullptr)},
         {"tear_work_nj", spec.tear ? Json(played.torn_nj) : Json(nullptr)},
         {"mass_error_relative", flow != nullptr ? flow->mass_error_relative() : 0.0},
         {"back_end", session.recording_start().back_end},

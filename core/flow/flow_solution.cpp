@@ -57,6 +57,13 @@ void validate_conditions(const FlowNetwork& network, const FlowConditions& condi
           conditions.bifurcation_loss_coefficient <= 1e3))
         reject("the bifurcation loss coefficient", conditions.bifurcation_loss_coefficient,
                "Give a value from 0 to 1000; about 1 is the engineering upper end");
+    if (!conditions.torn_areas_mm2.empty() &&
+        conditions.torn_areas_mm2.size() != network.torn_nodes.size())
+        reject("the openings of torn vessels", static_cast<double>(conditions.torn_areas_mm2.size()),
+               "Give one for each or none");
+    for (const double area : conditions.torn_areas_mm2)
+        if (!(area > 0.0) || !std::isfinite(area))
+            reject("the opening of a torn vessel [mm2]", area, "Give more than 0");
     for (const Inlet& inlet : conditions.inlets) {
         if (inlet.node < 0 || inlet.node >= network.node_count)
             reject("an inlet's node", inlet.node, "Name a node of the network");
@@ -65,6 +72,27 @@ void validate_conditions(const FlowNetwork& network, const FlowConditions& condi
             validate_mass_flow(inlet.value);
         else
             check_pressure("an inlet pressure", inlet.value);
+    }
+}
+
+// Straight into the surroundings, or through openings.
+void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
+               HydraulicCircuit& circuit) {
+    for (std::size_t i = 0; i < network.torn_nodes.size(); ++i) {
+        const int node = network.torn_nodes[i];
+        if (conditions.torn_areas_mm2.empty()) {
+            circuit.fixed_pressure_pa[node] = conditions.ambient_pressure_pa;
+            continue;
+        }
+        const double throat = discharge_coefficient * conditions.torn_areas_mm2[i];
+        HydraulicElement opening;
+        opening.from = node;
+        opening.to = circuit.node_count++;
+        opening.quadratic = 0.5 * conditions.resident.density_g_mm3 / (throat * throat);
+        opening.linear = 1e-6 * opening.quadratic;  // as of a flow of 1e-6 mm3/s: none is 0
+        circuit.source_mm3_s.push_back(0.0);
+        circuit.fixed_pressure_pa.push_back(conditions.ambient_pressure_pa);
+        circuit.elements.push_back(opening);
     }
 }
 
@@ -109,8 +137,7 @@ HydraulicCircuit circuit_of(const FlowNetwork& network, const FlowConditions& co
         terminal_element[o] = static_cast<int>(circuit.elements.size());
         circuit.elements.push_back(bed);
     }
-    for (const int node : network.torn_nodes)
-        circuit.fixed_pressure_pa[node] = conditions.ambient_pressure_pa;
+    add_tears(network, conditions, circuit);
     for (const Inlet& inlet : conditions.inlets)
         if (inlet.kind == InletKind::pressure) circuit.fixed_pressure_pa[inlet.node] = inlet.value;
     return circuit;

@@ -32,8 +32,13 @@ struct FlowConditions {
     // Pa s/mm3 between each outlet and its pressure; empty: none. Infinity closes the outlet.
     std::vector<double> terminal_resistances;
     double ambient_pressure_pa = 0.0;  // around a torn vessel
+    // Opening of each torn node, in the order of torn_nodes, through which it leaks with the loss
+    // rho Q^2 / 2 (C_d A)^2 of an orifice, C_d 0.6; empty: none is lost.
+    std::vector<double> torn_areas_mm2;
     double bifurcation_loss_coefficient = 0.0;
 };
+
+constexpr double discharge_coefficient = 0.6;  // of a sharp-edged orifice (Idelchik)
 
 struct FlowSolution {
     std::vector<double> volume_flow_mm3_s;  // per segment, from proximal to distal

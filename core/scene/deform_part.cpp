@@ -18,6 +18,7 @@
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
 #include "core/scene/vessel_direction.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 
@@ -155,6 +156,22 @@ void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
     tear_ = tear;
 }
 
+void DeformPart::show_tear(TearView& view) const {
+    const TearReport& report = stepper_->tearing()->report();
+    view.joints_broken = report.joints_broken;
+    view.pieces = report.pieces;
+    view.entropy_nats = report.entropy_nats;
+    view.entropy_produced_nats = report.entropy_produced_nats;
+    view.stopped_by = !report.stopped                     ? ""
+                      : tear_->stop == TearStop::entropy ? "entropy"
+                                                         : "vertices";
+}
+
+int DeformPart::pieces() const {
+    const Tearing* tearing = stepper_->tearing();
+    return tearing != nullptr ? tearing->report().pieces : 0;
+}
+
 const TornTopology* DeformPart::torn() const {
     const Tearing* tearing = stepper_->tearing();
     return tearing != nullptr ? &tearing->topology() : nullptr;
@@ -205,6 +222,34 @@ int DeformPart::vertex_near(const Vec3& point_mm) const {
     return nearest;
 }
 
+const std::vector<VertexPlace>& DeformPart::places_of_tetrahedra(const VesselTree& tree) {
+    if (!tetrahedra_.empty()) return tetrahedra_;
+    std::vector<Vec3> centres;
+    for (const auto& [a, b, c, d] : body_.mesh.tetrahedra)
+        centres.push_back(0.25 * (body_.mesh.vertices_mm[a] + body_.mesh.vertices_mm[b] +
+                                  body_.mesh.vertices_mm[c] + body_.mesh.vertices_mm[d]));
+    tetrahedra_ = places_of(centres, tree);
+    return tetrahedra_;
+}
+
+std::vector<ThroughTear> DeformPart::torn_through(const VesselTree& tree) {
+    if (torn() == nullptr) return {};
+    return through_tears(tree, *stepper_->tearing(), places_of_tetrahedra(tree), 2.0 * edge_mm_);
+}
+
+double DeformPart::mass_error_relative() const {
+    if (torn() == nullptr) return 0.0;
+    const auto mass_of = [&](const BodyDescription& body) {
+        double sum = 0.0;
+        for (const double mass : build_body(body, setting_.model, setting_.order).mass_g)
+            sum += mass;
+        return sum;
+    };
+    const double whole = mass_of(body_);
+    return std::abs(mass_of(hepatica::torn(body_, torn_body_of(*stepper_->tearing()))) - whole) /
+           whole;
+}
+
 void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm,
                           double strength) {
     require_tear();
@@ -213,12 +258,8 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
                          "Choose a value from 0 (nothing holds) to 1 (as before)");
     const TreePoint from = places_[vertex_near(from_mm)].on_tree;
     const TreePoint to = places_[vertex_near(to_mm)].on_tree;
-    std::vector<Vec3> centres;
-    for (const auto& [a, b, c, d] : body_.mesh.tetrahedra)
-        centres.push_back(0.25 * (body_.mesh.vertices_mm[a] + body_.mesh.vertices_mm[b] +
-                                  body_.mesh.vertices_mm[c] + body_.mesh.vertices_mm[d]));
-    const std::vector<int> joints = joints_along(tree, torn()->joints(), places_of(centres, tree),
-                                                 from, to, edge_mm_);
+    const std::vector<int> joints =
+        joints_along(tree, torn()->joints(), places_of_tetrahedra(tree), from, to, edge_mm_);
     if (joints.empty())
         throw InputError("leads along no vessel", "the cut line",
                          "Give two places on one system, on a vessel wide enough to have joints");

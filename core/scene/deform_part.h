@@ -17,6 +17,7 @@
 #include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/through_tears.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/scene/vertex_places.h"
 
@@ -91,6 +92,13 @@ class DeformPart {
     // and where the present setting's elements or solver cannot.
     void set_tear(const std::optional<TearSpec>& tear);
     bool tears() const { return tear_.has_value(); }
+    int pieces() const;  // of a body that tears
+    // Where it is torn through.
+    std::vector<ThroughTear> torn_through(const VesselTree& tree);
+    // |mass of the torn body - mass of the whole| over that.
+    double mass_error_relative() const;
+    // Its counts and entropy.
+    void show_tear(TearView& view) const;
     // Null where it does not tear.
     const TornTopology* torn() const;
     // Lowers the strength along the way on the tree between the places that the two points are
@@ -149,6 +157,7 @@ class DeformPart {
   private:
     void lead_jaws(bool open, double share);
     std::optional<TearLaw> law_of(const std::optional<TearSpec>& tear) const;
+    const std::vector<VertexPlace>& places_of_tetrahedra(const VesselTree& tree);
     void require_tear() const;
     int vertex_near(const Vec3& point_mm) const;
     // What is kept per vertex grows and shrinks with the body.
@@ -178,6 +187,7 @@ class DeformPart {
     std::optional<TearSpec> tear_;
     std::vector<Vec3> rest_mm_;         // per vertex
     std::vector<std::uint8_t> fixed_;   // per vertex
+    std::vector<VertexPlace> tetrahedra_;  // of each, once asked for
     std::uint64_t followed_ = 1;        // version of the topology
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;

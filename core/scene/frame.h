@@ -58,6 +58,20 @@ struct DrugView {
     bool computing = false;  // another injection is being computed and will take this one's place
 };
 
+// How the vessels are torn.
+struct TearView {
+    int joints_broken = 0;
+    int pieces = 1;
+    double entropy_nats = 0.0;
+    double entropy_produced_nats = 0.0;
+    double leak_g_s = 0.0;  // out of stumps
+    double leaked_g = 0.0;
+    std::string stopped_by;  // "entropy" or "vertices"; empty: it goes on
+    // Of each vertex the one of the whole body that it comes from.
+    std::shared_ptr<const std::vector<int>> origins;
+    std::shared_ptr<const std::vector<std::uint8_t>> rims;  // of each: 1 where it lies on a tear
+};
+
 struct FrameStatistics {
     double step_ms = 0.0;           // wall time of the whole step: commands, world and this frame
     double real_time_factor = 1.0;  // simulated over wall time, at most 1
@@ -83,8 +97,14 @@ struct Frame {
     std::vector<float> positions_mm;                                 // x, y, z per vertex
     std::optional<GrabView> grab;
     std::optional<ToolView> tool;
+    std::optional<TearView> tear;  // none where nothing can tear
     DrugView drug;
     FrameStatistics statistics;
+
+    // The vertex of the whole body that a vertex comes from; -1 stays -1.
+    int origin_of(int vertex) const {
+        return tear && tear->origins && vertex >= 0 ? (*tear->origins)[vertex] : vertex;
+    }
 };
 
 }  // namespace hepatica

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/heap_use.h"
@@ -33,6 +34,19 @@ PartCost cost_of(const std::string& name, const std::function<void()>& build) {
     const std::size_t after = heap_bytes_in_use();
     cost.bytes = after > before ? after - before : 0;
     return cost;
+}
+
+void mark_rims(const TornTopology& torn, TearView& view) {
+    const auto parents = torn.parents();
+    auto origins = std::make_shared<std::vector<int>>(parents.begin(), parents.end());
+    auto rims = std::make_shared<std::vector<std::uint8_t>>(parents.size(), 0);
+    for (std::size_t v = 0; v < parents.size(); ++v) {
+        if (parents[v] == static_cast<int>(v)) continue;
+        (*origins)[v] = (*origins)[parents[v]];
+        (*rims)[v] = (*rims)[parents[v]] = 1;
+    }
+    view.origins = std::move(origins);
+    view.rims = std::move(rims);
 }
 
 }  // namespace
@@ -106,16 +120,34 @@ StepReport World::step() {
         else if (part.name == "flow")
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
+    if (bleeding_) bleeding_->step(spec_.dt_s);
     if (spec_.contact && spec_.contact->self) part_out_self_contact(report.self_cost);
     time_s_ += spec_.dt_s;
     return report;
 }
 
+// Vessels are torn through only when pieces come off.
+void World::bleed() {
+    if (!deform_ || !deform_->tears()) {
+        bleeding_.reset();
+        pieces_ = 0;
+        return;
+    }
+    if (!bleeding_) bleeding_ = std::make_unique<Bleeding>(patient_->tree);
+    const int pieces = deform_->pieces();
+    if (pieces == pieces_) return;
+    pieces_ = pieces;
+    bleeding_->set_tears(deform_->torn_through(patient_->tree));
+}
+
 void World::follow_tear() {
+    bleed();
     const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
     const std::uint64_t version = torn != nullptr ? torn->version() : 1;
     if (version == torn_version_) return;
     torn_version_ = version;
+    tear_view_ = {};
+    if (torn != nullptr) mark_rims(*torn, tear_view_);
     if (torn != nullptr)
         topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
     else {
@@ -134,6 +166,7 @@ void World::reset() {
         deform_->set_state({rest, std::vector<Vec3>(rest.size(), Vec3::Zero())});
     }
     follow_tear();
+    if (bleeding_) bleeding_->set_leaked_g(0.0);
     if (flow_) flow_->remove_drug();
 }
 
@@ -164,6 +197,15 @@ void World::fill(Frame& frame) const {
             frame.positions_mm[3 * v + axis] = static_cast<float>(positions[v][axis]);
     frame.grab = deform_ ? deform_->grab_view() : std::nullopt;
     frame.tool = deform_ ? deform_->tool_view() : std::nullopt;
+    frame.tear.reset();
+    if (deform_ && deform_->tears()) {
+        frame.tear = tear_view_;
+        deform_->show_tear(*frame.tear);
+        if (bleeding_) {
+            frame.tear->leak_g_s = bleeding_->leak_g_s();
+            frame.tear->leaked_g = bleeding_->leaked_g();
+        }
+    }
     frame.drug = flow_ ? flow_->drug() : DrugView{};
 }
 
@@ -172,6 +214,7 @@ WorldCheckpoint World::checkpoint() const {
     checkpoint.time_s = time_s_;
     if (deform_) checkpoint.deform = deform_->checkpoint();
     if (flow_) checkpoint.flow = flow_->checkpoint();
+    if (bleeding_) checkpoint.leaked_g = bleeding_->leaked_g();
     return checkpoint;
 }
 
@@ -182,6 +225,7 @@ void World::restore(const WorldCheckpoint& checkpoint) {
                          "Give a checkpoint of this scene");
     if (deform_) deform_->restore(*checkpoint.deform);
     follow_tear();
+    if (bleeding_) bleeding_->set_leaked_g(checkpoint.leaked_g);
     if (flow_) flow_->restore(*checkpoint.flow);
     time_s_ = checkpoint.time_s;
 }

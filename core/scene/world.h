@@ -20,6 +20,7 @@
 
 namespace hepatica {
 
+class Bleeding;
 class DeformPart;
 class FlowPart;
 struct WorldCheckpoint;
@@ -71,6 +72,8 @@ class World {
     // Takes over the vertices and triangles of a body that has torn or was made whole; step() and
     // restore() do so themselves. Costs nothing where nothing has changed.
     void follow_tear();
+    // Null where nothing can tear.
+    const Bleeding* bleeding() const { return bleeding_.get(); }
 
     // Fills in positions, surface, grab, drug and time; statistics stay as they are.
     void fill(Frame& frame) const;
@@ -87,13 +90,17 @@ class World {
 
   private:
     void part_out_self_contact(const SelfCost& cost);
+    void bleed();
 
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
     std::optional<BodyTopology> topology_;
+    TearView tear_view_;              // origins and rims as of torn_version_
     std::uint64_t torn_version_ = 1;  // of the body's topology, as topology_ has it
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
+    std::unique_ptr<Bleeding> bleeding_;  // where it can tear
+    int pieces_ = 0;                      // as it was when torn vessels were last looked for
     std::vector<PartCost> parts_;
     double time_s_ = 0.0;
 };

@@ -55,19 +55,23 @@ double effective_opening_mm(const SofteningTie& tie, const Vec3& opening_mm) {
     return parts_of(tie, opening_mm).open_mm.norm();
 }
 
+// What has come apart does not feel itself.
 double energy_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm) {
+    if (tie.most_mm >= law.opening_mm) return 0.0;
     const auto [pressed, open] = parts_of(tie, opening_mm);
     return tie.area_mm2 * (law.energy_un_mm(open.norm(), tie.most_mm) +
                            0.5 * pressed_stiffness(law) * pressed * pressed);
 }
 
 Vec3 force_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm) {
+    if (tie.most_mm >= law.opening_mm) return Vec3::Zero();
     const auto [pressed, open] = parts_of(tie, opening_mm);
     return tie.area_mm2 * (law.secant_pa_mm(open.norm(), tie.most_mm) * open +
                            pressed_stiffness(law) * pressed * tie.normal);
 }
 
 Mat3 stiffness_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm) {
+    if (tie.most_mm >= law.opening_mm) return Mat3::Zero();
     const auto [pressed, open] = parts_of(tie, opening_mm);
     const double secant = law.secant_pa_mm(open.norm(), tie.most_mm);
     Mat3 stiffness = secant * Mat3::Identity();

@@ -41,7 +41,8 @@ struct SofteningTie {
 };
 
 // Energy [nJ] of a tie at an opening, from its first vertex to its second. Pressed together it keeps
-// its stiffness however far it was opened, so that the sides do not pass through each other.
+// its stiffness however far it was opened, so that the sides do not pass through each other; what has
+// come apart is no tie.
 double energy_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);
 // Force [uN] on the first vertex; the second feels its opposite.
 Vec3 force_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);

@@ -245,14 +245,18 @@ void Tearing::measure(const TearLoads& loads) {
     report_.stopped = stopped_;
 }
 
+std::vector<std::array<int, 2>> Tearing::bound_pairs() const {
+    std::vector<std::array<int, 2>> bound;
+    for (const SofteningTie& tie : ties_)
+        if (!apart(tie.most_mm)) bound.push_back(tie.vertices);
+    return bound;
+}
+
 // All that only a change of topology or ties changes.
 void Tearing::count() {
     TearReport& report = report_;
     report.joints_parted = static_cast<int>(parted_.size());
     report.joints_broken = report.vertices_split = 0;
-    std::vector<std::array<int, 2>> bound;
-    for (const SofteningTie& tie : ties_)
-        if (!apart(tie.most_mm)) bound.push_back(tie.vertices);
     for (const int j : parted_) {
         bool broken = true;
         for (int k = 0; k < 3; ++k) {
@@ -263,7 +267,7 @@ void Tearing::count() {
     }
     for (int v = 0; v < topology_.vertex_count(); ++v)
         report.vertices_split += topology_.parents()[v] != v ? 1 : 0;
-    report.pieces = topology_.pieces(bound);
+    report.pieces = topology_.pieces(bound_pairs());
 }
 
 TearState Tearing::state() const {

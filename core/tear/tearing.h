@@ -9,36 +9,10 @@
 #include <vector>
 
 #include "core/tear/tear_law.h"
+#include "core/tear/tear_state.h"
 #include "core/tear/torn_topology.h"
 
 namespace hepatica {
-
-// All that determines how it goes on, apart from mesh and law.
-struct TearState {
-    std::vector<int> parents;        // of the vertices that were split off, in their order
-    std::vector<int> tetrahedra;     // whose corners changed, ascending,
-    std::vector<int> corners;        // and their corners, four each
-    std::vector<int> parted;         // joints, ascending,
-    std::vector<double> most_mm;     // and the widest opening of the three corners of each
-    std::vector<int> weakened;       // joints, ascending,
-    std::vector<double> weakness;    // and the factor of each
-    bool begun = false;              // a vertex was split
-    bool stopped = false;
-    double entropy_before_nats = 0.0;  // when the first was
-    double entropy_nats = 0.0;         // at the end of the last step
-};
-
-// What a body shows of it.
-struct TearReport {
-    int joints_parted = 0;
-    int joints_broken = 0;  // come apart wholly
-    int vertices_split = 0;
-    int pieces = 1;
-    double entropy_nats = 0.0;
-    double entropy_produced_nats = 0.0;  // since the first split, not below 0
-    bool stopped = false;                // by the law's stop
-    bool operator==(const TearReport&) const = default;
-};
 
 // A body after a step. All spans have one entry per tetrahedron but the last two, which have one
 // per vertex.
@@ -89,6 +63,9 @@ class Tearing {
     // Pairs of vertices that stood for one before a joint between them parted, whether it is still
     // bound or not, ascending.
     std::vector<std::array<int, 2>> parted_pairs() const;
+
+    // The vertices that ties still hold together.
+    std::vector<std::array<int, 2>> bound_pairs() const;
 
     const TearReport& report() const { return report_; }
     TearState state() const;

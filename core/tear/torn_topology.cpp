@@ -168,12 +168,22 @@ void TornTopology::restore(std::span<const int> parted, std::span<const int> par
     find_tetrahedra_of_vertices();
 }
 
-int TornTopology::pieces(std::span<const std::array<int, 2>> ties) const {
+std::vector<int> TornTopology::piece_of_vertices(std::span<const std::array<int, 2>> ties) const {
     DisjointSets sets(parents_.size());
     for (const auto& [a, b, c, d] : tetrahedra_)
         for (const int other : {b, c, d}) sets.unite(a, other);
     for (const auto& [a, b] : ties) sets.unite(a, b);
-    return static_cast<int>(sets.count());
+    std::vector<int> piece;
+    for (std::size_t v = 0; v < parents_.size(); ++v)
+        piece.push_back(static_cast<int>(sets.root(static_cast<std::uint32_t>(v))));
+    return piece;
+}
+
+int TornTopology::pieces(std::span<const std::array<int, 2>> ties) const {
+    const std::vector<int> piece = piece_of_vertices(ties);
+    int count = 0;
+    for (std::size_t v = 0; v < piece.size(); ++v) count += piece[v] == static_cast<int>(v) ? 1 : 0;
+    return count;
 }
 
 }  // namespace hepatica

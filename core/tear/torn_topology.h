@@ -49,6 +49,8 @@ class TornTopology {
 
     // Pieces of tetrahedra that share a vertex, and of vertices that `ties` hold together.
     int pieces(std::span<const std::array<int, 2>> ties) const;
+    // The piece of each vertex, named by its first vertex.
+    std::vector<int> piece_of_vertices(std::span<const std::array<int, 2>> ties) const;
 
   private:
     void find_tetrahedra_of_vertices();

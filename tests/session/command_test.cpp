@@ -47,7 +47,10 @@ std::vector<Command> one_of_each() {
             UseTools{false},
             AddTool{"hook", 1.0, odd, Vec3(0, odd, 1), Vec3(1, 2, odd), Vec3(odd, 1, 0)},
             CloseForceps{odd},
-            OpenForceps{0.5}};
+            OpenForceps{0.5},
+            CutLine{Vec3(1, odd, 3), Vec3(odd, 2, 3), odd},
+            Blade{Vec3(1, odd, 3), Vec3(odd, 2, 3)},
+            UseTear{false, odd}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

@@ -76,6 +76,9 @@ TEST(SofteningTie, PressedTogetherItDoesNotOpenAndKeepsItsStiffness) {
     const Vec3 pressed(0.0, 0.0, -0.1);
     EXPECT_EQ(effective_opening_mm(tie, pressed), 0.0);
     EXPECT_NEAR(force_of(law, tie, pressed).z(), -law.strength_pa / law.peak_mm() * 0.1, 1e-6);
+    tie.most_mm = law.opening_mm;  // come apart
+    EXPECT_EQ(energy_of(law, tie, pressed), 0.0);
+    EXPECT_EQ(force_of(law, tie, pressed), Vec3(Vec3::Zero()));
 }
 
 }  // namespace

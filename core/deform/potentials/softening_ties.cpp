@@ -34,9 +34,10 @@ void SofteningTies::turn(std::span<const Vec3> positions_mm) {
 double SofteningTies::settle(std::span<const Vec3> positions_mm) {
     double loss = 0.0;
     for (SofteningTie& tie : ties_) {
+        if (tie.most_mm >= law_.opening_mm) continue;  // it has come apart
         const Vec3 opening = opening_of(tie, positions_mm);
         const double before = energy_of(law_, tie, opening);
-        tie.most_mm = std::max(tie.most_mm, effective_opening_mm(tie, opening));
+        tie.most_mm = std::clamp(effective_opening_mm(tie, opening), tie.most_mm, law_.opening_mm);
         turn_one(tie, positions_mm);
         loss += before - energy_of(law_, tie, opening);
     }

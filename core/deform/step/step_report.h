@@ -8,7 +8,7 @@
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/energy_ledger.h"
-#include "core/tear/tearing.h"
+#include "core/tear/tear_state.h"
 
 namespace hepatica {
 

@@ -14,10 +14,11 @@
 #include "core/deform/potentials/tool.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/stepper/stepper_options.h"
-#include "core/tear/tearing.h"
+#include "core/tear/tear_state.h"
 
 namespace hepatica {
 
+class Tearing;             // core/tear/tearing.h
 struct StepperCheckpoint;  // core/deform/stepper/stepper_checkpoint.h
 
 class Stepper {

@@ -18,7 +18,7 @@
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 #include "core/deform/stepper/stepper.h"
-#include "core/tear/tearing.h"
+#include "core/tear/tear_state.h"
 
 namespace hepatica {
 

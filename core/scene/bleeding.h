@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What torn vessels lose: the tree at its resting inflow, with an opening into the surroundings at
+// each stump, solved anew whenever it is torn further.
+#pragma once
+
+#include <vector>
+
+#include "core/flow/flow_network.h"
+#include "core/flow/flow_solution.h"
+#include "core/scene/through_tears.h"
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+// An adult of 70 kg at rest: hepatic artery 3.5, portal vein 13.5 ml/min/kg (Carlisle 1992). What
+// lies behind the ends of the vessels takes that at these pressures; a torn hepatic vein bleeds back
+// from the cava.
+struct RestingFlow {
+    double portal_g_s = 16.7;
+    double artery_g_s = 4.3;
+    double portal_pa = 1070.0;  // 8 mmHg over the tissue's, beyond which the liver's bed begins
+    double artery_pa = 10700.0;
+    double cava_pa = 670.0;
+    double ambient_pa = 0.0;
+};
+
+// Not thread-safe.
+class Bleeding {
+  public:
+    explicit Bleeding(const VesselTree& tree, const RestingFlow& rest = {});
+
+    // Costs a solution of the network where they are others than before.
+    void set_tears(const std::vector<ThroughTear>& tears);
+    void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
+
+    double leak_g_s() const { return leak_g_s_; }
+    double leaked_g() const { return leaked_g_; }
+    void set_leaked_g(double leaked_g) { leaked_g_ = leaked_g; }
+
+  private:
+    VesselTree tree_;
+    RestingFlow rest_;
+    std::vector<ThroughTear> tears_;
+    double leak_g_s_ = 0.0;
+    double leaked_g_ = 0.0;
+};
+
+}  // namespace hepatica

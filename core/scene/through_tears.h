@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a body is torn through: vessels of which one part no longer hangs together with the next.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/scene/vertex_places.h"
+#include "core/tear/tearing.h"
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+struct ThroughTear {
+    TreePoint at;
+    double area_mm2 = 0.0;  // of the lumen there
+    bool operator==(const ThroughTear& other) const {
+        return at.segment == other.at.segment && at.arclength_mm == other.at.arclength_mm;
+    }
+};
+
+// Segment after segment along its length, in stretches of `stretch_mm`, by the piece that most
+// tetrahedra of each stretch are of. `tetrahedra` has the place of each.
+std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& tearing,
+                                       std::span<const VertexPlace> tetrahedra, double stretch_mm);
+
+}  // namespace hepatica

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a tear has come to: what it goes on from, and what is shown of it. Plain data.
+#pragma once
+
+#include <vector>
+
+namespace hepatica {
+
+// All that determines how it goes on, apart from mesh and law.
+struct TearState {
+    std::vector<int> parents;        // of the vertices that were split off, in their order
+    std::vector<int> tetrahedra;     // whose corners changed, ascending,
+    std::vector<int> corners;        // and their corners, four each
+    std::vector<int> parted;         // joints, ascending,
+    std::vector<double> most_mm;     // and the widest opening of the three corners of each
+    std::vector<int> weakened;       // joints, ascending,
+    std::vector<double> weakness;    // and the factor of each
+    bool begun = false;              // a vertex was split
+    bool stopped = false;
+    double entropy_before_nats = 0.0;  // when the first was
+    double entropy_nats = 0.0;         // at the end of the last step
+};
+
+// What a body shows of it.
+struct TearReport {
+    int joints_parted = 0;
+    int joints_broken = 0;  // come apart wholly
+    int vertices_split = 0;
+    int pieces = 1;
+    double entropy_nats = 0.0;
+    double entropy_produced_nats = 0.0;  // since the first split, not below 0
+    bool stopped = false;                // by the law's stop
+    bool operator==(const TearReport&) const = default;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session in which the vessels tear: cut lines and a blade, what the frame shows of it, what bleeds,
+// and that all of it plays again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/scene/bleeding.h"
+#include "core/scene/deform_part.h"
+#include "core/scene/world.h"
+#include "core/session/recording_file.h"
+#include "core/session/replay.h"
+#include "core/session/script.h"
+#include "tests/session/new_session.h"
+#include "tests/session/recorded.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::keep_recording;
+using test::middle_of;
+using test::new_session;
+using test::play;
+using test::small_patient;
+using testing::HasSubstr;
+
+SceneSpec that_tears() {
+    SceneSpec spec = default_scene();
+    spec.tear.emplace();
+    return spec;
+}
+
+// Across the first branch.
+CutLine line() {
+    const Vec3 at = middle_of(small_patient()->tree, 0);
+    return {at, at, 0.01};
+}
+
+// Along a blade's way across it, well beyond both sides.
+Blade blade() {
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const std::size_t m = points.size() / 2;
+    const Vec3 across = 15.0 * (points[m + 1] - points[m - 1]).unitOrthogonal();
+    return {points[m] - across, points[m] + across};
+}
+
+// The far end of what is cut is pulled along the vessel until something gives.
+TearReport pull(Session& session, int steps) {
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const Vec3 along = (points.back() - points.front()).normalized();
+    session.post(GrabPoint{points.back()});
+    SessionStep last;
+    for (int i = 0; i < steps; ++i) {
+        session.post(MoveGrab{points.back() + 0.15 * (i + 1) * along});
+        last = session.step();
+    }
+    return last.deform.tear;
+}
+
+TEST(TearSession, AVesselTearsAlongItsCutLine) {
+    const auto session = new_session(that_tears());
+    session->post(line());
+    const TearReport torn = pull(*session, 120);
+    EXPECT_GT(torn.joints_broken, 0);
+    const auto& deform = *session->world().deform();
+    const auto& places = deform.places();
+    for (const Joint& joint : deform.torn()->joints()) {
+        const auto sides = deform.torn()->sides(joint, 0);
+        if (sides[0] == sides[1]) continue;
+        EXPECT_NEAR((joint.centre_mm - middle_of(small_patient()->tree, 0)).norm(), 0.0, 8.0);
+    }
+    EXPECT_EQ(places.size(), session->world().vertex_count());
+    EXPECT_LT(deform.mass_error_relative(), 1e-12);
+}
+
+TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    for (VesselSegment& segment : patient->tree.segments) segment.system = VascularSystem::portal;
+    Job job;
+    const auto session = std::make_unique<Session>(patient, that_tears(), job);
+    const int pieces = session->step().deform.tear.pieces;
+    session->post(blade());
+    EXPECT_EQ(session->step().deform.tear.pieces, pieces + 1);
+    session->update_frame();
+    const Frame& frame = session->frame();
+    ASSERT_TRUE(frame.tear);
+    EXPECT_EQ(frame.tear->pieces, pieces + 1);
+    EXPECT_EQ(frame.positions_mm.size(), 3 * session->world().vertex_count());
+    ASSERT_EQ(frame.tear->origins->size(), session->world().vertex_count());
+    EXPECT_EQ(std::ranges::count(*frame.tear->rims, 1) % 2, 0);
+    EXPECT_GT(std::ranges::count(*frame.tear->rims, 1), 8);
+    const double leak = session->world().bleeding()->leak_g_s();
+    EXPECT_GT(leak, 0.5 * RestingFlow{}.portal_g_s);
+    EXPECT_LT(leak, 1.001 * RestingFlow{}.portal_g_s);
+    const double before = session->world().bleeding()->leaked_g();
+    play(*session, 60);
+    EXPECT_NEAR(session->world().bleeding()->leaked_g() - before, leak, 1e-9 * leak);
+}
+
+TEST(TearSession, AResetGivesTheWholeVesselBack) {
+    const auto session = new_session(that_tears());
+    const std::size_t vertices = session->world().vertex_count();
+    const std::uint64_t version = session->world().topology().version();
+    session->post(blade());
+    session->step();
+    EXPECT_GT(session->world().vertex_count(), vertices);
+    const std::uint64_t torn = session->world().topology().version();
+    session->post(ResetWorld{});
+    session->step();
+    EXPECT_EQ(session->world().vertex_count(), vertices);
+    EXPECT_NE(session->world().topology().version(), torn);
+    EXPECT_NE(session->world().topology().version(), version);
+    EXPECT_EQ(session->world().bleeding()->leaked_g(), 0.0);
+    EXPECT_EQ(*session->world().topology().triangles(), boundary_triangles(small_patient()->mesh));
+}
+
+TEST(TearSession, TheRecordingPlaysAgainFromItsStartAndFromAKeyframeInATear) {
+    const auto session = new_session(that_tears());
+    const auto recording = keep_recording(*session);
+    session->post(line());
+    play(*session, 520);
+    pull(*session, 120);  // over the keyframe at 600
+    session->post(blade());
+    play(*session, 20);
+    session->post(RestoreSnapshot{});
+    play(*session, 5);
+    session->post(SetWall{0.5});  // another body, torn like this one
+    play(*session, 5);
+    const fs::path file = fs::path(testing::TempDir()) / "tear.hrec";
+    write_recording(file, *recording);
+    const Recording read = read_recording(file);
+    Job job;
+    for (const std::uint64_t from : {0u, 620u}) {
+        const ReplayResult again = replay(read, small_patient(), job, from);
+        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
+        EXPECT_EQ(again.state_hash, session->state_hash());
+        EXPECT_EQ(again.began_at > 0, from > 0);
+    }
+}
+
+// As the window does it: nothing is built for it until somebody wants it.
+TEST(TearSession, TearingComesAndGoesWithItsPartOfTheScene) {
+    const auto session = new_session();
+    session->post(blade());
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("nothing tears"));
+    EXPECT_FALSE(session->frame().tear);
+    session->post(UseTear{true, 0.5});
+    session->post(blade());
+    session->step();
+    session->update_frame();
+    ASSERT_TRUE(session->frame().tear);
+    EXPECT_GT(session->frame().tear->pieces, 1);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_FALSE(session->frame().tear);
+    EXPECT_EQ(session->world().vertex_count(), small_patient()->mesh.vertices_mm.size());
+}
+
+TEST(TearSession, SaysWhatIsWrongWithALine) {
+    const auto session = new_session(that_tears());
+    CutLine wrong = line();
+    wrong.strength = 2.0;
+    session->post(wrong);
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("strength along a cut line"));
+}
+
+}  // namespace
+}  // namespace hepatica
