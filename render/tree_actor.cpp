@@ -116,7 +116,7 @@ void TreeActor::take_colours() {
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
         const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
         const bool touched = std::ranges::binary_search(touched_, vertex);
-        const Colour colour = touched                     ? palette::touch
+        const Colour colour = touched                    ? palette::touch
                               : split && (*rims_)[shown] ? palette::torn
                                                          : palette::vessel_system(system);
         for (double channel : colour) {

@@ -59,8 +59,8 @@ class TreeActor {
     bool rounded_is_old_ = false;  // the same
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> highlight_;
-    std::vector<int> touched_;  // vertices of the frame, ascending
-    std::shared_ptr<const std::vector<int>> origins_;       // see TearView
+    std::vector<int> touched_;                               // vertices of the frame, ascending
+    std::shared_ptr<const std::vector<int>> origins_;        // see TearView
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;

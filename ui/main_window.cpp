@@ -127,9 +127,9 @@ void MainWindow::build_view() {
          [this](int bridge) { editing_->accept(bridge); },
          [this](const SurfacePick& pick) {
              if (!patient_) return Vec3(Vec3::Zero());
-             return vessel_direction(patient_->patient->tree,
-                                     patient_->anatomy.tree_point(
-                                         frame().origin_of(pick.nearest_vertex)));
+             return vessel_direction(
+                 patient_->patient->tree,
+                 patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
          },
          [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
              tear(mode, stroke);

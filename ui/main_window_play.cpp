@@ -132,8 +132,7 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     if (!patient_) return;
     if (pick.nearest_vertex == hovered_vertex_) return;
     hovered_vertex_ = pick.nearest_vertex;
-    const TreePoint point =
-        patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
+    const TreePoint point = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
     inject_->show_hover(
         QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
@@ -180,9 +179,8 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
                              : mode == MouseMode::inject ? "Click on a vessel to inject there"
-                             : mode == MouseMode::edit
-                                 ? "Click on a vessel to correct the tree"
-                             : mode == MouseMode::cut ? "Draw a line across a vessel to cut it"
+                             : mode == MouseMode::edit   ? "Click on a vessel to correct the tree"
+                             : mode == MouseMode::cut    ? "Draw a line across a vessel to cut it"
                              : mode == MouseMode::weaken
                                  ? "Draw a line across a vessel: it tears there when pulled"
                                  : "The mouse leads the tool, the wheel moves it in depth",

@@ -113,8 +113,8 @@ std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
     for (int i = 0; i <= samples && !depth; ++i) {
         // From the middle outwards: what is drawn across lies there.
         const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * i / samples;
-        const SurfacePick pick = view_.pick({pressed_.x + share * (at.x - pressed_.x),
-                                             pressed_.y + share * (at.y - pressed_.y)});
+        const SurfacePick pick = view_.pick(
+            {pressed_.x + share * (at.x - pressed_.x), pressed_.y + share * (at.y - pressed_.y)});
         if (pick.triangle >= 0) depth = pick.position_mm;
     }
     if (!depth) return std::nullopt;

@@ -56,8 +56,7 @@ QWidget* ToolPanel::make_size() {
         field->setSingleStep(0.5);
         field->setKeyboardTracking(false);  // a number that is half typed is no size
         form->addRow(label, field);
-        connect(field, &QDoubleSpinBox::valueChanged, this,
-                [this] { callbacks_.resize(size()); });
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this] { callbacks_.resize(size()); });
         return field;
     };
     radius_ = make("Radius", "toolRadius", thinnest_mm, thickest_mm, begin.radius_mm);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size of the tool in the hand, and what it feels; whether the vessels tear, and how they are torn.
+// The size of the tool in the hand, and what it feels; whether the vessels tear, and how they are
+// torn.
 #pragma once
 
 #include <QWidget>

@@ -56,8 +56,8 @@ struct Play {
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
     double momentum_error_relative = 0.0;  // see MomentumBalance
-    TearReport tear;  // of the last step
-    double torn_nj = 0.0;  // energy of fracture
+    TearReport tear;                       // of the last step
+    double torn_nj = 0.0;                  // energy of fracture
     bool finite = true;
 };
 

@@ -59,8 +59,8 @@ void validate_conditions(const FlowNetwork& network, const FlowConditions& condi
                "Give a value from 0 to 1000; about 1 is the engineering upper end");
     if (!conditions.torn_areas_mm2.empty() &&
         conditions.torn_areas_mm2.size() != network.torn_nodes.size())
-        reject("the openings of torn vessels", static_cast<double>(conditions.torn_areas_mm2.size()),
-               "Give one for each or none");
+        reject("the openings of torn vessels",
+               static_cast<double>(conditions.torn_areas_mm2.size()), "Give one for each or none");
     for (const double area : conditions.torn_areas_mm2)
         if (!(area > 0.0) || !std::isfinite(area))
             reject("the opening of a torn vessel [mm2]", area, "Give more than 0");

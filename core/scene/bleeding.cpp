@@ -91,9 +91,8 @@ void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     for (const ThroughTear& torn : tears) {
         const std::size_t before = network.torn_nodes.size();
         tear(network, torn.at);
-        conditions.torn_areas_mm2.resize(conditions.torn_areas_mm2.size() +
-                                             network.torn_nodes.size() - before,
-                                         torn.area_mm2);
+        conditions.torn_areas_mm2.resize(
+            conditions.torn_areas_mm2.size() + network.torn_nodes.size() - before, torn.area_mm2);
     }
     const FlowSolution solution = solve_flow(network, conditions);
     for (const double flow : solution.torn_flow_mm3_s) leak_g_s_ += flow * density;

@@ -13,8 +13,8 @@
 namespace hepatica {
 
 // An adult of 70 kg at rest: hepatic artery 3.5, portal vein 13.5 ml/min/kg (Carlisle 1992). What
-// lies behind the ends of the vessels takes that at these pressures; a torn hepatic vein bleeds back
-// from the cava.
+// lies behind the ends of the vessels takes that at these pressures; a torn hepatic vein bleeds
+// back from the cava.
 struct RestingFlow {
     double portal_g_s = 16.7;
     double artery_g_s = 4.3;

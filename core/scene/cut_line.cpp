@@ -43,8 +43,7 @@ std::map<int, Stretch> way_between(const VesselTree& tree, const TreePoint& from
     climb(to, down);
     // One of the two may lie on the segment where the ways meet: the rest of it is on the way.
     for (const TreePoint& end : {from, to})
-        if (end.segment == *meet)
-            way[*meet] = {end.arclength_mm, length_mm(tree.segments[*meet])};
+        if (end.segment == *meet) way[*meet] = {end.arclength_mm, length_mm(tree.segments[*meet])};
     return way;
 }
 

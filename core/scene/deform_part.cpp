@@ -12,8 +12,8 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/mesh/surface.h"
 #include "core/deform/body/torn_body.h"
+#include "core/mesh/surface.h"
 #include "core/scene/cut_line.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
@@ -162,7 +162,7 @@ void DeformPart::show_tear(TearView& view) const {
     view.pieces = report.pieces;
     view.entropy_nats = report.entropy_nats;
     view.entropy_produced_nats = report.entropy_produced_nats;
-    view.stopped_by = !report.stopped                     ? ""
+    view.stopped_by = !report.stopped                    ? ""
                       : tear_->stop == TearStop::entropy ? "entropy"
                                                          : "vertices";
 }
@@ -184,8 +184,7 @@ void DeformPart::follow_tear() {
     followed_ = version;
     std::vector<int> parents(body_.mesh.vertices_mm.size());
     std::iota(parents.begin(), parents.end(), 0);
-    if (topology != nullptr)
-        parents.assign(topology->parents().begin(), topology->parents().end());
+    if (topology != nullptr) parents.assign(topology->parents().begin(), topology->parents().end());
     inherit(parents, rest_mm_);
     inherit(parents, fixed_);
     inherit(parents, places_);
@@ -269,8 +268,8 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
 void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm) {
     require_tear();
     const VertexPlace& place = places_[vertex_near(0.5 * (from_mm + to_mm))];
-    const BladeSweep sweep = blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree),
-                                         2.5 * place.radius_mm);
+    const BladeSweep sweep =
+        blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree), 2.5 * place.radius_mm);
     stepper_->cut(sweep.corner_mm, sweep.way_mm, sweep.edge_mm);
     follow_tear();
 }
@@ -476,8 +475,8 @@ void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
 }
 
 DeformSettings DeformPart::settings() const {
-    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_, setting_, body_.touchable,
-            tear_};
+    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_,
+            setting_,           body_.touchable,         tear_};
 }
 
 void DeformPart::use(const DeformSettings& settings) {

@@ -88,8 +88,8 @@ class DeformPart {
     const std::optional<Tool>& tool() const { return stepper_->tool(); }
     std::optional<ToolView> tool_view() const;
 
-    // How it tears; none: it does not, and is made whole. Throws InputError for values out of range,
-    // and where the present setting's elements or solver cannot.
+    // How it tears; none: it does not, and is made whole. Throws InputError for values out of
+    // range, and where the present setting's elements or solver cannot.
     void set_tear(const std::optional<TearSpec>& tear);
     bool tears() const { return tear_.has_value(); }
     int pieces() const;  // of a body that tears
@@ -102,8 +102,9 @@ class DeformPart {
     // Null where it does not tear.
     const TornTopology* torn() const;
     // Lowers the strength along the way on the tree between the places that the two points are
-    // nearest to, see joints_along. A strength of 0 to 1 of what it was. Throws InputError where the
-    // body does not tear, where no way leads from one to the other, and for values out of range.
+    // nearest to, see joints_along. A strength of 0 to 1 of what it was. Throws InputError where
+    // the body does not tear, where no way leads from one to the other, and for values out of
+    // range.
     void cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm, double strength);
     // Leads a blade through the vessel nearest to its way, see blade_sweep. Throws InputError where
     // the body does not tear or the way is not finite.
@@ -185,10 +186,10 @@ class DeformPart {
     double strength_pa_ = 0.0;
     double fracture_energy_j_m2_ = 0.0;
     std::optional<TearSpec> tear_;
-    std::vector<Vec3> rest_mm_;         // per vertex
-    std::vector<std::uint8_t> fixed_;   // per vertex
+    std::vector<Vec3> rest_mm_;            // per vertex
+    std::vector<std::uint8_t> fixed_;      // per vertex
     std::vector<VertexPlace> tetrahedra_;  // of each, once asked for
-    std::uint64_t followed_ = 1;        // version of the topology
+    std::uint64_t followed_ = 1;           // version of the topology
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;
 };

@@ -212,8 +212,7 @@ SceneSpec scene_from_json(const Json& json) {
     if (spec.contact && !spec.deform)
         fields.refuse("needs deform: only what moves is touched", "contact");
     if (!tear.is_null()) spec.tear = tear_from_json(tear);
-    if (spec.tear && !spec.deform)
-        fields.refuse("needs deform: only what moves can tear", "tear");
+    if (spec.tear && !spec.deform) fields.refuse("needs deform: only what moves can tear", "tear");
     if (!spec.deform && !spec.flow)
         fields.refuse("names no part; name deform, flow or both", "deform, flow");
     return spec;

@@ -150,8 +150,8 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "set_paused",     "reset_world",   "restore_snapshot", "set_automatic_quality",
     "use_setting",    "set_wall",      "finish_injection", "add_tool",
     "move_tool",      "shift_tool",    "remove_tool",      "turn_tool",
-    "use_tools",      "close_forceps", "open_forceps",
-    "cut_line",       "blade",         "use_tear"};
+    "use_tools",      "close_forceps", "open_forceps",     "cut_line",
+    "blade",          "use_tear"};
 
 struct Writer {
     Json& json;

@@ -151,12 +151,12 @@ struct ResetWorld {};
 // away.
 struct RestoreSnapshot {};
 
-using Command = std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug,
-                             PlayDrug, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality,
-                             SetPaused, ResetWorld, RestoreSnapshot, SetAutomaticQuality,
-                             UseSetting, SetWall, FinishInjection, AddTool, MoveTool, ShiftTool,
-                             RemoveTool, TurnTool, UseTools, CloseForceps, OpenForceps, CutLine,
-                             Blade, UseTear>;
+using Command =
+    std::variant<GrabPoint, GrabVertex, MoveGrab, ReleaseGrab, InjectDrug, RemoveDrug, PlayDrug,
+                 SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
+                 ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
+                 FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool, TurnTool, UseTools,
+                 CloseForceps, OpenForceps, CutLine, Blade, UseTear>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

@@ -22,8 +22,7 @@ Joint joint_between(const TetMesh& mesh, const Face& first, const Face& second) 
     std::array<Vec3, 3> x;
     for (int k = 0; k < 3; ++k) {
         const int vertex = one[joint.corners[0][k]];
-        joint.corners[1][k] =
-            static_cast<int>(std::ranges::find(other, vertex) - other.begin());
+        joint.corners[1][k] = static_cast<int>(std::ranges::find(other, vertex) - other.begin());
         x[k] = mesh.vertices_mm[vertex];
     }
     const Vec3 doubled = (x[1] - x[0]).cross(x[2] - x[0]);

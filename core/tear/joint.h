@@ -12,7 +12,8 @@
 
 namespace hepatica {
 
-// Corners of the face opposite to each corner of a tetrahedron, counter-clockwise seen from outside.
+// Corners of the face opposite to each corner of a tetrahedron, counter-clockwise seen from
+// outside.
 inline constexpr std::array<std::array<int, 3>, 4> face_corners{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
@@ -21,17 +22,17 @@ struct Joint {
     // Which corners of each tetrahedron lie on it: corner k of both was one vertex before anything
     // tore. Counter-clockwise seen from the second tetrahedron.
     std::array<std::array<int, 3>, 2> corners{};
-    double area_mm2 = 0.0;        // at rest
-    Vec3 normal = Vec3::Zero();   // at rest, of length 1, from the first tetrahedron to the second
+    double area_mm2 = 0.0;       // at rest
+    Vec3 normal = Vec3::Zero();  // at rest, of length 1, from the first tetrahedron to the second
     Vec3 centre_mm = Vec3::Zero();  // at rest
 };
 
 // All joints of a mesh in the order of their faces' vertices. Costs a sort of all faces.
 std::vector<Joint> joints_of(const TetMesh& mesh);
 
-// The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from its elastic forces [uN] on its
-// corners, their places at rest [mm] and its volume at rest [mm3]: -sum f_a X_a^T / V. Holds for
-// every law whose forces follow from a constant deformation gradient, and averages all others.
+// The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from its elastic forces [uN] on
+// its corners, their places at rest [mm] and its volume at rest [mm3]: -sum f_a X_a^T / V. Holds
+// for every law whose forces follow from a constant deformation gradient, and averages all others.
 Mat3 stress_of(const std::array<Vec3, 4>& force_un, const std::array<Vec3, 4>& rest_mm,
                double volume_mm3);
 

@@ -13,11 +13,11 @@ namespace hepatica {
 
 // Of a joint of tear factor 1. Per area at rest.
 struct SofteningLaw {
-    double strength_pa = 0.0;   // > 0
-    double opening_mm = 0.0;    // the critical one, > 0: 2 * fracture energy / strength
+    double strength_pa = 0.0;  // > 0
+    double opening_mm = 0.0;   // the critical one, > 0: 2 * fracture energy / strength
     // The share of the critical opening over which the traction rises. Its slope is the stiffness
-    // with which parted joints that still hold are bound: small enough to bend nothing, large enough
-    // for single precision.
+    // with which parted joints that still hold are bound: small enough to bend nothing, large
+    // enough for single precision.
     static constexpr double rise = 0.02;
 
     double peak_mm() const { return rise * opening_mm; }
@@ -33,16 +33,16 @@ struct SofteningLaw {
 
 // One corner of a parted joint: two vertices that were one, and a third of the joint's area.
 struct SofteningTie {
-    std::array<int, 2> vertices{};     // of the joint's first and second tetrahedron
-    std::array<int, 3> triangle{};     // the first tetrahedron's face: gives the present normal
-    double area_mm2 = 0.0;             // times the joint's tear factor
-    double most_mm = 0.0;              // the widest opening so far, >= law.peak_mm()
-    Vec3 normal = Vec3::Zero();        // present, towards the second
+    std::array<int, 2> vertices{};  // of the joint's first and second tetrahedron
+    std::array<int, 3> triangle{};  // the first tetrahedron's face: gives the present normal
+    double area_mm2 = 0.0;          // times the joint's tear factor
+    double most_mm = 0.0;           // the widest opening so far, >= law.peak_mm()
+    Vec3 normal = Vec3::Zero();     // present, towards the second
 };
 
-// Energy [nJ] of a tie at an opening, from its first vertex to its second. Pressed together it keeps
-// its stiffness however far it was opened, so that the sides do not pass through each other; what has
-// come apart is no tie.
+// Energy [nJ] of a tie at an opening, from its first vertex to its second. Pressed together it
+// keeps its stiffness however far it was opened, so that the sides do not pass through each other;
+// what has come apart is no tie.
 double energy_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);
 // Force [uN] on the first vertex; the second feels its opposite.
 Vec3 force_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);

@@ -20,7 +20,8 @@ void validate(const TearLaw& law) {
     check(positive(law.fracture_energy_j_m2), "fracture energy [J/m2]", law.fracture_energy_j_m2,
           "greater than 0");
     check(law.tear_factor > 0.0, "tear factor", law.tear_factor, "greater than 0");
-    check(law.entropy_budget_nats >= 0.0, "entropy budget", law.entropy_budget_nats, "of 0 or more");
+    check(law.entropy_budget_nats >= 0.0, "entropy budget", law.entropy_budget_nats,
+          "of 0 or more");
     check(law.vertex_budget >= 0, "vertex budget", law.vertex_budget, "of 0 or more");
 }
 

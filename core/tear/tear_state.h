@@ -8,14 +8,14 @@ namespace hepatica {
 
 // All that determines how it goes on, apart from mesh and law.
 struct TearState {
-    std::vector<int> parents;        // of the vertices that were split off, in their order
-    std::vector<int> tetrahedra;     // whose corners changed, ascending,
-    std::vector<int> corners;        // and their corners, four each
-    std::vector<int> parted;         // joints, ascending,
-    std::vector<double> most_mm;     // and the widest opening of the three corners of each
-    std::vector<int> weakened;       // joints, ascending,
-    std::vector<double> weakness;    // and the factor of each
-    bool begun = false;              // a vertex was split
+    std::vector<int> parents;      // of the vertices that were split off, in their order
+    std::vector<int> tetrahedra;   // whose corners changed, ascending,
+    std::vector<int> corners;      // and their corners, four each
+    std::vector<int> parted;       // joints, ascending,
+    std::vector<double> most_mm;   // and the widest opening of the three corners of each
+    std::vector<int> weakened;     // joints, ascending,
+    std::vector<double> weakness;  // and the factor of each
+    bool begun = false;            // a vertex was split
     bool stopped = false;
     double entropy_before_nats = 0.0;  // when the first was
     double entropy_nats = 0.0;         // at the end of the last step

@@ -47,8 +47,8 @@ Tearing::Tearing(const TetMesh& mesh, const TearLaw& law, std::span<const double
     for (const Joint& joint : topology_.joints()) {
         double factor = law.tear_factor;
         if (!strength_factor.empty())
-            factor *= 0.5 * (strength_factor[joint.tetrahedra[0]] +
-                             strength_factor[joint.tetrahedra[1]]);
+            factor *=
+                0.5 * (strength_factor[joint.tetrahedra[0]] + strength_factor[joint.tetrahedra[1]]);
         factor_.push_back(factor);
         sides_.push_back(joint.tetrahedra);
     }
@@ -102,8 +102,8 @@ double Tearing::load_of(const Joint& joint, double limit_pa, const TearLoads& lo
     const auto corner = [&](int k) -> const Vec3& {
         return loads.positions_mm[one[joint.corners[0][k]]];
     };
-    const double pull = effective_traction_pa(
-        traction, normal_of(corner(0), corner(1), corner(2), joint.normal));
+    const double pull =
+        effective_traction_pa(traction, normal_of(corner(0), corner(1), corner(2), joint.normal));
     if (limit_pa > 0.0) return pull / limit_pa;
     return pull > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }

@@ -94,7 +94,7 @@ class Tearing {
     std::vector<double> factor_;             // of each joint: times the strength, weakness apart
     std::vector<double> weakness_;           // of each joint
     std::vector<std::array<double, 3>> most_mm_;  // of each joint
-    std::vector<int> parted_;                // joints, ascending
+    std::vector<int> parted_;                     // joints, ascending
     std::vector<SofteningTie> ties_;
     std::vector<Tied> tied_;  // what each tie binds
     bool begun_ = false, stopped_ = false;

@@ -37,9 +37,9 @@ class TornTopology {
     // The joints at a vertex that have not parted, ascending.
     std::vector<int> joints_at(int vertex) const;
 
-    // Parts these joints, and splits the vertices that this sets free, in one transaction. The group
-    // with the largest volume keeps the number; the others get the next ones. `volume_mm3` is that of
-    // each tetrahedron at rest. Costs what lies around the joints.
+    // Parts these joints, and splits the vertices that this sets free, in one transaction. The
+    // group with the largest volume keeps the number; the others get the next ones. `volume_mm3` is
+    // that of each tetrahedron at rest. Costs what lies around the joints.
     void part(std::span<const int> joints, std::span<const double> volume_mm3);
 
     // Takes what was torn before, as read from this class: joints, vertices and corners. Throws

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session in which the vessels tear: cut lines and a blade, what the frame shows of it, what bleeds,
-// and that all of it plays again.
+// A session in which the vessels tear: cut lines and a blade, what the frame shows of it, what
+// bleeds, and that all of it plays again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

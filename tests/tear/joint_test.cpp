@@ -34,8 +34,8 @@ TEST(Joints, NameTheSameVerticesOnBothSidesAndPointToTheSecond) {
     }
 }
 
-// The nodal forces of a uniform stress P are -V P grad N_a; grad N_a is minus the area vector of the
-// opposite face over 3 V.
+// The nodal forces of a uniform stress P are -V P grad N_a; grad N_a is minus the area vector of
+// the opposite face over 3 V.
 TEST(Stress, OfTheForcesOfAUniformStressIsThatStress) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1.0, 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that tear: conservation over splits, fracture energy, where bars break, and what they go on
-// from.
+// Bodies that tear: conservation over splits, fracture energy, where bars break, and what they go
+// on from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -140,7 +140,8 @@ TEST(TearingBody, WithoutALimitHasTheBitsOfOneThatDoesNotTear) {
     other.tear.reset();
     const auto tears = make_live_stepper(body, {}), whole = make_live_stepper(other, {});
     for (int k = 0; k < 60; ++k) {
-        for (Stepper* stepper : {static_cast<Stepper*>(tears.get()), static_cast<Stepper*>(whole.get())}) {
+        for (Stepper* stepper :
+             {static_cast<Stepper*>(tears.get()), static_cast<Stepper*>(whole.get())}) {
             stepper->set_grabs(pull_of(body, 20.0, 0.3 * k));
             stepper->step(dt_s);
         }
@@ -148,7 +149,8 @@ TEST(TearingBody, WithoutALimitHasTheBitsOfOneThatDoesNotTear) {
     }
 }
 
-// The area that has been torn, a tie counted by what it has taken of its part of the fracture energy.
+// The area that has been torn, a tie counted by what it has taken of its part of the fracture
+// energy.
 double torn_area_mm2(const Stepper& stepper) {
     const Tearing& tearing = *stepper.tearing();
     const SofteningLaw law = tearing.law().softening();
@@ -160,7 +162,8 @@ double torn_area_mm2(const Stepper& stepper) {
             const auto sides = tearing.topology().sides(joint, k);
             if (sides[0] == sides[1]) continue;
             const double most = std::max(state.most_mm[3 * i + k], law.peak_mm());
-            area += joint.area_mm2 / 3.0 * (law.energy_un_mm(most, 0.0) - law.energy_un_mm(most, most)) /
+            area += joint.area_mm2 / 3.0 *
+                    (law.energy_un_mm(most, 0.0) - law.energy_un_mm(most, most)) /
                     (1e3 * law.fracture_energy_j_m2());
         }
     return area;
@@ -249,8 +252,8 @@ TEST(TearingBody, TheSameFacesBreakHoweverTheyAreNumbered) {
         EXPECT_GT(pull_apart(*stepper, one, 12.0, 0.2), 0);
         auto& places = torn.emplace_back();
         for (const Vec3& p : torn_places(*stepper))
-            places.insert({std::lround(1e6 * p.x()), std::lround(1e6 * p.y()),
-                           std::lround(1e6 * p.z())});
+            places.insert(
+                {std::lround(1e6 * p.x()), std::lround(1e6 * p.y()), std::lround(1e6 * p.z())});
     }
     EXPECT_GT(torn[0].size(), 4u);
     EXPECT_EQ(torn[0], torn[1]);
@@ -371,8 +374,7 @@ TEST(TearingBody, RefusesElementsAndSolversThatCannotTear) {
 
 // Every face at once, while it flies and spins.
 TEST(TearingBody, FallsToSingleTetrahedra) {
-    BodyDescription body =
-        bar(Vec3(6, 4, 4), {3, 2, 2}, {.strength_pa = 1e-3, .bare_limit = true});
+    BodyDescription body = bar(Vec3(6, 4, 4), {3, 2, 2}, {.strength_pa = 1e-3, .bare_limit = true});
     const auto stepper = make_cpu_stepper(body, {});
     BodyState state = stepper->state();
     for (std::size_t i = 0; i < state.positions_mm.size(); ++i)
@@ -380,8 +382,7 @@ TEST(TearingBody, FallsToSingleTetrahedra) {
             Vec3(0, 0, 10.0).cross(state.positions_mm[i]) + 20.0 * state.positions_mm[i];
     stepper->set_state(state.positions_mm, state.velocities_mm_per_s);
     for (int k = 0; k < 10; ++k) stepper->step(dt_s);
-    EXPECT_EQ(stepper->tearing()->report().pieces,
-              static_cast<int>(body.mesh.tetrahedra.size()));
+    EXPECT_EQ(stepper->tearing()->report().pieces, static_cast<int>(body.mesh.tetrahedra.size()));
     for (const Vec3& x : stepper->positions_mm()) EXPECT_TRUE(x.allFinite());
 }
 

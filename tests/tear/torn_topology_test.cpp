@@ -127,7 +127,8 @@ TEST(TornTopology, AllPartedThereAreAsManyPiecesAsTetrahedra) {
 }
 
 // In random portions, in random orders: nothing hangs by a point or an edge, surfaces are closed,
-// corners come from the vertices they were, and the order of portions does not matter to the pieces.
+// corners come from the vertices they were, and the order of portions does not matter to the
+// pieces.
 TEST(TornTopology, StaysSoundHoweverItIsTorn) {
     const TetMesh mesh = kuhn_brick(Vec3(3, 2, 2), {3, 2, 2});
     const auto volumes = volumes_of(mesh);

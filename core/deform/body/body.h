@@ -42,7 +42,8 @@ struct BodyDescription {
     CoarseSkeleton skeleton;        // may be empty
     bool touchable = false;         // tools may touch it; without it nothing is built for them
     std::optional<SelfPad> self{};  // its surfaces touch each other; none: nothing is built for it
-    std::optional<TearLaw> tear{};  // it tears; none: nothing is built for it. Linear tetrahedra only
+    std::optional<TearLaw>
+        tear{};  // it tears; none: nothing is built for it. Linear tetrahedra only
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.

@@ -47,7 +47,8 @@ void validate(const Material& material) {
 std::span<const MaterialPreset> material_presets() {
     // Of these vessels no test to failure was found.
     constexpr const char* guess_of_strength =
-        "guesses: a strength of one to two times the modulus, as of soft tissue that fails at stretches "
+        "guesses: a strength of one to two times the modulus, as of soft tissue that fails at "
+        "stretches "
         "of two to three; the fracture energy is that of bovine liver, 164 +- 6 J/m2 (Med Eng Phys "
         "2012;34:882)";
     static const std::array<MaterialPreset, 4> presets{{

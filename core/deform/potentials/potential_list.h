@@ -87,7 +87,7 @@ class PotentialList {
     GrabSprings* grabs_;
     ToolContact* contact_ = nullptr;  // of a body that may be touched
     ToolFriction* friction_ = nullptr;
-    SelfContact* self_ = nullptr;  // where its surfaces touch each other
+    SelfContact* self_ = nullptr;    // where its surfaces touch each other
     SofteningTies* ties_ = nullptr;  // where it tears
     std::size_t nodes_;
 };

@@ -87,8 +87,8 @@ void SofteningTies::add_product(std::span<const Vec3> positions_mm, double facto
                                 std::span<Vec3> product) const {
     for (const SofteningTie& tie : ties_) {
         const auto& [a, b] = tie.vertices;
-        const Vec3 force = factor * (stiffness_of(law_, tie, opening_of(tie, positions_mm)) *
-                                     (d[a] - d[b]));
+        const Vec3 force =
+            factor * (stiffness_of(law_, tie, opening_of(tie, positions_mm)) * (d[a] - d[b]));
         product[a] += force;
         product[b] -= force;
     }

@@ -27,8 +27,7 @@ class SofteningTies final : public Potential {
 
     double energy(std::span<const Vec3> positions_mm,
                   std::span<const Vec3> reference_mm) const override;
-    void add_energy_by_piece(std::span<const Vec3> positions_mm,
-                             std::span<const Vec3> reference_mm,
+    void add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                              std::span<const int> piece_of_node,
                              std::span<double> energy_nj) const override;
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;

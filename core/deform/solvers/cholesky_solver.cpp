@@ -33,8 +33,8 @@ void CholeskySolver::plan(const BlockMatrix& pattern, EliminationTree analysis) 
 
 void CholeskySolver::plan_anew(const BlockMatrix& pattern) {
     if (parents_.empty()) order_ = fill_reducing_order(pattern);
-    plan(pattern, hepatica::analyse(
-                      pattern, parents_.empty() ? order_ : order_of_split(order_, parents_)));
+    plan(pattern,
+         hepatica::analyse(pattern, parents_.empty() ? order_ : order_of_split(order_, parents_)));
 }
 
 void CholeskySolver::follow_split(const BlockMatrix& pattern, std::span<const int> parents) {
@@ -56,8 +56,7 @@ void CholeskySolver::factor(std::optional<TreeFactor<T>>& factor,
 void CholeskySolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
                             std::span<const int> changed_rows) {
     matrix_ = &matrix;
-    if (planned_rows_ != matrix.row_begin || planned_columns_ != matrix.column)
-        plan_anew(matrix);
+    if (planned_rows_ != matrix.row_begin || planned_columns_ != matrix.column) plan_anew(matrix);
     if (in_double_)
         factor(double_, changed_rows);
     else

@@ -55,7 +55,7 @@ class CholeskySolver final : public LinearSolver {
 
     const BlockMatrix* matrix_ = nullptr;
     std::vector<int> planned_rows_, planned_columns_;  // of the pattern
-    std::vector<int> order_, parents_;  // of a body before it was split; how it was
+    std::vector<int> order_, parents_;                 // of a body before it was split; how it was
     EliminationTree tree_;
     std::optional<TreePreconditioner> single_;
     std::optional<TreeCholesky> double_;

@@ -59,8 +59,8 @@ class LinearSolver {
     virtual void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) = 0;
 
     // Some nodes of the body were split: node i from parents[i], a smaller number, or from none
-    // where that is i. `pattern` is that of the matrices until now; those to come have the new nodes
-    // behind the others. Solvers that order the nodes keep the order of those they know.
+    // where that is i. `pattern` is that of the matrices until now; those to come have the new
+    // nodes behind the others. Solvers that order the nodes keep the order of those they know.
     virtual void follow_split(const BlockMatrix& /*pattern*/, std::span<const int> /*parents*/) {}
 
     virtual std::string_view name() const = 0;

@@ -175,9 +175,8 @@ void lay_out_rows(const Body& body, AssemblyPlan& plan) {
     for (int i = 0; i < body.node_count(); ++i) {
         row.find(i);
         const auto& columns = row.columns();
-        plan.diagonal[i] =
-            static_cast<int>(plan.column.size() +
-                             (std::ranges::lower_bound(columns, i) - columns.begin()));
+        plan.diagonal[i] = static_cast<int>(
+            plan.column.size() + (std::ranges::lower_bound(columns, i) - columns.begin()));
         plan.column.insert(plan.column.end(), columns.begin(), columns.end());
         plan.row_begin.push_back(static_cast<int>(plan.column.size()));
         row.append_lists(i, plan);

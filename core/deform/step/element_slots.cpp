@@ -254,8 +254,8 @@ void ElementSlots::find_stress(std::vector<Mat3>& stress_pa, std::vector<double>
                 rest[a] = body_.rest_positions_mm[nodes(pack, lane)[a]];
             }
             const bool springs = group.kind == Kind::spring;
-            stress_pa[e] = stress_of(force, rest,
-                                     springs ? group.springs[e].volume : group.tetrahedra[e].volume);
+            stress_pa[e] = stress_of(
+                force, rest, springs ? group.springs[e].volume : group.tetrahedra[e].volume);
         }
         return 0.0;
     });

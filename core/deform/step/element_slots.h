@@ -39,7 +39,8 @@ class ElementSlots {
     // Adds the energy of every element at the last evaluate to the piece of its first node.
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
     // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation, and
-    // the energy [nJ] of all; others keep their entries, unless there are none. The body has no other elements.
+    // the energy [nJ] of all; others keep their entries, unless there are none. The body has no
+    // other elements.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) const;
     // d^T K d over the slots and differences of d, independent of any matrix; d is 0 where nothing
     // is live.

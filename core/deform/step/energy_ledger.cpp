@@ -16,8 +16,8 @@ double work_put_in(const EnergyLedger& ledger) {
 
 double explained_change(const EnergyLedger& ledger) {
     return work_put_in(ledger) - ledger.damping_loss - ledger.friction_loss -
-           ledger.integrator_loss - ledger.nonlinear_loss - ledger.limiter_loss -
-           ledger.tear_loss - ledger.inversion_recovery_loss + ledger.solver_work;
+           ledger.integrator_loss - ledger.nonlinear_loss - ledger.limiter_loss - ledger.tear_loss -
+           ledger.inversion_recovery_loss + ledger.solver_work;
 }
 
 EnergyLedger in_sequence(const EnergyLedger& first, const EnergyLedger& second) {
@@ -41,8 +41,7 @@ double energy_handled(const EnergyLedger& ledger) {
            std::abs(ledger.damping_loss) + std::abs(ledger.friction_loss) +
            std::abs(ledger.integrator_loss) + std::abs(ledger.nonlinear_loss) +
            std::abs(ledger.limiter_loss) + std::abs(ledger.tear_loss) +
-           std::abs(ledger.inversion_recovery_loss) +
-           std::abs(ledger.solver_work);
+           std::abs(ledger.inversion_recovery_loss) + std::abs(ledger.solver_work);
 }
 
 double relative_imbalance(const EnergyLedger& ledger) {

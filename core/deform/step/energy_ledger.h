@@ -31,7 +31,7 @@ struct EnergyLedger {
                                    // to end less that of the mean of start and end; of third order
                                    // in the step where the stiffness is exact, of either sign
     double limiter_loss = 0.0;     // taken from the velocities: the step would have made energy
-    double tear_loss = 0.0;      // fracture: what the ties of parted joints have given up for good
+    double tear_loss = 0.0;  // fracture: what the ties of parted joints have given up for good
     double inversion_recovery_loss = 0.0;  // given up where elements inside out were put right
     double solver_work = 0.0;              // done by the forces that the linear solver left
                                            // unbalanced, and by E of eq. (11) where it is used

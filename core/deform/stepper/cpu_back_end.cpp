@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/deform/potentials/potential_list.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/potentials/softening_ties.h"
@@ -10,7 +11,6 @@
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/inversion_recovery.h"
 #include "core/deform/step/step_books.h"
-#include "core/base/error.h"
 #include "core/mesh/hex_mesh.h"
 
 namespace hepatica {
@@ -154,9 +154,9 @@ class CpuBackEnd final : public StepBackEnd {
 
     StepperOptions options_;
     Body body_;
-    std::optional<PotentialList> potentials_;  // always there
+    std::optional<PotentialList> potentials_;    // always there
     std::optional<InversionRecovery> recovery_;  // always there
-    std::optional<BackwardEuler> integrator_;  // always there
+    std::optional<BackwardEuler> integrator_;    // always there
     BodyState state_;
 };
 

@@ -352,8 +352,7 @@ void GovernedStepper::weaken(std::span<const int> joints, double factor) {
     std::vector<int> around;
     for (const int j : joints)
         for (int k = 0; k < 3; ++k)
-            around.push_back(
-                tearing_->topology().sides(tearing_->topology().joints()[j], k)[0]);
+            around.push_back(tearing_->topology().sides(tearing_->topology().joints()[j], k)[0]);
     if (region_->wake(around)) change_region();
 }
 
@@ -430,12 +429,12 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
 
 void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     const std::size_t whole = nodes() - (tearing_ ? tearing_->report().vertices_split : 0);
-    validate_checkpoint(checkpoint,
-                        whole + (checkpoint.tear ? checkpoint.tear->parents.size() : 0),
+    validate_checkpoint(checkpoint, whole + (checkpoint.tear ? checkpoint.tear->parents.size() : 0),
                         !back_end_->body().surface.empty());
     if (checkpoint.tear.has_value() != tearing_.has_value())
-        throw InputError(checkpoint.tear ? "is of a body that tears" : "is of a body that does not tear",
-                         "the checkpoint of a body", "Make a stepper of that kind");
+        throw InputError(
+            checkpoint.tear ? "is of a body that tears" : "is of a body that does not tear",
+            "the checkpoint of a body", "Make a stepper of that kind");
     if (checkpoint.region.has_value() != region_.has_value())
         throw InputError(checkpoint.region ? "is of a stepper that computes a part"
                                            : "is of a stepper that computes the whole body",

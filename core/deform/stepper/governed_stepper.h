@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides what each step computes, for any back end: the number of substeps, whether the body
 // sleeps, which part is live (near the tools and where something moves, see live_region.h), when
-// inverted elements are repaired, and what tears (core/tear/tearing.h). When the live part changes, no node is moved, so that
-// nothing jumps.
+// inverted elements are repaired, and what tears (core/tear/tearing.h). When the live part changes,
+// no node is moved, so that nothing jumps.
 #pragma once
 
 #include <functional>
@@ -47,8 +47,7 @@ class GovernedStepper final : public LiveStepper {
     Extent extent() const override;
     const Tearing* tearing() const override { return tearing_ ? &*tearing_ : nullptr; }
     void weaken(std::span<const int> joints, double factor) override;
-    void cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
-             const Vec3& second_edge_mm) override;
+    void cut(const Vec3& corner_mm, const Vec3& first_edge_mm, const Vec3& second_edge_mm) override;
     void set_tear(const TearState& state) override;
 
   private:
@@ -76,8 +75,8 @@ class GovernedStepper final : public LiveStepper {
     std::unique_ptr<StepBackEnd> back_end_;
     std::optional<LiveRegion> region_;
     std::optional<Tearing> tearing_;
-    std::vector<Mat3> stress_pa_;     // of each tetrahedron, after the last step
-    std::vector<double> energy_nj_;   // as well
+    std::vector<Mat3> stress_pa_;    // of each tetrahedron, after the last step
+    std::vector<double> energy_nj_;  // as well
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
     bool tool_led_ = false;   // the tool is on its way

@@ -63,8 +63,8 @@ class StepBackEnd {
     // Of a body that tears, which not every back end can compute.
     // Stress [Pa] and energy [nJ] of each tetrahedron at the present state; those that are not live
     // keep their entries.
-    virtual void find_stress(std::vector<Mat3>& /*stress_pa*/,
-                             std::vector<double>& /*energy_nj*/) {}
+    virtual void find_stress(std::vector<Mat3>& /*stress_pa*/, std::vector<double>& /*energy_nj*/) {
+    }
     // Goes on with the body torn so far; state and forces from outside stay, all is live.
     virtual void tear(const BodyDescription& /*whole*/, const TornBody& /*tear*/) {}
     // The ties of the last tear(), with how far they have been opened since.

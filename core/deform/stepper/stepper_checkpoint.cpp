@@ -198,8 +198,8 @@ class Writer {
         put_length(value ? 1 : 0);
         if (value) put_record(*value);
     }
-    void behind_all(const auto& tool, const auto& made_with, const auto& self,
-                    const auto& overlaps, const auto& tear) {
+    void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
+                    const auto& tear) {
         const bool of_surfaces = self || overlaps || tear;
         if (!tool && !made_with && !of_surfaces) return;
         (*this)(tool);
