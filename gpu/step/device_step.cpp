@@ -391,9 +391,12 @@ void Step<Real>::accept(const Underway& step, StepReport& report) {
     copy_out(machine_, start_, state_.positions_mm);
     copy_out(machine_, before_, state_.velocities_mm_per_s);
     const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
-    const EnergyLimiter::Outcome outcome = limiter_.limit(
-        {.before = pieces_before, .after = pieces_after, .rounding = limiter_rounding<Real>},
-        potentials_, state_.positions_mm, held_, state_.velocities_mm_per_s);
+    const EnergyLimiter::Outcome outcome =
+        limiter_.limit({.before = pieces_before,
+                        .after = pieces_after,
+                        .rounding = limiter_rounding<Real>,
+                        .least_nj = energy_floor_},
+                       potentials_, state_.positions_mm, held_, state_.velocities_mm_per_s);
     if (!outcome.limited) return;
     copy_in(machine_, state_.velocities_mm_per_s, before_);
     hepatica::book(outcome, kinetic_energy(body_, state_.velocities_mm_per_s), report);
