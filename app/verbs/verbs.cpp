@@ -30,6 +30,7 @@ void add_all_verbs(CommandLine& line) {
     add_bench_refinement(line);
     add_bench_reconstruct(line);
     add_bench_step(line);
+    add_bench_tear(line);
     add_diagnose(line);
     add_extremes(line);
     add_tradeoff(line);

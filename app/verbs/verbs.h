@@ -30,6 +30,7 @@ void add_bench_region(CommandLine& line);
 void add_bench_refinement(CommandLine& line);
 void add_bench_reconstruct(CommandLine& line);
 void add_bench_step(CommandLine& line);
+void add_bench_tear(CommandLine& line);
 void add_diagnose(CommandLine& line);
 void add_extremes(CommandLine& line);
 void add_tradeoff(CommandLine& line);

@@ -45,8 +45,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
      {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient", "core/scene"}},
     {"core/study",
-     {"core/base", "core/tree", "core/mesh", "core/deform", "core/patient", "core/scene",
-      "core/session"}},
+     {"core/base", "core/tree", "core/mesh", "core/tear", "core/deform", "core/patient",
+      "core/scene", "core/session"}},
 };
 
 // Libraries that a layer must not name at all.

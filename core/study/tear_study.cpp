@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/tear_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/median.h"
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/brick_mesh.h"
+#include "core/tear/tearing.h"
+
+namespace hepatica {
+namespace {
+
+const Vec3 size_mm(20.0, 4.0, 4.0);
+constexpr double way_mm = 10.0;
+constexpr double dt_s = 1.0 / 60.0;
+constexpr double hand_un_per_mm = 2e6;  // of all springs of the pulled end together
+
+const char* name_of(TearStop stop) {
+    return stop == TearStop::none ? "none" : stop == TearStop::entropy ? "entropy" : "vertices";
+}
+
+BodyDescription bar(double edge_mm, const TearLaw& law) {
+    BodyDescription body;
+    Index3 cells{};
+    for (int i = 0; i < 3; ++i)
+        cells[i] = std::max(2, static_cast<int>(std::lround(size_mm[i] / edge_mm)));
+    body.mesh = kuhn_brick(size_mm, cells);
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() < 1e-9 ? 1 : 0);
+    body.tear = law;
+    return body;
+}
+
+std::vector<Grab> hand_at(const BodyDescription& body, double pulled_mm) {
+    std::vector<Grab> grabs;
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+        if (body.mesh.vertices_mm[v].x() < size_mm.x() - 1e-9) continue;
+        Grab grab;
+        grab.vertices[0] = static_cast<int>(v);
+        grab.target_mm = body.mesh.vertices_mm[v] + Vec3(pulled_mm, 0, 0);
+        grab.force_limit_un = 1e12;
+        grabs.push_back(grab);
+    }
+    for (Grab& grab : grabs)
+        grab.stiffness_un_per_mm = hand_un_per_mm / static_cast<double>(grabs.size());
+    return grabs;
+}
+
+double force_of(const std::vector<Grab>& grabs, const Stepper& stepper) {
+    Vec3 sum = Vec3::Zero();
+    for (const Grab& grab : grabs)
+        sum +=
+            grab.stiffness_un_per_mm * (grab.target_mm - stepper.positions_mm()[grab.vertices[0]]);
+    return sum.norm();
+}
+
+TearRow pull(double edge_mm, const TearLaw& law, double step_mm) {
+    const BodyDescription body = bar(edge_mm, law);
+    const auto stepper = make_cpu_stepper(body, {});
+    const double middle = 0.5 * size_mm.x() + 0.01;
+    stepper->cut(Vec3(middle, -1.0, -1.0), Vec3(0, size_mm.y() + 2.0, 0),
+                 Vec3(0, 0, 1.0 + 0.25 * size_mm.z() + 0.01));
+    const int cut = stepper->tearing()->report().vertices_split;
+    TearRow row{.law = law.bare_limit ? "bare limit" : "fracture energy",
+                .stop = name_of(law.stop),
+                .tear_factor = law.tear_factor,
+                .edge_mm = edge_mm,
+                .tetrahedra = static_cast<int>(body.mesh.tetrahedra.size())};
+    std::vector<double> step_ms;
+    TearReport last;
+    double let_go = 0.0;
+    for (double pulled = step_mm; pulled < way_mm; pulled += step_mm) {
+        const std::vector<Grab> grabs = hand_at(body, pulled);
+        stepper->set_grabs(grabs);
+        const auto begin = std::chrono::steady_clock::now();
+        const StepReport report = stepper->step(dt_s);
+        step_ms.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+                .count());
+        row.force_max_un = std::max(row.force_max_un, force_of(grabs, *stepper));
+        let_go += report.energy.tear_loss;
+        last = report.tear;
+        row.entropy_produced_max_nats =
+            std::max(row.entropy_produced_max_nats, last.entropy_produced_nats);
+    }
+    const TearState state = stepper->tearing()->state();
+    for (std::size_t i = 0; i < state.parted.size(); ++i) {
+        const Joint& joint = stepper->tearing()->topology().joints()[state.parted[i]];
+        for (int k = 0; k < 3; ++k) {
+            const auto sides = stepper->tearing()->topology().sides(joint, k);
+            if (sides[0] != sides[1] && state.most_mm[3 * i + k] >= law.softening().opening_mm)
+                row.opened_mm2 += joint.area_mm2 / 3.0;
+        }
+    }
+    row.work_nj = let_go;
+    row.vertices_split = last.vertices_split - cut;
+    row.pieces = last.pieces;
+    row.median_step_ms = median(std::move(step_ms));
+    return row;
+}
+
+}  // namespace
+
+std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job) {
+    std::vector<TearRow> rows;
+    std::vector<std::pair<double, TearLaw>> runs;
+    TearLaw law{.strength_pa = options.strength_pa,
+                .fracture_energy_j_m2 = options.fracture_energy_j_m2,
+                .entropy_budget_nats = options.entropy_budget_nats,
+                .vertex_budget = options.vertex_budget};
+    for (const bool bare : {true, false})
+        for (const double edge : options.edges_mm) {
+            law.bare_limit = bare;
+            runs.emplace_back(edge, law);
+        }
+    for (const TearStop stop : {TearStop::entropy, TearStop::vertices})
+        for (const double factor : options.tear_factors)
+            for (const double edge : options.edges_mm) {
+                TearLaw stopped = law;
+                stopped.bare_limit = false;
+                stopped.stop = stop;
+                stopped.tear_factor = factor;
+                runs.emplace_back(edge, stopped);
+            }
+    job.begin_stage("Tearing bars");
+    for (const auto& [edge, one] : runs) {
+        rows.push_back(pull(edge, one, options.step_mm));
+        job.advance(static_cast<double>(rows.size()) / static_cast<double>(runs.size()));
+    }
+    return rows;
+}
+
+}  // namespace hepatica

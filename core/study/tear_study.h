@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tearing a bar takes, on meshes of several sizes: by a bare force limit and with a fracture
+// energy, to the end and with each stop.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/tear/tear_law.h"
+
+namespace hepatica {
+
+struct TearStudyOptions {
+    double strength_pa = 2e4;
+    double fracture_energy_j_m2 = 20.0;
+    std::vector<double> edges_mm{2.0, 1.0, 0.67};  // of the cells; > 0
+    std::vector<double> tear_factors{0.5, 1.0, 2.0};
+    double entropy_budget_nats = 0.3;
+    int vertex_budget = 20;
+    double step_mm = 0.05;  // by which the end is pulled in a step
+};
+
+struct TearRow {
+    std::string law;   // "bare limit" or "fracture energy"
+    std::string stop;  // "none", "entropy" or "vertices"
+    double tear_factor = 1.0;
+    double edge_mm = 0.0;
+    int tetrahedra = 0;
+    double force_max_un = 0.0;  // on the pulled end
+    double work_nj = 0.0;       // of fracture, or of what a bare limit lets go
+    double opened_mm2 = 0.0;    // of joints that came apart
+    int vertices_split = 0;
+    int pieces = 1;
+    double entropy_produced_max_nats = 0.0;
+    double median_step_ms = 0.0;
+};
+
+// A bar of 20 x 4 x 4 mm with a notch of a quarter of its section in its middle, pulled by 10 mm.
+// Throws InputError for values out of range, Cancelled.
+std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job);
+
+}  // namespace hepatica

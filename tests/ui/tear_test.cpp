@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blade and cut line: what a line drawn across a vessel sends, and what the panel says of tears.
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+
+#include "tests/ui/fake_window_test.h"
+
+namespace hepatica {
+namespace {
+
+class TearTest : public testing::FakeWindowTest {
+  protected:
+    TearTest() { open_built_in(); }
+
+    void draw(const QPoint& from, const QPoint& to) {
+        QTest::mousePress(&window_.view(), Qt::LeftButton, {}, from);
+        for (const QPoint& at : {(from + to) / 2, to}) {
+            QMouseEvent move(QEvent::MouseMove, at, window_.view().mapToGlobal(at), Qt::NoButton,
+                             Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(&window_.view(), &move);
+        }
+        QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, to);
+    }
+};
+
+TEST_F(TearTest, a_blade_goes_along_the_line_at_the_vessels_depth) {
+    QTest::keyClick(&window_, Qt::Key_8);
+    draw(on_trunk() - QPoint(60, 5), on_trunk() + QPoint(60, 5));
+    ASSERT_EQ(commands_of_type<Blade>().size(), 1u);
+    ASSERT_EQ(commands_of_type<UseTear>().size(), 1u);
+    EXPECT_TRUE(commands_of_type<UseTear>()[0].on);
+    const Blade blade = commands_of_type<Blade>()[0];
+    EXPECT_LE((on_widget(blade.from_mm) - on_trunk() + QPoint(60, 5)).manhattanLength(), 2);
+    EXPECT_LE((on_widget(blade.to_mm) - on_trunk() - QPoint(60, 5)).manhattanLength(), 2);
+    const Vec3 middle = 0.5 * (blade.from_mm + blade.to_mm);
+    EXPECT_LT((middle - Vec3(0, 0, half_way_up_the_trunk_mm)).norm(), 8.0);
+    EXPECT_EQ(commands_of_type<GrabPoint>().size(), 0u);
+}
+
+TEST_F(TearTest, a_cut_line_is_the_section_under_it) {
+    window_.findChild<QDoubleSpinBox*>("lineStrength")->setValue(0.25);
+    QTest::keyClick(&window_, Qt::Key_9);
+    draw(on_trunk() - QPoint(60, 0), on_trunk() + QPoint(60, 0));
+    ASSERT_EQ(commands_of_type<CutLine>().size(), 1u);
+    const CutLine line = commands_of_type<CutLine>()[0];
+    EXPECT_EQ(line.strength, 0.25);
+    EXPECT_EQ(line.from_mm, line.to_mm);
+    EXPECT_LT((line.from_mm - Vec3(0, 0, half_way_up_the_trunk_mm)).norm(), 8.0);
+}
+
+TEST_F(TearTest, a_line_beside_the_vessels_cuts_nothing) {
+    QTest::keyClick(&window_, Qt::Key_8);
+    draw(QPoint(5, 5), QPoint(40, 8));
+    EXPECT_EQ(commands_of_type<Blade>().size(), 0u);
+    EXPECT_EQ(commands_of_type<UseTear>().size(), 0u);
+}
+
+TEST_F(TearTest, escape_puts_the_blade_away) {
+    QTest::keyClick(&window_, Qt::Key_8);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::cut);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+}
+
+TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
+    auto* factor = window_.findChild<QDoubleSpinBox*>("tearFactor");
+    factor->setValue(0.1);
+    EXPECT_EQ(commands_of_type<UseTear>().size(), 0u) << "nothing tears yet";
+    window_.findChild<QCheckBox*>("vesselsTear")->click();
+    ASSERT_EQ(commands_of_type<UseTear>().size(), 1u);
+    EXPECT_TRUE(commands_of_type<UseTear>()[0].on);
+    EXPECT_EQ(commands_of_type<UseTear>()[0].tear_factor, 0.1);
+}
+
+}  // namespace
+}  // namespace hepatica
