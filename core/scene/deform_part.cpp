@@ -12,12 +12,9 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/deform/body/torn_body.h"
 #include "core/mesh/surface.h"
-#include "core/scene/cut_line.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
-#include "core/scene/vessel_direction.h"
 #include "core/tear/tearing.h"
 
 namespace hepatica {
@@ -133,150 +130,6 @@ StepReport DeformPart::step(double dt_s) {
     const StepReport report = stepper_->step(dt_s);
     follow_tear();
     return report;
-}
-
-std::optional<TearLaw> DeformPart::law_of(const std::optional<TearSpec>& tear) const {
-    if (!tear) return std::nullopt;
-    return TearLaw{.strength_pa = strength_pa_,
-                   .fracture_energy_j_m2 = fracture_energy_j_m2_,
-                   .tear_factor = tear->tear_factor,
-                   .bare_limit = tear->bare_limit,
-                   .stop = tear->stop,
-                   .entropy_budget_nats = tear->entropy_budget,
-                   .vertex_budget = tear->vertex_budget};
-}
-
-void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
-    if (tear == tear_) return;
-    BodyDescription body = body_;
-    body.tear = law_of(tear);
-    validate(body, setting_.model, setting_.order);
-    if (!tear) mend();
-    rebuild(std::move(body), setting_);
-    tear_ = tear;
-}
-
-void DeformPart::show_tear(TearView& view) const {
-    const TearReport& report = stepper_->tearing()->report();
-    view.joints_broken = report.joints_broken;
-    view.pieces = report.pieces;
-    view.entropy_nats = report.entropy_nats;
-    view.entropy_produced_nats = report.entropy_produced_nats;
-    view.stopped_by = !report.stopped                    ? ""
-                      : tear_->stop == TearStop::entropy ? "entropy"
-                                                         : "vertices";
-}
-
-int DeformPart::pieces() const {
-    const Tearing* tearing = stepper_->tearing();
-    return tearing != nullptr ? tearing->report().pieces : 0;
-}
-
-const TornTopology* DeformPart::torn() const {
-    const Tearing* tearing = stepper_->tearing();
-    return tearing != nullptr ? &tearing->topology() : nullptr;
-}
-
-void DeformPart::follow_tear() {
-    const TornTopology* topology = torn();
-    const std::uint64_t version = topology != nullptr ? topology->version() : 1;
-    if (version == followed_) return;
-    followed_ = version;
-    std::vector<int> parents(body_.mesh.vertices_mm.size());
-    std::iota(parents.begin(), parents.end(), 0);
-    if (topology != nullptr) parents.assign(topology->parents().begin(), topology->parents().end());
-    inherit(parents, rest_mm_);
-    inherit(parents, fixed_);
-    inherit(parents, places_);
-    const auto surface = topology != nullptr ? topology->surface() : boundary_triangles(body_.mesh);
-    std::vector<std::uint8_t> on_surface(parents.size(), 0);
-    for (const auto& triangle : surface)
-        for (const int v : triangle) on_surface[v] = 1;
-    surface_vertices_.clear();
-    for (std::size_t v = 0; v < on_surface.size(); ++v)
-        if (on_surface[v]) surface_vertices_.push_back(static_cast<int>(v));
-}
-
-TetMesh DeformPart::shape() const {
-    TetMesh mesh = body_.mesh;
-    if (const TornTopology* topology = torn())
-        mesh.tetrahedra.assign(topology->tetrahedra().begin(), topology->tetrahedra().end());
-    mesh.vertices_mm.assign(positions_mm().begin(), positions_mm().end());
-    return mesh;
-}
-
-void DeformPart::require_tear() const {
-    if (!tear_)
-        throw InputError("nothing tears in this scene", "cut", "Add \"tear\": {} to the scene");
-}
-
-int DeformPart::vertex_near(const Vec3& point_mm) const {
-    if (!point_mm.allFinite())
-        throw InputError("the point is not finite", "cut", "Give finite numbers");
-    const std::span<const Vec3> positions = positions_mm();
-    int nearest = surface_vertices_.front();
-    for (const int v : surface_vertices_)
-        if ((positions[v] - point_mm).squaredNorm() < (positions[nearest] - point_mm).squaredNorm())
-            nearest = v;
-    return nearest;
-}
-
-const std::vector<VertexPlace>& DeformPart::places_of_tetrahedra(const VesselTree& tree) {
-    if (!tetrahedra_.empty()) return tetrahedra_;
-    std::vector<Vec3> centres;
-    for (const auto& [a, b, c, d] : body_.mesh.tetrahedra)
-        centres.push_back(0.25 * (body_.mesh.vertices_mm[a] + body_.mesh.vertices_mm[b] +
-                                  body_.mesh.vertices_mm[c] + body_.mesh.vertices_mm[d]));
-    tetrahedra_ = places_of(centres, tree);
-    return tetrahedra_;
-}
-
-std::vector<ThroughTear> DeformPart::torn_through(const VesselTree& tree) {
-    if (torn() == nullptr) return {};
-    return through_tears(tree, *stepper_->tearing(), places_of_tetrahedra(tree), 2.0 * edge_mm_);
-}
-
-double DeformPart::mass_error_relative() const {
-    if (torn() == nullptr) return 0.0;
-    const auto mass_of = [&](const BodyDescription& body) {
-        double sum = 0.0;
-        for (const double mass : build_body(body, setting_.model, setting_.order).mass_g)
-            sum += mass;
-        return sum;
-    };
-    const double whole = mass_of(body_);
-    return std::abs(mass_of(hepatica::torn(body_, torn_body_of(*stepper_->tearing()))) - whole) /
-           whole;
-}
-
-void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm,
-                          double strength) {
-    require_tear();
-    if (!(strength >= 0.0 && strength <= 1.0))
-        throw InputError("is " + std::to_string(strength), "strength along a cut line",
-                         "Choose a value from 0 (nothing holds) to 1 (as before)");
-    const TreePoint from = places_[vertex_near(from_mm)].on_tree;
-    const TreePoint to = places_[vertex_near(to_mm)].on_tree;
-    const std::vector<int> joints =
-        joints_along(tree, torn()->joints(), places_of_tetrahedra(tree), from, to, edge_mm_);
-    if (joints.empty())
-        throw InputError("leads along no vessel", "the cut line",
-                         "Give two places on one system, on a vessel wide enough to have joints");
-    stepper_->weaken(joints, strength);
-}
-
-void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm) {
-    require_tear();
-    const VertexPlace& place = places_[vertex_near(0.5 * (from_mm + to_mm))];
-    const BladeSweep sweep =
-        blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree), 2.5 * place.radius_mm);
-    stepper_->cut(sweep.corner_mm, sweep.way_mm, sweep.edge_mm);
-    follow_tear();
-}
-
-void DeformPart::mend() {
-    stepper_->set_tear({});
-    follow_tear();
 }
 
 void DeformPart::grab(const Vec3& point_mm) {

@@ -161,6 +161,7 @@ class DeformPart {
     const std::vector<VertexPlace>& places_of_tetrahedra(const VesselTree& tree);
     void require_tear() const;
     int vertex_near(const Vec3& point_mm) const;
+    Vec3 axis_near(const VertexPlace& place) const;
     // What is kept per vertex grows and shrinks with the body.
     void follow_tear();
     void give_state(Stepper& stepper, const BodyState& state) const;

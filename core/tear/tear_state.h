@@ -17,7 +17,7 @@ struct TearState {
     std::vector<double> weakness;  // and the factor of each
     bool begun = false;            // a vertex was split
     bool stopped = false;
-    double entropy_before_nats = 0.0;  // when the first was
+    double entropy_before_nats = 0.0;  // when the first was; -1: the body was not strained then
     double entropy_nats = 0.0;         // at the end of the last step
 };
 

@@ -16,6 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t joint_block = 1024;
+constexpr double not_yet = -1.0;  // no entropy is below 0
 // What shares a vertex with an overloaded joint parts at this share of its own limit. Its ties bear
 // all of it, so that this weakens nothing.
 constexpr double share_of_neighbour = 0.5;
@@ -180,7 +181,7 @@ void Tearing::part(std::span<const int> joints, double most_mm) {
     std::ranges::sort(parted_);
     if (!begun_ && topology_.vertex_count() > before) {
         begun_ = true;
-        entropy_before_ = entropy_;
+        entropy_before_ = elastic_ > 0.0 ? entropy_ : not_yet;
     }
     make_ties();
     count();
@@ -235,8 +236,10 @@ void Tearing::measure(const TearLoads& loads) {
         for (const int v : topology_.tetrahedra()[t]) weights_[v] += share;
     }
     entropy_ = entropy_nats(elastic > 0.0 ? std::span<const double>(weights_) : loads.mass_g);
-    report_.entropy_nats = entropy_;
-    report_.entropy_produced_nats = begun_ ? std::max(0.0, entropy_ - entropy_before_) : 0.0;
+    elastic_ = elastic;
+    // What was cut at rest has no entropy of its strain to compare with.
+    if (begun_ && entropy_before_ == not_yet && elastic > 0.0) entropy_before_ = entropy_;
+    report_entropy();
     if (!begun_) return;
     if (law_.stop == TearStop::entropy)
         stopped_ = stopped_ || report_.entropy_produced_nats > law_.entropy_budget_nats;
@@ -250,6 +253,12 @@ std::vector<std::array<int, 2>> Tearing::bound_pairs() const {
     for (const SofteningTie& tie : ties_)
         if (!apart(tie.most_mm)) bound.push_back(tie.vertices);
     return bound;
+}
+
+void Tearing::report_entropy() {
+    const bool known = begun_ && entropy_before_ != not_yet;
+    report_.entropy_nats = entropy_;
+    report_.entropy_produced_nats = known ? std::max(0.0, entropy_ - entropy_before_) : 0.0;
 }
 
 // All that only a change of topology or ties changes.
@@ -331,8 +340,7 @@ void Tearing::restore(const TearState& state) {
     entropy_ = state.entropy_nats;
     make_ties();
     count();
-    report_.entropy_nats = entropy_;
-    report_.entropy_produced_nats = begun_ ? std::max(0.0, entropy_ - entropy_before_) : 0.0;
+    report_entropy();
     report_.stopped = stopped_;
 }
 

@@ -84,6 +84,7 @@ class Tearing {
     void add_neighbours(std::vector<int>& overloaded) const;
     void make_ties();
     void count();
+    void report_entropy();
 
     TearLaw law_;
     SofteningLaw softening_;
@@ -99,6 +100,7 @@ class Tearing {
     std::vector<Tied> tied_;  // what each tie binds
     bool begun_ = false, stopped_ = false;
     double entropy_before_ = 0.0, entropy_ = 0.0;
+    double elastic_ = 0.0;  // energy at the last measure [nJ]
     TearReport report_;
     std::vector<double> load_;       // of joints; scratch
     std::vector<double> weights_;    // of vertices; scratch

@@ -360,6 +360,21 @@ TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
     EXPECT_GT(reports[0].joints_parted, reports[2].joints_parted);
 }
 
+// Cut at rest, then strained: that alone produces nothing.
+TEST(TearingBody, StrainAloneProducesNoEntropy) {
+    TearLaw law{.strength_pa = 1e12, .stop = TearStop::entropy, .entropy_budget_nats = 0.2};
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, law);
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->cut(Vec3(11, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 3));
+    ASSERT_GT(stepper->tearing()->report().vertices_split, 0);
+    for (int k = 1; k <= 40; ++k) {
+        stepper->set_grabs(pull_of(body, 20.0, 0.05 * k));
+        EXPECT_LT(stepper->step(dt_s).tear.entropy_produced_nats, 0.2) << k;
+    }
+    EXPECT_FALSE(stepper->tearing()->report().stopped);
+}
+
 TEST(TearingBody, RefusesElementsAndSolversThatCannotTear) {
     const BodyDescription body = bar(Vec3(4, 2, 2), {2, 1, 1}, {});
     EXPECT_THROW(make_cpu_stepper(body, {.order = ElementOrder::quadratic}), InputError);

@@ -104,28 +104,31 @@ TEST(EnergyLedger, AddsUpOverGrabsThatMoveAndSubsteps) {
 }
 
 TEST(EnergyLedger, TwoStepsHaveTheEnergiesOfTheSecondAndTheWorksOfBoth) {
-    const EnergyLedger first{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    const EnergyLedger second{100, 200,  300,  400,  500,  600,  700, 800,
-                              900, 1000, 1100, 1200, 1300, 1400, 1500};
+    const EnergyLedger first{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
+    const EnergyLedger second{100,  200,  300,  400,  500,  600,  700,  800, 900,
+                              1000, 1100, 1200, 1300, 1400, 1500, 1600, 1700};
     const EnergyLedger both = in_sequence(first, second);
     EXPECT_EQ(both.kinetic, 100);
     EXPECT_EQ(both.elastic, 200);
     EXPECT_EQ(both.grab, 300);
     EXPECT_EQ(both.tether, 400);
     EXPECT_EQ(both.contact, 500);
-    EXPECT_EQ(both.gravity_work, 606);
-    EXPECT_EQ(both.tool_work, 707);
-    EXPECT_EQ(both.damping_loss, 808);
-    EXPECT_EQ(both.friction_loss, 909);
-    EXPECT_EQ(both.integrator_loss, 1010);
-    EXPECT_EQ(both.nonlinear_loss, 1111);
-    EXPECT_EQ(both.limiter_loss, 1212);
-    EXPECT_EQ(both.inversion_recovery_loss, 1313);
-    EXPECT_EQ(both.solver_work, 1414);
-    EXPECT_EQ(both.imbalance, 1515);
-    EXPECT_EQ(stored_energy(both), 1500);
-    EXPECT_EQ(work_put_in(both), 606 + 707);
-    EXPECT_EQ(explained_change(both), 606 + 707 - 808 - 909 - 1010 - 1111 - 1212 - 1313 + 1414);
+    EXPECT_EQ(both.cohesion, 600);
+    EXPECT_EQ(both.gravity_work, 707);
+    EXPECT_EQ(both.tool_work, 808);
+    EXPECT_EQ(both.damping_loss, 909);
+    EXPECT_EQ(both.friction_loss, 1010);
+    EXPECT_EQ(both.integrator_loss, 1111);
+    EXPECT_EQ(both.nonlinear_loss, 1212);
+    EXPECT_EQ(both.limiter_loss, 1313);
+    EXPECT_EQ(both.tear_loss, 1414);
+    EXPECT_EQ(both.inversion_recovery_loss, 1515);
+    EXPECT_EQ(both.solver_work, 1616);
+    EXPECT_EQ(both.imbalance, 1717);
+    EXPECT_EQ(stored_energy(both), 2100);
+    EXPECT_EQ(work_put_in(both), 707 + 808);
+    EXPECT_EQ(explained_change(both),
+              707 + 808 - 909 - 1010 - 1111 - 1212 - 1313 - 1414 - 1515 + 1616);
 }
 
 }  // namespace
