@@ -228,6 +228,30 @@ TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
         EXPECT_GT(std::abs(place.x() - 10.0), 6.0);  // the pulled end is a clamp, too
 }
 
+// More is overloaded at once than may part in a step: the most loaded do, whatever their numbers.
+TEST(TearingBody, OfTooManyTheMostLoadedPart) {
+    BodyDescription body =
+        bar(Vec3(12, 3, 3), {12, 3, 3}, {.strength_pa = 1.0, .bare_limit = true});
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> near(-0.1, 0.1);
+    BodyState strained;
+    for (const Vec3& x : body.mesh.vertices_mm) {
+        strained.positions_mm.push_back(1.3 * x + Vec3(near(random), near(random), near(random)));
+        strained.velocities_mm_per_s.push_back(Vec3::Zero());
+    }
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->set_state(strained.positions_mm, strained.velocities_mm_per_s);
+    stepper->step(1e-6);
+    const TornTopology& topology = stepper->tearing()->topology();
+    int parted = 0;
+    for (std::size_t j = 0; j < topology.joints().size(); ++j)
+        parted += topology.parted(static_cast<int>(j)) ? 1 : 0;
+    EXPECT_EQ(parted, Tearing::most_joints);
+    int of_the_first = 0;
+    for (int j = 0; j < Tearing::most_joints; ++j) of_the_first += topology.parted(j) ? 1 : 0;
+    EXPECT_LT(of_the_first, Tearing::most_joints / 2);
+}
+
 // Vertices and tetrahedra in another order.
 TEST(TearingBody, TheSameFacesBreakHoweverTheyAreNumbered) {
     BodyDescription body = bar(Vec3(12, 4, 4), {6, 2, 2}, {.strength_pa = 1e5});
