@@ -19,6 +19,7 @@ void use_as_published(SceneSpec& scene) {
     setting.model = ElementModel::spring;
     setting.published = true;
     scene.deform->setting = setting;
+    if (scene.tear) scene.tear->bare_limit = true;
 }
 
 void use_as_published(std::vector<std::vector<Command>>& commands_of_steps) {

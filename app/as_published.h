@@ -18,8 +18,9 @@ inline constexpr const char* published_pressure_model = "published";
 // templates (II.A.2). Unit width (VDSM) is part of every reconstruction.
 void use_as_published(ReconstructOptions& options);
 
-// Springs along the edges of the tetrahedra, and eq. (12) taken whole, once a step. The linear
-// solver is chosen as ever: the paper names none, and all of them solve the same system.
+// Springs along the edges of the tetrahedra, eq. (12) taken whole, once a step, and a bare force
+// limit where the vessels tear. The linear solver is chosen as ever: the paper names none, and all
+// of them solve the same system.
 void use_as_published(SceneSpec& scene);
 
 // Every injection under the published pressure law, with its gas at its void fraction.
