@@ -8,8 +8,6 @@
 
 namespace hepatica {
 
-constexpr double boltzmann_j_per_k = 1.380649e-23;  // for those who want c as printed
-
 // Of weights >= 0, as shares of their sum; 0 ln 0 = 0. 0 where all are 0. The same bits for any
 // number of threads.
 double entropy_nats(std::span<const double> weights);
