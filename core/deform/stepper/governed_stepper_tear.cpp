@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hepatica::GovernedStepper: what tears after a step, and what follows a tear.
+#include <vector>
+
+#include "core/deform/stepper/governed_stepper.h"
+
+namespace hepatica {
+
+// Of the state at hand.
+TearLoads GovernedStepper::tear_loads() {
+    tearing_->take_openings(back_end_->ties());
+    back_end_->find_stress(stress_pa_, energy_nj_);
+    return {stress_pa_, energy_nj_, back_end_->state().positions_mm, back_end_->body().mass_g};
+}
+
+void GovernedStepper::tear(StepReport& report) {
+    const TearLoads loads = tear_loads();
+    tearing_->measure(loads);
+    if (tearing_->part_overloaded(loads)) follow_tear();
+    report.tear = tearing_->report();
+}
+
+void GovernedStepper::follow_tear(StepBackEnd& back_end) const {
+    back_end.tear(description_, torn_body_of(*tearing_));
+}
+
+// What was split begins to move, whatever slept.
+void GovernedStepper::follow_tear() {
+    const auto before = nodes();
+    follow_tear(*back_end_);
+    wake();
+    if (!region_) return;
+    const auto parents = tearing_->topology().parents();
+    region_->follow_split(parents);
+    std::vector<int> split;
+    for (std::size_t v = before; v < nodes(); ++v) split.push_back(static_cast<int>(v));
+    region_->wake(split);
+    change_region();
+}
+
+void GovernedStepper::weaken(std::span<const int> joints, double factor) {
+    if (!tearing_) return;
+    tearing_->weaken(joints, factor);
+    wake();
+    if (!region_) return;
+    std::vector<int> around;
+    for (const int j : joints)
+        for (int k = 0; k < 3; ++k)
+            around.push_back(tearing_->topology().sides(tearing_->topology().joints()[j], k)[0]);
+    if (region_->wake(around)) change_region();
+}
+
+void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
+                          const Vec3& second_edge_mm) {
+    if (!tearing_) return;
+    const std::vector<int> joints =
+        tearing_->crossing(corner_mm, first_edge_mm, second_edge_mm, positions_mm());
+    if (joints.empty()) return;
+    tearing_->measure(tear_loads());
+    tearing_->cut(joints);
+    follow_tear();
+}
+
+}  // namespace hepatica
