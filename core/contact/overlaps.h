@@ -16,9 +16,14 @@
 
 namespace hepatica {
 
+struct OverlapsBefore;
+
 // Not thread-safe.
 class Overlaps {
   public:
+    // Patches a < b, or a patch and a piece; ascending.
+    using Pairs = std::vector<std::array<int, 2>>;
+
     // Keeps a reference.
     explicit Overlaps(const SurfaceFeatures& features) : features_(features) {}
 
@@ -28,13 +33,23 @@ class Overlaps {
     // Lets go what has come apart; true where something has. Nothing begins to overlap by it.
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 
+    // After a tear, from what overlapped before it on. `node_before` is that of each vertex. What
+    // counted goes on to count, however near it is; left out are, where they are nearer than
+    // reach_mm or one lies in the other,
+    //   what was left out before;
+    //   faces that the tear has laid bare, and pieces that overlapped before;
+    //   patches of pieces torn from each other that touch at rest, as `at_rest` has it; without
+    //   it, those that have vertices split from one another.
+    void follow_split(const OverlapsBefore& before, std::span<const int> node_before,
+                      std::span<const Vec3> positions_mm, double reach_mm,
+                      const Overlaps* at_rest = nullptr);
+
     // Whether a pair of patches does not count.
     bool left_out(int patch, int other) const;
     bool any() const { return !touching_.empty() || !buried_.empty(); }
 
-    // What a checkpoint keeps: pairs of patches (a < b), and of a patch and the piece that it lies
-    // in; both ascending. set() takes what pairs() gave; false where it cannot be of this surface.
-    using Pairs = std::vector<std::array<int, 2>>;
+    // What a checkpoint keeps: pairs of patches, and of a patch and the piece that it lies in.
+    // set() takes what they gave; false where it cannot be of this surface.
     const Pairs& touching() const { return touching_; }
     const Pairs& buried() const { return buried_; }
     bool set(const Pairs& touching, const Pairs& buried);
@@ -52,6 +67,12 @@ class Overlaps {
     // What showed it last, of a pair: two triangles that are near, a vertex within. Asked first.
     mutable std::map<std::array<int, 2>, std::array<int, 2>> near_;
     mutable std::map<std::array<int, 2>, int> within_;
+};
+
+// What overlapped on a surface that is no more.
+struct OverlapsBefore {
+    SurfaceFeatures features;
+    Overlaps::Pairs touching, buried;
 };
 
 }  // namespace hepatica

@@ -20,4 +20,11 @@ BodyDescription torn(const BodyDescription& whole, const TornBody& tear) {
     return body;
 }
 
+std::vector<int> nodes_before(std::span<const int> parents, int count) {
+    std::vector<int> before;
+    for (std::size_t v = 0; v < parents.size(); ++v)
+        before.push_back(static_cast<int>(v) < count ? static_cast<int>(v) : before[parents[v]]);
+    return before;
+}
+
 }  // namespace hepatica

@@ -34,4 +34,8 @@ void inherit(std::span<const int> parents, std::vector<T>& per_vertex) {
         per_vertex.push_back(T(per_vertex[parents[per_vertex.size()]]));
 }
 
+// The vertex among the first `count` from which each was split; where there were more of them
+// before, itself.
+std::vector<int> nodes_before(std::span<const int> parents, int count);
+
 }  // namespace hepatica

@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/contact/time_of_contact.h"
+#include "core/deform/body/torn_body.h"
 
 namespace hepatica {
 namespace {
@@ -137,6 +138,27 @@ void SelfContact::let_go(std::span<const Vec3> positions_mm) {
 
 void SelfContact::find_overlaps(std::span<const Vec3> positions_mm) {
     overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm);
+    cover_.forget();
+    looked_at_mm_.clear();
+}
+
+BeforeTear SelfContact::before_tear() const {
+    const OverlapsBefore now{features_, overlaps_.touching(), overlaps_.buried()};
+    if (whole_) return {now, body_.node_count(), whole_, whole_nodes_};
+    const OverlapsBefore rest{features_, at_rest_.touching(), at_rest_.buried()};
+    return {now, body_.node_count(), std::make_shared<OverlapsBefore>(rest), body_.node_count()};
+}
+
+// At rest it goes on from the whole, so that it is the same however it was torn.
+void SelfContact::follow_split(const BeforeTear& before, std::span<const int> parents,
+                               std::span<const Vec3> positions_mm) {
+    const Stopwatch watch(spent_ms_);
+    whole_ = before.whole;
+    whole_nodes_ = before.whole_nodes;
+    at_rest_.follow_split(*whole_, nodes_before(parents, whole_nodes_), body_.rest_positions_mm,
+                          touching_at_rest * pad_.thickness_mm);
+    overlaps_.follow_split(before.overlaps, nodes_before(parents, before.nodes), positions_mm,
+                           pad_.thickness_mm, &at_rest_);
     cover_.forget();
     looked_at_mm_.clear();
 }

@@ -13,6 +13,7 @@
 // ledger is `contact`. What overlaps at rest: see Overlaps.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/contact/overlaps.h"
@@ -37,6 +38,14 @@ struct SurfaceContact {
                                    Vec3::Zero()};  // of edges nearly parallel: sum 0 on each
 };
 
+// What a surface leaves to the one that it is torn into.
+struct BeforeTear {
+    OverlapsBefore overlaps;
+    int nodes = 0;
+    std::shared_ptr<const OverlapsBefore> whole;  // before its first tear, at rest
+    int whole_nodes = 0;
+};
+
 // False, and nothing changed, where they cannot be of the overlaps' surface.
 bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps);
 
@@ -54,6 +63,11 @@ class SelfContact final : public Potential {
     // (false where it is not of this body).
     void let_go(std::span<const Vec3> positions_mm);
     void find_overlaps(std::span<const Vec3> positions_mm);
+    // Goes on from the surface of the body that this one was torn from; see Overlaps. `parents` is
+    // that of each vertex, itself where it has none.
+    BeforeTear before_tear() const;
+    void follow_split(const BeforeTear& before, std::span<const int> parents,
+                      std::span<const Vec3> positions_mm);
     bool set_overlaps(const OverlapsKept& kept);
     OverlapsKept kept_overlaps() const;
 
@@ -108,6 +122,8 @@ class SelfContact final : public Potential {
     Body::Pad pad_;
     SurfaceFeatures features_;
     Overlaps overlaps_, at_rest_;
+    std::shared_ptr<const OverlapsBefore> whole_;  // see BeforeTear; null: this one
+    int whole_nodes_ = 0;
     std::span<const std::uint8_t> held_;
     mutable std::vector<std::array<int, 2>> met_;  // nodes of pairs that touched during the step
     mutable PairCover cover_;

@@ -176,6 +176,8 @@ void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     const std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
+    std::optional<BeforeTear> surface;
+    if (potentials_->self()) surface = potentials_->self()->before_tear();
     body_ = build_body(torn(whole, tear), options_.model, options_.order);
     body_.parted_pairs = tear.parted_pairs;
     inherit(tear.parents, state_.positions_mm);
@@ -186,7 +188,7 @@ void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     potentials_->set_gravity(gravity);
     potentials_->set_tool(tool);
     potentials_->ties()->set(tear.law, tear.ties, state_.positions_mm);
-    if (potentials_->self()) potentials_->self()->find_overlaps(state_.positions_mm);
+    if (surface) potentials_->self()->follow_split(*surface, tear.parents, state_.positions_mm);
     integrator_.emplace(body_, newton_of(options_), std::move(solver));
 }
 
