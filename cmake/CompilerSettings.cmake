@@ -37,6 +37,14 @@ if(HEPATICA_SANITIZE)
     list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-maybe-uninitialized)
 endif()
 
+# What a file calls its own must then differ from what its neighbours call theirs; a parameter that is
+# called as another file's constant is no mistake.
+if(HEPATICA_UNITY)
+    set(CMAKE_UNITY_BUILD ON)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+    list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-shadow)
+endif()
+
 # Clang words its warnings otherwise than gcc, which every other preset is built with.
 if(HEPATICA_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)

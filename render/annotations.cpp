@@ -18,6 +18,7 @@
 #include <cmath>
 #include <iomanip>
 #include <locale>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -29,7 +30,7 @@ namespace {
 
 constexpr int legend_cells = 48;
 constexpr double margin_pt = 18.0;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkUnsignedCharArray* colours,
                                         vtkRenderer& renderer) {

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "render/annotations.h"
@@ -24,7 +25,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour,
                                     double intensity) {

@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
+using Rgb = std::array<std::uint8_t, 3>;
 struct Point {
     double x, y;
 };
@@ -33,7 +33,7 @@ class Canvas {
     }
 
     // The three faces that look towards the viewer: +x, +y and +z.
-    void cube(const Index3& v, const Colour& colour) {
+    void cube(const Index3& v, const Rgb& colour) {
         const double x = v[0], y = v[1], z = v[2];
         const Vec3 far(x + 1, y + 1, z + 1);
         face({Vec3(x + 1, y, z), Vec3(x + 1, y + 1, z), far, Vec3(x + 1, y, z + 1)}, colour, 0.62);
@@ -51,7 +51,7 @@ class Canvas {
         return {pixels_ * run * (x - y) + shift_.x, pixels_ * (rise * (x + y) - z) + shift_.y};
     }
 
-    void face(const std::array<Vec3, 4>& corners, const Colour& colour, double light) {
+    void face(const std::array<Vec3, 4>& corners, const Rgb& colour, double light) {
         std::array<Point, 4> p{};
         for (int i = 0; i < 4; ++i) p[i] = projected(corners[i][0], corners[i][1], corners[i][2]);
         const auto [left, right] = std::ranges::minmax(p, {}, &Point::x);
@@ -77,7 +77,7 @@ class Canvas {
         return least;
     }
 
-    void set(int x, int y, const Colour& colour, double light) {
+    void set(int x, int y, const Rgb& colour, double light) {
         if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
         const std::size_t at = 3 * (static_cast<std::size_t>(y) * picture.width + x);
         for (int c = 0; c < 3; ++c)
@@ -93,7 +93,7 @@ class Canvas {
 Picture draw_voxels(const std::vector<VoxelGroup>& groups, const Index3& low, const Index3& high,
                     int pixels) {
     // Back to front: the viewer looks against +x, +y and +z.
-    std::map<std::tuple<int, int, int, int>, std::pair<Index3, Colour>> sorted;
+    std::map<std::tuple<int, int, int, int>, std::pair<Index3, Rgb>> sorted;
     for (const VoxelGroup& group : groups)
         for (const Index3& v : group.voxels) {
             bool in_box = true;

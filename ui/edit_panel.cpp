@@ -14,13 +14,13 @@
 namespace hepatica {
 namespace {
 
-struct Tool {
+struct EditTool {
     TreeEditKind kind;
     const char* name;
     const char* tip;
 };
 
-constexpr std::array<Tool, 5> tools{{
+constexpr std::array<EditTool, 5> tools{{
     {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
     {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
     {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
@@ -58,7 +58,7 @@ QWidget* EditPanel::make_tools() {
     tool_ = new QComboBox(box);
     tool_->setAccessibleName("Tool of the edit");
     tool_->setObjectName("EditTool");
-    for (const Tool& tool : tools) {
+    for (const EditTool& tool : tools) {
         tool_->addItem(tool.name);
         tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);
     }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/verbs/verbs.h"
+#include "core/base/frame_time.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/deform/stepper/cpu_stepper.h"
@@ -16,7 +17,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr double cell_mm = 2.0, layers_mm = 6.0, gap_mm = 0.05;
 constexpr int layers = 3, cells = 24;  // of the lower block: 10,368 tetrahedra
 constexpr int rows_of_a_self_contact = 1, rows_of_a_tool_contact = 3;
@@ -108,10 +108,10 @@ Json measure(const Setup& setup, const ContactOptions& options) {
     const Vec3 gravity(0.0, 0.0, -units::standard_gravity);
     const auto ours = our_world(setup, gravity);
     StepReport report;
-    for (int k = 0; k < most_settling; ++k) report = ours->step(dt_s);
+    for (int k = 0; k < most_settling; ++k) report = ours->step(frame_s);
     std::vector<double> our_ms, iterations;
     for (int k = 0; k < options.steps; ++k) {
-        our_ms.push_back(timed_ms([&] { report = ours->step(dt_s); }));
+        our_ms.push_back(timed_ms([&] { report = ours->step(frame_s); }));
         iterations.push_back(report.linear_iterations);
     }
     const bool tool = setup.ball_mm > 0.0;

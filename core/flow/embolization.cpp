@@ -14,7 +14,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // std:: distributions differ between libraries; these do not.
 class Dice {
@@ -62,7 +62,9 @@ struct Bed {
         open_share = std::max(0.0, open_share - 1.0 / std::max(vessels, 1.0));
         if (open_share < 1e-9) open_share = 0.0;
     }
-    double present_resistance() const { return open_share > 0.0 ? resistance / open_share : never; }
+    double present_resistance() const {
+        return open_share > 0.0 ? resistance / open_share : infinite;
+    }
 };
 
 class BeadTransport {
@@ -99,7 +101,7 @@ class BeadTransport {
         const std::size_t segments = network.segments.size();
         result_.lodged_in_segment.assign(segments, 0);
         result_.segment_mass_g.assign(segments, 0.0);
-        result_.lodged_at_mm.assign(segments, never);
+        result_.lodged_at_mm.assign(segments, infinite);
         result_.lodged_beyond_outlet.assign(beds_.size(), 0);
         result_.outlet_mass_g.assign(beds_.size(), 0.0);
         solve();
@@ -152,7 +154,7 @@ class BeadTransport {
             const FlowSegment& s = result_.network.segments[choice];
             const bool forwards = s.proximal_node == node;
             const double place = lodging_place_mm(result_.network, choice, radius, forwards);
-            if (place < never) {
+            if (place < infinite) {
                 lodge(choice, place, mass);
                 return;
             }
@@ -290,7 +292,7 @@ double lodging_place_mm(const FlowNetwork& network, int segment, double bead_rad
             return begin + direction * cone.length_mm * (enter - bead_radius_mm) / (enter - leave);
         begin += direction * cone.length_mm;
     }
-    return never;
+    return infinite;
 }
 
 Embolization embolize(const FlowNetwork& network, const FlowConditions& conditions, int bead_inlet,

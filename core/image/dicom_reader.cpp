@@ -78,11 +78,11 @@ std::vector<char> read_plain(const DicomSlice& slice, std::size_t bytes) {
     return buffer;
 }
 
-using Bytes = std::vector<unsigned char>;
+using Fragment = std::vector<unsigned char>;
 
 // The fragments of the compressed pixels.
-std::vector<Bytes> read_fragments(const DicomSlice& slice) {
-    std::vector<Bytes> fragments;
+std::vector<Fragment> read_fragments(const DicomSlice& slice) {
+    std::vector<Fragment> fragments;
     for (const FileRange& range : slice.fragments) {
         fragments.emplace_back(range.bytes);
         ByteStream(slice.file, range.offset, Encoding::raw)
@@ -92,7 +92,7 @@ std::vector<Bytes> read_fragments(const DicomSlice& slice) {
 }
 
 // Refuses a picture whose own size is not the header's, which a decoder might write beyond.
-void require_stated_size(const DicomSlice& slice, const Bytes& first_fragment) {
+void require_stated_size(const DicomSlice& slice, const Fragment& first_fragment) {
     const std::optional<CodestreamSize> size = codestream_size(first_fragment);
     if (!size || size->columns != slice.columns || size->rows != slice.rows ||
         size->components != 1 || size->bits > slice.bits_allocated)
@@ -101,10 +101,10 @@ void require_stated_size(const DicomSlice& slice, const Bytes& first_fragment) {
 
 // The pixels as GDCM's decoders want them, without its parser of whole files, which ends the
 // program on some damaged ones.
-gdcm::Bitmap bitmap_of(const DicomSlice& slice, const std::vector<Bytes>& fragments,
+gdcm::Bitmap bitmap_of(const DicomSlice& slice, const std::vector<Fragment>& fragments,
                        gdcm::TransferSyntax::TSType syntax) {
     const gdcm::SmartPointer<gdcm::SequenceOfFragments> sequence = new gdcm::SequenceOfFragments();
-    for (const Bytes& bytes : fragments) {
+    for (const Fragment& bytes : fragments) {
         gdcm::Fragment fragment;
         fragment.SetByteValue(reinterpret_cast<const char*>(bytes.data()),
                               static_cast<std::uint32_t>(bytes.size()));
@@ -129,7 +129,7 @@ gdcm::Bitmap bitmap_of(const DicomSlice& slice, const std::vector<Bytes>& fragme
 
 std::vector<char> read_compressed(const DicomSlice& slice, std::size_t bytes) {
     const auto syntax = gdcm::TransferSyntax::GetTSType(slice.transfer_syntax.c_str());
-    const std::vector<Bytes> fragments = read_fragments(slice);
+    const std::vector<Fragment> fragments = read_fragments(slice);
     if (fragments.empty() || syntax == gdcm::TransferSyntax::TS_END)
         reject(slice.file, "has pixels in the unknown encoding " + slice.transfer_syntax);
     if (syntax == gdcm::TransferSyntax::RLELossless) {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void reject(const fs::path& file, const std::string& what) {
+[[noreturn]] void reject_nifti(const fs::path& file, const std::string& what) {
     throw InputError(what, file.string(), "Choose a NIfTI file that another viewer opens");
 }
 
@@ -161,7 +161,7 @@ void place(const Nifti& n, VoxelFile& file) {
 void check_pixdim(const Nifti& n, const fs::path& file) {
     for (int a = 1; a <= 3; ++a)
         if (!std::isfinite(n.pixdim[a]) || n.pixdim[a] <= 0.0)
-            reject(file, "has a voxel spacing of " + std::to_string(n.pixdim[a]) + " mm");
+            reject_nifti(file, "has a voxel spacing of " + std::to_string(n.pixdim[a]) + " mm");
 }
 
 }  // namespace
@@ -180,34 +180,34 @@ VoxelFile read_nifti_header(const fs::path& path) {
     std::array<unsigned char, 544> bytes{};
     ByteStream stream(path, 0, file.encoding);
     const std::size_t got = stream.read_some(bytes.data(), bytes.size());
-    if (got < 348) reject(path, "is too short to be a NIfTI image");
+    if (got < 348) reject_nifti(path, "is too short to be a NIfTI image");
     const HeaderBytes native(bytes, false);
     const HeaderBytes swapped(bytes, true);
     const auto is_size = [](std::int32_t size) { return size == 348 || size == 540; };
     if (!is_size(native.get<std::int32_t>(0)) && !is_size(swapped.get<std::int32_t>(0)))
-        reject(path, "is not a NIfTI image");
+        reject_nifti(path, "is not a NIfTI image");
     const bool swap = !is_size(native.get<std::int32_t>(0));
     const HeaderBytes& h = swap ? swapped : native;
     const bool version_2 = h.get<std::int32_t>(0) == 540;
     const char* magic = reinterpret_cast<const char*>(bytes.data()) + (version_2 ? 4 : 344);
     if (std::strncmp(magic, "ni", 2) == 0)
-        reject(path, "is the header of a two-file NIfTI image (.hdr and .img)");
+        reject_nifti(path, "is the header of a two-file NIfTI image (.hdr and .img)");
     if (std::strncmp(magic, "n+", 2) != 0)
-        reject(path, "is an Analyze image, which does not say left from right");
+        reject_nifti(path, "is an Analyze image, which does not say left from right");
     const Nifti n = version_2 ? parse_version_2(h) : parse_version_1(h);
 
     if (n.dim[0] < 3 || n.dim[0] > 7)
-        reject(path, "has " + std::to_string(n.dim[0]) + " dimensions, not 3");
+        reject_nifti(path, "has " + std::to_string(n.dim[0]) + " dimensions, not 3");
     for (std::int64_t i = 4; i <= n.dim[0]; ++i)
         if (n.dim[static_cast<std::size_t>(i)] > 1)
-            reject(path, "holds several volumes (a time series or vectors)");
+            reject_nifti(path, "holds several volumes (a time series or vectors)");
     file.dims = {n.dim[1], n.dim[2], n.dim[3]};
     const std::optional<ScalarType> type = scalar_type(n.datatype);
-    if (!type) reject(path, "has voxels of NIfTI type " + std::to_string(n.datatype));
+    if (!type) reject_nifti(path, "has voxels of NIfTI type " + std::to_string(n.datatype));
     file.type = *type;
     file.big_endian = swap != (std::endian::native == std::endian::big);
     if (!(n.data_offset >= (version_2 ? 540 : 348)) || n.data_offset > 1e8)
-        reject(path, "has a data offset of " + std::to_string(n.data_offset));
+        reject_nifti(path, "has a data offset of " + std::to_string(n.data_offset));
     if (gzip)
         file.skip_bytes = static_cast<std::uint64_t>(n.data_offset);
     else

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void reject(const fs::path& file, const std::string& what) {
+[[noreturn]] void reject_nrrd(const fs::path& file, const std::string& what) {
     throw InputError(what, file.string(), "Export the image again as one volume, raw or gzip");
 }
 
@@ -36,7 +36,7 @@ Fields read_fields(std::ifstream& in, const fs::path& file) {
         const bool is_key = colon + 1 < line.size() && line[colon + 1] == '=';
         if (is_key) continue;  // free key := value pairs
         fields[lower_case(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
-        if (in.tellg() > (1 << 24)) reject(file, "has a header without an end");
+        if (in.tellg() > (1 << 24)) reject_nrrd(file, "has a header without an end");
     }
     return fields;
 }
@@ -98,21 +98,22 @@ Vec3 to_lps(const std::string& space, const fs::path& file) {
     if (name == "right-anterior-superior" || name == "ras") return {-1, -1, 1};
     if (name == "left-anterior-superior" || name == "las") return {1, -1, 1};
     if (name.empty())
-        reject(file, "does not say which way its axes run in the patient (no \"space\" field)");
-    reject(file, "has its axes in space \"" + space + "\"");
+        reject_nrrd(file,
+                    "does not say which way its axes run in the patient (no \"space\" field)");
+    reject_nrrd(file, "has its axes in space \"" + space + "\"");
 }
 
 void place(const Fields& fields, VoxelFile& file, const fs::path& path) {
     const Vec3 signs = to_lps(field(fields, "space"), path);
     const std::vector<std::string> directions = vectors_in(field(fields, "space directions"));
-    if (directions.size() != 3) reject(path, "does not have three space directions");
+    if (directions.size() != 3) reject_nrrd(path, "does not have three space directions");
     for (int a = 0; a < 3; ++a) {
         const std::optional<Vec3> axis = vector_of(directions[static_cast<std::size_t>(a)]);
-        if (!axis) reject(path, "has a space direction that is not three numbers");
+        if (!axis) reject_nrrd(path, "has a space direction that is not three numbers");
         file.axes.col(a) = signs.cwiseProduct(*axis);
     }
     const std::optional<Vec3> origin = vector_of(field(fields, "space origin"));
-    if (!origin) reject(path, "has no space origin");
+    if (!origin) reject_nrrd(path, "has no space origin");
     file.origin_mm = signs.cwiseProduct(*origin);
 }
 
@@ -120,13 +121,14 @@ void read_sizes(const Fields& fields, VoxelFile& file, const fs::path& path) {
     const auto sizes = numbers(field(fields, "sizes"));
     const std::string dimension = field(fields, "dimension");
     if (dimension == "4" && field(fields, "kinds").starts_with("list"))
-        reject(path,
-               "holds overlapping segments in layers; export a segmentation whose segments "
-               "do not overlap, or a label map");
+        reject_nrrd(path,
+                    "holds overlapping segments in layers; export a segmentation whose segments "
+                    "do not overlap, or a label map");
     if (dimension != "3" || !sizes || sizes->size() != 3)
-        reject(path, "has " + dimension + " dimensions, not 3");
+        reject_nrrd(path, "has " + dimension + " dimensions, not 3");
     for (std::size_t a = 0; a < 3; ++a) {
-        if (!((*sizes)[a] >= 1 && (*sizes)[a] < 1e12)) reject(path, "has a size that is no size");
+        if (!((*sizes)[a] >= 1 && (*sizes)[a] < 1e12))
+            reject_nrrd(path, "has a size that is no size");
         file.dims[a] = static_cast<std::int64_t>((*sizes)[a]);
     }
 }
@@ -140,16 +142,16 @@ void find_data(const Fields& fields, VoxelFile& file, const fs::path& path,
         file.data_offset = header_end;
     } else {
         if (data.starts_with("LIST") || data.find('%') != std::string::npos)
-            reject(path, "has its data in several files");
+            reject_nrrd(path, "has its data in several files");
         file.data_file = path.parent_path() / data;
     }
     const std::string encoding = lower_case(field(fields, "encoding"));
     if (encoding == "gzip" || encoding == "gz")
         file.encoding = Encoding::deflated;
     else if (encoding != "raw")
-        reject(path, "has encoding \"" + encoding + "\"");
+        reject_nrrd(path, "has encoding \"" + encoding + "\"");
     const std::string skip = field(fields, "byte skip");
-    if (!skip.empty() && skip != "0") reject(path, "skips bytes before its data");
+    if (!skip.empty() && skip != "0") reject_nrrd(path, "skips bytes before its data");
 }
 
 }  // namespace
@@ -162,7 +164,7 @@ VoxelFile read_nrrd_header(const fs::path& path) {
     file.header_file = path;
     read_sizes(fields, file, path);
     const std::optional<ScalarType> type = scalar_type(field(fields, "type"));
-    if (!type) reject(path, "has voxels of type \"" + field(fields, "type") + "\"");
+    if (!type) reject_nrrd(path, "has voxels of type \"" + field(fields, "type") + "\"");
     file.type = *type;
     file.big_endian = lower_case(field(fields, "endian")) == "big";
     find_data(fields, file, path, static_cast<std::uint64_t>(end));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double taper_per_mm = 0.003;   // of the radius, for the side branches nobody drew
 constexpr double smallest_taper = 0.85;  // of a whole segment
-constexpr double free_mm = 0.8;          // kept between vessels that do not meet
+constexpr double branch_free_mm = 0.8;   // kept between vessels that do not meet
 
 // How one branch leaves its straight chord.
 struct Bend {
@@ -173,7 +173,7 @@ class SystemBuilder {
     bool in_reach(int branch, const Capsule& other) const {
         const GrownBranch& b = branches_[branch];
         const double reach = 0.8 * (b.end - b.begin).norm() + chords_[branch].radius +
-                             0.8 * (other.end - other.begin).norm() + other.radius + free_mm;
+                             0.8 * (other.end - other.begin).norm() + other.radius + branch_free_mm;
         return (b.begin + b.end - other.begin - other.end).norm() < 2.0 * reach;
     }
 
@@ -199,7 +199,7 @@ class SystemBuilder {
             const Vec3& p = segment.points_mm[i];
             for (const Capsule& other : others)
                 if (distance_between(p, p, other.begin, other.end) <
-                    segment.radii_mm[i] + other.radius + free_mm)
+                    segment.radii_mm[i] + other.radius + branch_free_mm)
                     return false;
         }
         return true;

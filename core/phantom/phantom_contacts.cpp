@@ -17,7 +17,7 @@ constexpr double farthest_mm = 20.0;   // between axes that a bend brings togeth
 constexpr double steepest = 0.6;       // of the bend's half length, at most
 constexpr double from_nodes_mm = 6.0;  // contacts keep this far from bifurcations
 constexpr double between_contacts_mm = 15.0;
-constexpr double free_mm = 0.8;          // kept to all other vessels
+constexpr double contact_free_mm = 0.8;  // kept to all other vessels
 constexpr double crossing_cosine = 0.7;  // of the angle between vessels that cross
 constexpr double sideways_cosine = 0.5;  // of the angle between a vessel and its move, at most
 constexpr double tangent_reach_mm = 3.0;
@@ -126,7 +126,7 @@ bool is_clear(const VesselTree& tree, const VesselSegment& segment, const Approa
             if (node >= 0 && (p - tree.nodes[node].position_mm).norm() < from_nodes_mm) continue;
             for (std::size_t i = 0; i < segment.points_mm.size(); ++i)
                 if ((segment.points_mm[i] - p).norm() <
-                    segment.radii_mm[i] + vessel.radii_mm[k] + free_mm)
+                    segment.radii_mm[i] + vessel.radii_mm[k] + contact_free_mm)
                     return false;
         }
     }

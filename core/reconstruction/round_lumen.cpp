@@ -11,8 +11,8 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 2.0;        // outside a tube
-constexpr double step_in_voxels = 0.4;  // between the balls that make up a tube
+constexpr double outside_reach_mm = 2.0;  // outside a tube
+constexpr double step_in_voxels = 0.4;    // between the balls that make up a tube
 
 struct Ball {
     Vec3 index;  // of the centre, in voxels
@@ -43,7 +43,7 @@ struct Layer {
 
 void add(const Ball& ball, const Grid& grid, int z, Layer& layer) {
     const Vec3& h = grid.spacing_mm;
-    const double reach = ball.radius_mm + reach_mm;
+    const double reach = ball.radius_mm + outside_reach_mm;
     const double dz = (z - ball.index[2]) * h[2];
     if (std::abs(dz) > reach) return;
     const auto low = [&](int axis) {
@@ -75,10 +75,10 @@ Mask round_thin_lumens(const Mask& vessels, const VesselTree& tree, double thin_
     Mask result = vessels;
     parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t z, std::size_t) {
         job.throw_if_cancelled();
-        Layer layer{std::vector<double>(size, reach_mm), std::vector<double>(size, 0.0)};
+        Layer layer{std::vector<double>(size, outside_reach_mm), std::vector<double>(size, 0.0)};
         for (const Ball& ball : balls) add(ball, grid, static_cast<int>(z), layer);
         for (std::size_t i = 0; i < size; ++i)
-            if (layer.outside_mm[i] < reach_mm && layer.radius_mm[i] < thin_radius_mm)
+            if (layer.outside_mm[i] < outside_reach_mm && layer.radius_mm[i] < thin_radius_mm)
                 result.voxels[z * size + i] = layer.outside_mm[i] <= 0.0;
     });
     return result;

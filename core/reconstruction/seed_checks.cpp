@@ -12,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 10.0;
+constexpr double seed_reach_mm = 10.0;
 
 std::string text_of(const Vec3& position_mm) {
     char text[96];
@@ -50,9 +50,9 @@ void require_seeds_near_liver(const std::vector<VesselSeed>& seeds, const Mask& 
             const auto [x, y, z] = liver.grid.index_of(i);
             nearest_mm =
                 std::min(nearest_mm, (liver.grid.to_mm(x, y, z) - seed.position_mm).norm());
-            if (nearest_mm <= reach_mm) break;
+            if (nearest_mm <= seed_reach_mm) break;
         }
-        if (nearest_mm <= reach_mm) continue;
+        if (nearest_mm <= seed_reach_mm) continue;
         throw InputError(text_of(seed.position_mm) + " lies " +
                              std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
                              liver_place,

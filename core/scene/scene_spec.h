@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/frame_time.h"
 #include "core/base/vector.h"
 #include "core/deform/stepper/stepper_options.h"
 #include "core/tear/tear_law.h"
@@ -61,7 +62,7 @@ struct SceneSpec {
     std::optional<FlowSpec> flow = FlowSpec{};
     std::optional<ContactSpec> contact{};  // none: nothing is built for it
     std::optional<TearSpec> tear{};        // likewise
-    double dt_s = 1.0 / 60.0;              // 1e-4 to 1
+    double dt_s = frame_s;                 // 1e-4 to 1
 };
 
 // Throws InputError unless the thickness is 0 (solid) or from thinnest_wall_mm to thickest_wall_mm.

@@ -16,7 +16,7 @@ namespace {
 // The trunk, 10 to 16 mm wide, with the fat and the ducts around it.
 constexpr double fissure_mm = 30.0, reach_mm = 30.0;
 constexpr double narrowest_mm = 1.5;
-constexpr double smoothing_mm = 0.8;
+constexpr double vessel_smoothing_mm = 0.8;
 // Of a vessel's rise over the tissue; above the second lie bone and contrast medium in bowels.
 // Where fat lies around a vessel, the first draws its wall some 0.6 mm too far inside.
 constexpr double least_rise = 0.5, most_rise = 2.0;
@@ -42,7 +42,7 @@ Mask fissures_at(const Hilum& hilum, const Mask& liver, Job& job) {
 
 Mask as_bright_as_vessels(const LiverFrame& frame, const Hilum& hilum, Job& job) {
     FloatVolume smooth = frame.intensity;
-    gaussian_smooth(smooth, Vec3::Constant(smoothing_mm), job);
+    gaussian_smooth(smooth, Vec3::Constant(vessel_smoothing_mm), job);
     const double rise = hilum.vessel_hu - hilum.parenchyma_hu;
     const double low = hilum.parenchyma_hu + least_rise * rise;
     const double high = hilum.parenchyma_hu + most_rise * rise;

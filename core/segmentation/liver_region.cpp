@@ -17,7 +17,7 @@ namespace hepatica {
 namespace {
 
 constexpr double coarse_spacing_mm = 3.0;
-constexpr double smoothing_mm = 3.0;
+constexpr double liver_smoothing_mm = 3.0;
 constexpr double soft_organ_from_hu = 30.0;
 constexpr double soft_organ_to_hu = 250.0;
 constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
@@ -179,7 +179,7 @@ Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
 
 Mask find_liver(const Volume& ct, Job& job) {
     FloatVolume smooth = coarsened(ct, job);
-    gaussian_smooth(smooth, Vec3::Constant(smoothing_mm), job);
+    gaussian_smooth(smooth, Vec3::Constant(liver_smoothing_mm), job);
     const Organ organ = largest_soft_organ(smooth, job);
     if (organ.core_ml < smallest_core_ml)
         throw InputError("no liver was found: the largest soft organ between " +

@@ -14,7 +14,7 @@ std::uint32_t bit_of(const Offset& o) {
 }
 
 template <class Predicate>
-std::uint32_t bits_where(Predicate predicate) {
+std::uint32_t offsets_where(Predicate predicate) {
     std::uint32_t bits = 0;
     for (int z = -1; z <= 1; ++z)
         for (int y = -1; y <= 1; ++y)
@@ -33,7 +33,7 @@ class Builder {
         for (int axis = 0; axis < 3; ++axis)
             for (const int sign : {-1, 1}) {
                 ThinningTemplate t;
-                t.background = bits_where([&](const Offset& o) { return o[axis] == sign; });
+                t.background = offsets_where([&](const Offset& o) { return o[axis] == sign; });
                 require(t, axis, -sign);
                 templates.push_back(t);
             }
@@ -46,7 +46,7 @@ class Builder {
                 for (const int s : {-1, 1})
                     for (const int t : {-1, 1}) {
                         ThinningTemplate edge;
-                        edge.background = bits_where([&](const Offset& o) {
+                        edge.background = offsets_where([&](const Offset& o) {
                             return o[a] != -s && o[b] != -t && (o[a] != 0 || o[b] != 0);
                         });
                         require(edge, a, -s);
@@ -61,7 +61,7 @@ class Builder {
             for (const int sy : {-1, 1})
                 for (const int sz : {-1, 1}) {
                     ThinningTemplate t;
-                    t.background = bits_where(
+                    t.background = offsets_where(
                         [&](const Offset& o) { return o[0] != -sx && o[1] != -sy && o[2] != -sz; });
                     require(t, 0, -sx);
                     require(t, 1, -sy);
@@ -106,7 +106,7 @@ class Builder {
         hook[b] = t;
         ThinningTemplate d;
         d.object = bit_of(hook);
-        d.background = bits_where([&](const Offset& o) { return o[a] == -s || o[b] == -t; }) |
+        d.background = offsets_where([&](const Offset& o) { return o[a] == -s || o[b] == -t; }) |
                        bit_of(unit(a, s)) | bit_of(unit(b, t));
         for (const int sign : {-1, 1}) {
             if (sign == along)

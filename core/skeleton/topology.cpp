@@ -14,7 +14,7 @@ namespace hepatica {
 namespace {
 
 // The object's bounding box with one layer of background around it.
-struct Box {
+struct BoxedMask {
     Index3 dims{0, 0, 0};
     std::vector<std::uint8_t> voxels;
 
@@ -24,7 +24,7 @@ struct Box {
     }
 };
 
-Box boxed(const Mask& mask) {
+BoxedMask boxed(const Mask& mask) {
     Index3 low = mask.grid.dims;
     Index3 high{-1, -1, -1};
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
@@ -35,7 +35,7 @@ Box boxed(const Mask& mask) {
             high[a] = std::max(high[a], p[a]);
         }
     }
-    Box box;
+    BoxedMask box;
     if (high[0] < 0) return box;
     for (int a = 0; a < 3; ++a) box.dims[a] = high[a] - low[a] + 3;
     box.voxels.assign(
@@ -70,7 +70,7 @@ void unite_rows(const std::vector<Run>& a, const std::vector<Run>& b, int reach,
 }
 
 // Components of the voxels equal to `value`, by the 26 neighbours or by the 6 face neighbours.
-long long count_components(const Box& box, std::uint8_t value, bool by_26) {
+long long count_components(const BoxedMask& box, std::uint8_t value, bool by_26) {
     DisjointSets sets;
     const auto [nx, ny, nz] = box.dims;
     std::vector<std::vector<Run>> below(ny), here(ny);
@@ -111,7 +111,7 @@ std::array<int, 256> euler_table() {
     return table;
 }
 
-long long euler_number(const Box& box) {
+long long euler_number(const BoxedMask& box) {
     const std::array<int, 256> table = euler_table();
     const auto [nx, ny, nz] = box.dims;
     const auto layers = static_cast<std::size_t>(nz - 1);
@@ -136,7 +136,7 @@ long long euler_number(const Box& box) {
 }  // namespace
 
 Betti betti_numbers(const Mask& mask) {
-    const Box box = boxed(mask);
+    const BoxedMask box = boxed(mask);
     if (box.voxels.empty()) return {};
     Betti betti;
     betti.components = count_components(box, 1, true);

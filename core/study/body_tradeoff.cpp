@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/deform/body/element_name.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
@@ -199,7 +200,7 @@ std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting&
         auto stepper = make_live_stepper(body, setting.options, region);
         for (int f = 0; f < frames_to_fall_asleep; ++f) {
             job.throw_if_cancelled();
-            if (stepper->step(Pull::frame_s).asleep) break;
+            if (stepper->step(frame_s).asleep) break;
         }
         return stepper;
     }
@@ -247,7 +248,7 @@ TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
     point.region = setting.live ? "live" : "whole";
     point.own_mesh = setting.mesh == 0;
     point.options = setting.options;
-    point.dt_s = Pull::frame_s / setting.options.substeps;
+    point.dt_s = frame_s / setting.options.substeps;
     point.step_ms = point.frame_ms = point.iterations = unknown;
     point.error_relative = point.rest_error_relative = unknown;
     FrameMeter meter;

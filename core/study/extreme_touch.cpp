@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/crossing_triangles.h"
 #include "core/scene/tools/tool_choice.h"
@@ -17,7 +18,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr int looks = 20;
 constexpr double slowest_mm_per_s = 10.0, fastest_mm_per_s = 1e5;
 constexpr int points_on_axis = 9;
@@ -66,7 +66,7 @@ class TouchTrial {
         for (int k = 0; k < steps; ++k) {
             if (k % steps_to_a_goal == 0) choose_goal();
             lead();
-            if (!trial.run(1, dt_s)) return row;
+            if (!trial.run(1, frame_s)) return row;
             if (k % std::max(1, steps / looks) == 0 && !look(trial)) return row;
         }
         look(trial);
@@ -119,7 +119,8 @@ class TouchTrial {
     void lead() {
         const auto next = [&](const Vec3& at_mm) -> Vec3 {
             const Vec3 way = goal_mm_ - at_mm;
-            return at_mm + std::min(1.0, speed_mm_per_s_ * dt_s / std::max(way.norm(), 1e-9)) * way;
+            return at_mm +
+                   std::min(1.0, speed_mm_per_s_ * frame_s / std::max(way.norm(), 1e-9)) * way;
         };
         if (!stepper_->tool()) {
             grab_.target_mm = next(grab_.target_mm);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/frame_meter.h"
 
+#include "core/base/frame_time.h"
 #include "core/study/timing.h"
 
 namespace hepatica {
-namespace {
-
-constexpr double frame_s = 1.0 / 60.0;
-
-}  // namespace
+namespace {}  // namespace
 
 void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     const FrameTimer timer;

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double step_s = 1.0 / 60.0;
 constexpr double watched_s = 1.0;  // after the last action
 
 int steps_in(double seconds) {
-    return static_cast<int>(std::lround(seconds / step_s));
+    return static_cast<int>(std::lround(seconds / frame_s));
 }
 
 // Takes the vessel at half of the longest path.
@@ -59,7 +59,7 @@ Script twist() {
     for (int i = 1; i <= steps; ++i) {
         const double angle = two_pi * i / steps;
         const Vec3 place = radius_mm * Vec3(std::cos(angle) - 1.0, std::sin(angle), 0.0);
-        move(script, (i - 1) * step_s, place - reached, step_s);
+        move(script, (i - 1) * frame_s, place - reached, frame_s);
         reached = place;
     }
     let_go(script, turn_s);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/base/hash.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
@@ -19,7 +20,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double frame_s = 1.0 / 60.0;
 constexpr int most_frames_to_fall_asleep = 120;
 constexpr double exact_energy_tolerance = 1e-8;
 constexpr int enough_iterations = 10000;

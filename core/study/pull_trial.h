@@ -17,7 +17,6 @@ namespace hepatica {
 class Pull {
   public:
     static constexpr int frames = 60;
-    static constexpr double frame_s = 1.0 / 60.0;
     static constexpr double distance_mm = 30.0;
 
     // Throws InputError where the body has no skeleton or nothing of it is fixed.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/study/timing.h"
@@ -13,7 +14,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr double twig_radius_mm = 1.7;
 constexpr int tetrahedra_per_branch = 850;
 
@@ -37,7 +37,7 @@ Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOpti
         const Grab grab = led_around(tip, rest[tip], k);
         const double ms = timed_ms([&] {
             stepper.set_grabs(std::span(&grab, held ? 1 : 0));
-            stepper.step(dt_s);
+            stepper.step(frame_s);
         });
         if (held) played.held_ms.push_back(ms);
         std::vector<Vec3>& moved = played.motion.emplace_back(rest.size());
@@ -74,7 +74,7 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
     stepper_options.sleeping = false;
     const auto live = make_live_stepper(body, stepper_options, options.region);
     const auto whole = make_cpu_stepper(body, stepper_options);
-    for (int k = 0; k < 60; ++k) live->step(dt_s);  // at rest, until it sleeps
+    for (int k = 0; k < 60; ++k) live->step(frame_s);  // at rest, until it sleeps
 
     RegionRow row;
     row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/frame_time.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/deform/step/energy_ledger.h"
@@ -16,7 +17,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr int frames_per_batch = 20;
 
 // One stepper that is always stepped with the same number of threads.
@@ -38,7 +38,7 @@ void advance(Run& run, const Grab& grab) {
     StepReport report;
     run.ms.push_back(timed_ms([&] {
         run.stepper->set_grabs(std::span(&grab, 1));
-        report = run.stepper->step(dt_s);
+        report = run.stepper->step(frame_s);
     }));
     run.row.iterations += report.linear_iterations;
     run.row.newton_iterations += report.newton_iterations;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/base/median.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
@@ -15,7 +16,6 @@ namespace {
 
 const Vec3 size_mm(20.0, 4.0, 4.0);
 constexpr double way_mm = 10.0;
-constexpr double dt_s = 1.0 / 60.0;
 constexpr double hand_un_per_mm = 2e6;  // of all springs of the pulled end together
 
 const char* name_of(TearStop stop) {
@@ -75,7 +75,7 @@ TearRow pull(double edge_mm, const TearLaw& law, double step_mm) {
         const std::vector<Grab> grabs = hand_at(body, pulled);
         stepper->set_grabs(grabs);
         const auto begin = std::chrono::steady_clock::now();
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         step_ms.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count());

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/quality_dial.h"
 #include "core/study/frame_meter.h"
@@ -16,7 +17,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double frame_s = 1.0 / 60.0;
 constexpr int rest_frames = 120, motion_frames = 30;
 
 struct Setting {

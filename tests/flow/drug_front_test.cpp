@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -16,7 +17,7 @@ namespace {
 using testing_flow::Random;
 using testing_flow::random_tree;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 FlowConditions injection_of(const Fluid& drug, double mass_flow_g_s, int node = 0) {
     FlowConditions conditions;

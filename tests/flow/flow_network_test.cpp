@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "tests/flow/random_cases.h"
@@ -13,7 +14,7 @@ namespace {
 
 using testing_flow::Random;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // Root at the origin, 10 mm along x, then two daughters of 5 mm.
 VesselTree fork() {

@@ -27,7 +27,7 @@ PhantomOptions options_of(int seed, int touching) {
     return options;
 }
 
-Phantom made(const PhantomOptions& options) {
+Phantom made_touching(const PhantomOptions& options) {
     Job job;
     return make_phantom(options, job);
 }
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TouchingSystems, testing::Range(1, 6));
 
 // Each contact is a pair of segments of its own whose lumens overlap, and no other pair overlaps.
 TEST_P(TouchingSystems, TouchAsOftenAsAskedAndNowhereElse) {
-    const Phantom phantom = made(options_of(GetParam(), 5));
+    const Phantom phantom = made_touching(options_of(GetParam(), 5));
     ASSERT_NO_THROW(validate(phantom.tree));
     ASSERT_EQ(phantom.contacts_mm.size(), 5u);
     int overlaps = 0;
@@ -79,8 +79,8 @@ TEST_P(TouchingSystems, TouchAsOftenAsAskedAndNowhereElse) {
 // Nodes, radii and the number of points are those of the phantom that was not bent; so are all
 // portal veins.
 TEST_P(TouchingSystems, KeepTheTree) {
-    const VesselTree bent = made(options_of(GetParam(), 5)).tree;
-    const VesselTree straight = made(options_of(GetParam(), 0)).tree;
+    const VesselTree bent = made_touching(options_of(GetParam(), 5)).tree;
+    const VesselTree straight = made_touching(options_of(GetParam(), 0)).tree;
     ASSERT_EQ(bent.segments.size(), straight.segments.size());
     int moved = 0;
     for (std::size_t i = 0; i < bent.segments.size(); ++i) {
@@ -109,7 +109,7 @@ TEST_P(TouchingSystems, ShareVoxelsByWhatFillsThem) {
     options.noise_hu = 0.0;
     options.point_spread_sigma_mm = 0.0;
     options.hepatic_contrast_hu = 50.0;  // below 65
-    const Phantom phantom = made(options);
+    const Phantom phantom = made_touching(options);
     const Grid& grid = phantom.ct.grid;
     for (const Vec3& contact : phantom.contacts_mm) {
         int of_portal = 0, of_hepatic = 0;
@@ -133,7 +133,7 @@ TEST_P(TouchingSystems, ShareVoxelsByWhatFillsThem) {
 }
 
 TEST(TouchingSystemsOptions, MoreContactsKeepThoseBefore) {
-    const Phantom few = made(options_of(3, 2)), many = made(options_of(3, 5));
+    const Phantom few = made_touching(options_of(3, 2)), many = made_touching(options_of(3, 5));
     EXPECT_EQ(few.contacts_mm[0], many.contacts_mm[0]);
     EXPECT_EQ(few.contacts_mm[1], many.contacts_mm[1]);
 }
@@ -142,7 +142,7 @@ TEST(TouchingSystemsOptions, SetTheContrastOfHepaticVeins) {
     PhantomOptions options = options_of(1, 0);
     options.noise_hu = 0.0;
     options.hepatic_contrast_hu = 61.0;
-    const Phantom phantom = made(options);
+    const Phantom phantom = made_touching(options);
     std::int16_t brightest = 0;
     for (std::size_t i = 0; i < phantom.vessels.voxels.size(); ++i)
         if (phantom.vessels.voxels[i] == static_cast<int>(hepatic))
@@ -150,23 +150,23 @@ TEST(TouchingSystemsOptions, SetTheContrastOfHepaticVeins) {
     EXPECT_NEAR(brightest, 110 + 61, 1);
     // What was the default stays it.
     options.hepatic_contrast_hu = 0.85 * options.contrast_hu;
-    const Phantom stated = made(options);
+    const Phantom stated = made_touching(options);
     options.hepatic_contrast_hu.reset();
-    EXPECT_EQ(stated.ct.voxels, made(options).ct.voxels);
+    EXPECT_EQ(stated.ct.voxels, made_touching(options).ct.voxels);
 }
 
 TEST(TouchingSystemsOptions, ThatCannotBeMetAreRefused) {
     PhantomOptions options = options_of(1, 3);
     options.systems = 1;
-    EXPECT_THROW(made(options), InputError);
+    EXPECT_THROW(made_touching(options), InputError);
     options = options_of(1, 20);
     options.generations = 2;
-    EXPECT_THROW(made(options), InputError);  // four ends a system have no room for twenty
+    EXPECT_THROW(made_touching(options), InputError);  // four ends a system have no room for twenty
     options = options_of(1, 21);
-    EXPECT_THROW(made(options), InputError);
+    EXPECT_THROW(made_touching(options), InputError);
     options = options_of(1, 0);
     options.hepatic_contrast_hu = -1.0;
-    EXPECT_THROW(made(options), InputError);
+    EXPECT_THROW(made_touching(options), InputError);
 }
 
 }  // namespace

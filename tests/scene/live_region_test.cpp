@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/scene/deform_part.h"
 #include "tests/mesh/random_tree.h"
@@ -12,7 +13,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr double pull_mm = 2.0;
 
 PatientCase patient_with_many_branches() {
@@ -34,8 +34,8 @@ Difference play_both(DeformPart& live, DeformPart& whole, const VesselTree& tree
     const Vec3 tip = tree.segments.back().points_mm.back();
     const std::vector<Vec3>& rest = whole.rest_positions_mm();
     for (int k = 0; k < 60; ++k) {
-        live.step(dt_s);  // until it sleeps
-        whole.step(dt_s);
+        live.step(frame_s);  // until it sleeps
+        whole.step(frame_s);
     }
     for (DeformPart* part : {&live, &whole}) part->grab(tip);
     Difference difference;
@@ -45,7 +45,7 @@ Difference play_both(DeformPart& live, DeformPart& whole, const VesselTree& tree
         for (DeformPart* part : {&live, &whole}) {
             part->move_grab(tip + std::min(1.0, k / 30.0) * pull_mm * Vec3(1, 0, 0));
             if (k == 60) part->release();
-            part->step(dt_s);
+            part->step(frame_s);
         }
         std::size_t still = 0;
         for (std::size_t v = 0; v < rest.size(); ++v) {

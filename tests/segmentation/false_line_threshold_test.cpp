@@ -14,7 +14,7 @@
 namespace hepatica {
 namespace {
 
-Grid cubes() {
+Grid noise_grid() {
     Grid grid;
     grid.dims = {64, 64, 64};
     grid.spacing_mm = Vec3::Constant(0.65);
@@ -25,7 +25,7 @@ Grid cubes() {
 FloatVolume noise(std::uint64_t seed) {
     Job job;
     std::mt19937_64 random(seed);
-    FloatVolume values(cubes());
+    FloatVolume values(noise_grid());
     for (float& v : values.voxels)
         v = static_cast<float>(static_cast<double>(random()) / 0x1p63 - 1.0);
     gaussian_smooth(values, Vec3::Constant(0.7), job);

@@ -13,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Mask ball(double radius_mm, double spacing_mm, double roughness_mm = 0.0) {
     Grid grid;

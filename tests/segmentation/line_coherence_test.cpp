@@ -15,7 +15,7 @@ namespace {
 constexpr int size = 33, middle = 16;
 
 // Voxels of 0.7 mm: a half-line of 3.5 mm is five of them.
-Grid cubes() {
+Grid line_grid() {
     Grid grid;
     grid.dims = {size, size, size};
     grid.spacing_mm = Vec3::Constant(0.7);
@@ -24,7 +24,7 @@ Grid cubes() {
 
 // 1 where `inside`, of the place in voxels from the middle.
 FloatVolume shape(const std::function<bool(const Vec3&)>& inside) {
-    FloatVolume volume(cubes());
+    FloatVolume volume(line_grid());
     for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
         const auto [x, y, z] = volume.grid.index_of(i);
         volume.voxels[i] = inside(Vec3(x - middle, y - middle, z - middle)) ? 1.0f : 0.0f;
@@ -34,7 +34,7 @@ FloatVolume shape(const std::function<bool(const Vec3&)>& inside) {
 
 float at_middle(const FloatVolume& values, const LineOptions& options = {}) {
     Job job;
-    return line_coherence(values, Mask(cubes(), 1), options, job).at(middle, middle, middle);
+    return line_coherence(values, Mask(line_grid(), 1), options, job).at(middle, middle, middle);
 }
 
 TEST(LineCoherence, IsTheMeanAlongATubeInAnyDirection) {
@@ -91,8 +91,8 @@ TEST(LineCoherence, ReachesAsFarAsAsked) {
 }
 
 TEST(LineCoherence, ContinuesTheBorderAndKeepsToTheCandidates) {
-    const FloatVolume one(cubes(), 2.5f);
-    Mask some(cubes());
+    const FloatVolume one(line_grid(), 2.5f);
+    Mask some(line_grid());
     for (const int c : {0, 3, 4, 5, middle, size - 6, size - 5, size - 1})
         some.at(c, size - 1 - c, c) = 1;
     Job job;
@@ -104,7 +104,7 @@ TEST(LineCoherence, ContinuesTheBorderAndKeepsToTheCandidates) {
 // What a line sees does not depend on whether the border is near.
 TEST(LineCoherence, SeesTheSameNearTheBorderAsFarFromIt) {
     const auto rods = [](int extra) {
-        Grid grid = cubes();
+        Grid grid = line_grid();
         grid.dims = {size + 2 * extra, 14 + 2 * extra, 14 + 2 * extra};
         FloatVolume volume(grid);
         for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
@@ -126,7 +126,8 @@ TEST(LineCoherence, SeesTheSameNearTheBorderAsFarFromIt) {
 TEST(LineCoherence, StopsWhenCancelled) {
     Job job;
     job.cancel();
-    EXPECT_THROW(line_coherence(FloatVolume(cubes()), Mask(cubes(), 1), {}, job), Cancelled);
+    EXPECT_THROW(line_coherence(FloatVolume(line_grid()), Mask(line_grid(), 1), {}, job),
+                 Cancelled);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 constexpr double spacing_mm = 0.5;
 constexpr double deviation = 5.0;
 
-Grid cubes() {
+Grid surface_grid() {
     Grid grid;
     grid.dims = {28, 28, 24};
     grid.spacing_mm = Vec3::Constant(spacing_mm);
@@ -29,7 +29,7 @@ double from_axis(const Grid& grid, std::size_t i) {
 }
 
 Mask tube(double radius_mm) {
-    Mask mask(cubes());
+    Mask mask(surface_grid());
     for (std::size_t i = 0; i < mask.voxels.size(); ++i)
         mask.voxels[i] = from_axis(mask.grid, i) < radius_mm;
     return mask;
@@ -37,7 +37,7 @@ Mask tube(double radius_mm) {
 
 // A vessel of 100 HU and 2.5 mm radius whose wall is blurred.
 FloatVolume blurred_vessel() {
-    FloatVolume volume(cubes());
+    FloatVolume volume(surface_grid());
     for (std::size_t i = 0; i < volume.voxels.size(); ++i)
         volume.voxels[i] =
             static_cast<float>(50.0 * (1.0 - std::tanh(from_axis(volume.grid, i) - 2.5)));
@@ -62,8 +62,8 @@ SurfaceOptions by_the_image() {
 Mask fitted(const FloatVolume& intensity, double rise, const Mask& start,
             const SurfaceOptions& options, double noise = deviation) {
     Job job;
-    return fit_surface(intensity, FloatVolume(cubes(), static_cast<float>(rise)), start,
-                       Mask(cubes(), 1), noise, options, job);
+    return fit_surface(intensity, FloatVolume(surface_grid(), static_cast<float>(rise)), start,
+                       Mask(surface_grid(), 1), noise, options, job);
 }
 
 TEST(FitSurface, PutsTheWallAtItsShareOfThePeakFromEitherSide) {
@@ -108,13 +108,13 @@ TEST(FitSurface, LooksForThePeakWithinItsReachAndInsideTheVessel) {
     SurfaceOptions options = by_the_image();
     options.level_share = 0.5;
     options.peak_reach_mm = 3.0;
-    FloatVolume rise(cubes(), 60.0f);
+    FloatVolume rise(surface_grid(), 60.0f);
     for (int z = 0; z < 24; ++z) rise.at(0, 0, z) = 1000.0f;  // beside the vessel
     for (int y = 0; y < 28; ++y)
         for (int x = 0; x < 28; ++x) rise.at(x, y, 0) = 160.0f;
     Job job;
-    const Mask found =
-        fit_surface(blurred_vessel(), rise, tube(3.0), Mask(cubes(), 1), deviation, options, job);
+    const Mask found = fit_surface(blurred_vessel(), rise, tube(3.0), Mask(surface_grid(), 1),
+                                   deviation, options, job);
     const Mask low = tube(2.5 + std::atanh(1.0 - 2.0 * 0.3)),
                high = tube(2.5 + std::atanh(1.0 - 2.0 * 0.8));
     for (const int z : {0, 6, 7, 23}) {
@@ -126,14 +126,14 @@ TEST(FitSurface, LooksForThePeakWithinItsReachAndInsideTheVessel) {
 }
 
 TEST(FitSurface, StaysInTheLiver) {
-    Mask liver(cubes(), 1);
+    Mask liver(surface_grid(), 1);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)
         if (liver.grid.index_of(i)[0] > 15) liver.voxels[i] = 0;
     Job job;
     Mask start = tube(2.0);
     for (std::size_t i = 0; i < start.voxels.size(); ++i) start.voxels[i] &= liver.voxels[i];
-    const Mask found = fit_surface(blurred_vessel(), FloatVolume(cubes(), 100.0f), start, liver,
-                                   deviation, by_the_image(), job);
+    const Mask found = fit_surface(blurred_vessel(), FloatVolume(surface_grid(), 100.0f), start,
+                                   liver, deviation, by_the_image(), job);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)
         if (liver.voxels[i] == 0) {
             ASSERT_EQ(found.voxels[i], 0);
@@ -165,8 +165,8 @@ TEST(FitSurface, SmoothsWhatSingleVoxelsSay) {
 
 // A flat wall has no curvature: it neither moves nor is rounded, at the border of the grid either.
 TEST(FitSurface, LeavesAFlatWallWhereItIs) {
-    FloatVolume half(cubes());
-    Mask left(cubes());
+    FloatVolume half(surface_grid());
+    Mask left(surface_grid());
     for (std::size_t i = 0; i < half.voxels.size(); ++i) {
         const bool bright = half.grid.index_of(i)[0] < 14;
         half.voxels[i] = bright ? 100.0f : 0.0f;
@@ -183,7 +183,7 @@ TEST(FitSurface, IsTheSameForAnyNumberOfThreadsAndStopsWhenCancelled) {
     }
     Job job;
     job.cancel();
-    EXPECT_THROW(fit_surface(blurred_vessel(), blurred_vessel(), tube(3.0), Mask(cubes(), 1),
+    EXPECT_THROW(fit_surface(blurred_vessel(), blurred_vessel(), tube(3.0), Mask(surface_grid(), 1),
                              deviation, {}, job),
                  Cancelled);
 }

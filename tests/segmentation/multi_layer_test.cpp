@@ -14,7 +14,7 @@
 namespace hepatica {
 namespace {
 
-Grid cubes() {
+Grid layer_grid() {
     Grid grid;
     grid.dims = {56, 48, 40};
     grid.spacing_mm = Vec3::Constant(0.8);
@@ -24,16 +24,16 @@ Grid cubes() {
 // Noise of about 6 HU, 60 HU more where `vessel`.
 TissueContrast tissue_with(const std::function<bool(const Vec3&)>& vessel) {
     TissueContrast tissue;
-    tissue.excess = FloatVolume(cubes());
-    tissue.interior = Mask(cubes(), 1);
+    tissue.excess = FloatVolume(layer_grid());
+    tissue.interior = Mask(layer_grid(), 1);
     tissue.noise_hu = 6.0;
     std::mt19937_64 random(4);
     for (std::size_t i = 0; i < tissue.excess.voxels.size(); ++i) {
-        const auto [x, y, z] = cubes().index_of(i);
+        const auto [x, y, z] = layer_grid().index_of(i);
         double noise = 0.0;
         for (int k = 0; k < 3; ++k) noise += 2.0 * test::uniform(random) - 1.0;  // deviation 1
         tissue.excess.voxels[i] =
-            static_cast<float>(6.0 * noise + (vessel(cubes().to_mm(x, y, z)) ? 60.0 : 0.0));
+            static_cast<float>(6.0 * noise + (vessel(layer_grid().to_mm(x, y, z)) ? 60.0 : 0.0));
     }
     return tissue;
 }
@@ -50,12 +50,12 @@ TEST(MultiLayer, FindsATubeAndItsAxisAndNothingElse) {
     const TissueContrast tissue =
         tissue_with([](const Vec3& p) { return from_tube(p) < 3.0 || in_short_piece(p); });
     Job job;
-    const Detection found = detect_by_layers(tissue, Mask(cubes(), 1), job);
+    const Detection found = detect_by_layers(tissue, Mask(layer_grid(), 1), job);
     double both = 0, sum = 0;
     std::vector<int> layers(40, 0);
     for (std::size_t i = 0; i < found.vessels.voxels.size(); ++i) {
-        const auto [x, y, z] = cubes().index_of(i);
-        const double r = from_tube(cubes().to_mm(x, y, z));
+        const auto [x, y, z] = layer_grid().index_of(i);
+        const double r = from_tube(layer_grid().to_mm(x, y, z));
         const bool vessel = found.vessels.voxels[i] != 0;
         both += vessel && r < 3.0;
         sum += vessel + (r < 3.0);
@@ -70,9 +70,9 @@ TEST(MultiLayer, FindsATubeAndItsAxisAndNothingElse) {
 TEST(MultiLayer, TakesTheUsersThresholdAndStaysInTheLiver) {
     TissueContrast tissue = tissue_with([](const Vec3& p) { return from_tube(p) < 3.0; });
     Job job;
-    Mask liver(cubes(), 1);
+    Mask liver(layer_grid(), 1);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)
-        if (cubes().index_of(i)[2] >= 20) liver.voxels[i] = 0;
+        if (layer_grid().index_of(i)[2] >= 20) liver.voxels[i] = 0;
     const Detection lower = detect_by_layers(tissue, liver, job);
     double inside = 0;
     for (std::size_t i = 0; i < liver.voxels.size(); ++i) {

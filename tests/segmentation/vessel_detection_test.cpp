@@ -14,7 +14,7 @@
 namespace hepatica {
 namespace {
 
-Grid cubes() {
+Grid detection_grid() {
     Grid grid;
     grid.dims = {64, 48, 48};
     grid.spacing_mm = Vec3::Constant(0.8);
@@ -30,14 +30,14 @@ bool in_vessel(const Vec3& p) {
 }
 
 LiverFrame noisy_frame() {
-    LiverFrame frame{FloatVolume(cubes()), Mask(cubes(), 1)};
+    LiverFrame frame{FloatVolume(detection_grid()), Mask(detection_grid(), 1)};
     std::mt19937_64 random(6);
     for (std::size_t i = 0; i < frame.intensity.voxels.size(); ++i) {
-        const auto [x, y, z] = cubes().index_of(i);
+        const auto [x, y, z] = detection_grid().index_of(i);
         double noise = 0.0;
         for (int k = 0; k < 3; ++k) noise += 2.0 * test::uniform(random) - 1.0;  // deviation 1
         frame.intensity.voxels[i] = static_cast<float>(
-            110.0 + 10.0 * noise + (in_vessel(cubes().to_mm(x, y, z)) ? 70.0 : 0.0));
+            110.0 + 10.0 * noise + (in_vessel(detection_grid().to_mm(x, y, z)) ? 70.0 : 0.0));
     }
     return frame;
 }
@@ -51,8 +51,8 @@ TEST(DetectVessels, FindsThinVesselsInNoise) {
             detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), method, job);
         double both = 0, vessels = 0, detected = 0, far = 0;
         for (std::size_t i = 0; i < found.vessels.voxels.size(); ++i) {
-            const auto [x, y, z] = cubes().index_of(i);
-            const Vec3 p = cubes().to_mm(x, y, z);
+            const auto [x, y, z] = detection_grid().index_of(i);
+            const Vec3 p = detection_grid().to_mm(x, y, z);
             const bool truth = in_vessel(p), seen = found.vessels.voxels[i] != 0;
             both += truth && seen;
             vessels += truth;
@@ -67,8 +67,8 @@ TEST(DetectVessels, FindsThinVesselsInNoise) {
 TEST(DetectVessels, FindsNothingInNoiseAlone) {
     LiverFrame frame = noisy_frame();
     for (std::size_t i = 0; i < frame.intensity.voxels.size(); ++i) {
-        const auto [x, y, z] = cubes().index_of(i);
-        if (in_vessel(cubes().to_mm(x, y, z))) frame.intensity.voxels[i] -= 70.0f;
+        const auto [x, y, z] = detection_grid().index_of(i);
+        if (in_vessel(detection_grid().to_mm(x, y, z))) frame.intensity.voxels[i] -= 70.0f;
     }
     Job job;
     const TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);

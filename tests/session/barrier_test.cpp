@@ -24,13 +24,13 @@ using test::Fault;
 using test::middle_of;
 using test::small_patient;
 
-struct Error {
+struct Thrown {
     std::string name;
     std::function<void()> raise;
     std::string said;  // in the message
 };
 
-std::vector<Error> errors() {
+std::vector<Thrown> errors() {
     return {
         {"bad_alloc", [] { throw std::bad_alloc(); }, "memory"},
         {"runtime_error", [] { throw std::runtime_error("the disk melted"); }, "the disk melted"},
@@ -51,7 +51,7 @@ struct Faulty {
         session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
         session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
     }
-    void arm(const std::string& call, const Error& error) {
+    void arm(const std::string& call, const Thrown& error) {
         *fault = [call, error](const std::string& now) {
             if (now == call) error.raise();
         };
@@ -72,7 +72,7 @@ struct Faulty {
     }
 };
 
-void expect_stopped(Faulty& play, const Error& error) {
+void expect_stopped(Faulty& play, const Thrown& error) {
     const FrameStatistics& said = play.frame().statistics;
     EXPECT_TRUE(said.paused);
     EXPECT_TRUE(said.diverged);
@@ -100,7 +100,7 @@ void expect_to_go_on(Faulty& play) {
 }
 
 TEST(Barrier, AFailedStepGoesBackToTheLastGoodState) {
-    for (const Error& error : errors()) {
+    for (const Thrown& error : errors()) {
         SCOPED_TRACE(error.name);
         Faulty play;
         play.play(60);
@@ -121,7 +121,7 @@ TEST(Barrier, AFailedStepGoesBackToTheLastGoodState) {
 }
 
 TEST(Barrier, AFailedCommandGoesBackToTheLastGoodStateAndKeepsTheOldSetting) {
-    for (const Error& error : errors()) {
+    for (const Thrown& error : errors()) {
         for (const auto& [call, command] :
              {std::pair{"set_gravity", Command(SetGravity{Vec3(0, 0, -9810)})},
               std::pair{"make", Command(SetTether{1.0})}, std::pair{"make", Command(SetWall{0.5})},
@@ -149,7 +149,7 @@ TEST(Barrier, AFailedCommandGoesBackToTheLastGoodStateAndKeepsTheOldSetting) {
 // Nothing can be read from the back end any more: neither the frame nor the way back succeed until
 // it answers again, and nothing is lost by that.
 TEST(Barrier, AFrameThatCannotBeMadeIsMadeAsSoonAsItCan) {
-    for (const Error& error : errors()) {
+    for (const Thrown& error : errors()) {
         SCOPED_TRACE(error.name);
         Faulty play;
         play.play(60);
@@ -187,7 +187,7 @@ TEST(Barrier, AResetEndsIt) {
 }
 
 TEST(Barrier, TheSimulationThreadLivesOnThroughAnyOfThem) {
-    for (const Error& error : errors()) {
+    for (const Thrown& error : errors()) {
         SCOPED_TRACE(error.name);
         Faulty play;
         play.arm("step", error);

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "tests/session/small_patient.h"
 
 namespace hepatica {
 namespace {
-
-constexpr double dt_s = 1.0 / 60.0;
 
 struct Hand {
     Vec3 start_mm = Vec3::Zero();
@@ -22,7 +21,7 @@ Hand hand_of(const HandMotion& motion) {
     const VesselTree& tree = test::small_patient()->tree;
     Hand hand;
     int step = 0;
-    for (const auto& now : schedule(motion.script, tree, dt_s, motion.steps)) {
+    for (const auto& now : schedule(motion.script, tree, frame_s, motion.steps)) {
         for (const Command& command : now) {
             if (const auto* grab = std::get_if<GrabPoint>(&command))
                 hand.start_mm = grab->point_mm;

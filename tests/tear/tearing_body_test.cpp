@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/deform/body/torn_body.h"
 #include "core/deform/step/step_books.h"
 #include "core/deform/stepper/cpu_stepper.h"
@@ -21,8 +22,6 @@
 
 namespace hepatica {
 namespace {
-
-constexpr double dt_s = 1.0 / 60.0;
 
 BodyDescription bar(const Vec3& size_mm, const Index3& cells, const TearLaw& law,
                     double young_modulus_pa = 0.5e6) {
@@ -63,7 +62,7 @@ std::vector<Grab> pull_of(const BodyDescription& body, double length_mm, double 
 int pull_apart(Stepper& stepper, const BodyDescription& body, double length_mm, double step_mm) {
     for (int k = 1; k * step_mm <= 80.0; ++k) {
         stepper.set_grabs(pull_of(body, length_mm, step_mm * k));
-        if (stepper.step(dt_s).tear.pieces > 1) return k;
+        if (stepper.step(frame_s).tear.pieces > 1) return k;
     }
     return -1;
 }
@@ -143,7 +142,7 @@ TEST(TearingBody, WithoutALimitHasTheBitsOfOneThatDoesNotTear) {
         for (Stepper* stepper :
              {static_cast<Stepper*>(tears.get()), static_cast<Stepper*>(whole.get())}) {
             stepper->set_grabs(pull_of(body, 20.0, 0.3 * k));
-            stepper->step(dt_s);
+            stepper->step(frame_s);
         }
         ASSERT_TRUE(std::ranges::equal(tears->positions_mm(), whole->positions_mm())) << k;
     }
@@ -196,7 +195,7 @@ TEST(TearingBody, APeelCostsTheFractureEnergyThatWasSet) {
             grabs.push_back(spring(static_cast<int>(v), x + Vec3(0, opening, 0), 1.5e5));
         }
         stepper->set_grabs(grabs);
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         work += report.energy.tool_work;
         lost = work - stored_energy(report.energy);
         if (k != 130) continue;  // the crack has begun to run
@@ -293,7 +292,7 @@ TEST(TearingBody, TheLedgerClosesWhileItTearsAndFractureOnlyTakes) {
     double torn = 0.0, handled = 0.0;
     for (int k = 1; k <= 100; ++k) {
         stepper->set_grabs(pull_of(body, 20.0, 0.12 * k));
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         EXPECT_LT(relative_imbalance(report.energy), 1e-5) << k;
         EXPECT_GE(report.energy.tear_loss, -1e-7 * handled) << k;
         handled += std::abs(report.energy.tool_work);
@@ -310,7 +309,7 @@ TEST(TearingBody, GoesOnToTheSameBitsFromTheMiddleOfATear) {
     one->weaken(std::vector{3, 4, 5, 40}, 0.5);
     const auto step = [&](Stepper& stepper, int k) {
         stepper.set_grabs(pull_of(body, 20.0, 0.1 * k));
-        stepper.step(dt_s);
+        stepper.step(frame_s);
     };
     int middle = 1;
     for (; middle < 300 && one->tearing()->report().vertices_split < 20; ++middle)
@@ -341,7 +340,7 @@ TEST(TearingBody, AnotherBackEndGoesOnWithTheTear) {
     other.solver = LinearSolverKind::block_jacobi;
     ASSERT_TRUE(stepper->set_options(other));
     EXPECT_EQ(stepper->tearing()->report(), before);
-    for (int k = 0; k < 10; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 10; ++k) stepper->step(frame_s);
     EXPECT_EQ(stepper->tearing()->report().pieces, 2);
 }
 
@@ -372,7 +371,7 @@ TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
         const auto stepper = make_cpu_stepper(body, {});
         for (int k = 1; k <= 120; ++k) {
             stepper->set_grabs(pull_of(body, 20.0, 0.1 * k));
-            stepper->step(dt_s);
+            stepper->step(frame_s);
         }
         reports.push_back(stepper->tearing()->report());
     }
@@ -394,7 +393,7 @@ TEST(TearingBody, StrainAloneProducesNoEntropy) {
     ASSERT_GT(stepper->tearing()->report().vertices_split, 0);
     for (int k = 1; k <= 40; ++k) {
         stepper->set_grabs(pull_of(body, 20.0, 0.05 * k));
-        EXPECT_LT(stepper->step(dt_s).tear.entropy_produced_nats, 0.2) << k;
+        EXPECT_LT(stepper->step(frame_s).tear.entropy_produced_nats, 0.2) << k;
     }
     EXPECT_FALSE(stepper->tearing()->report().stopped);
 }
@@ -420,7 +419,7 @@ TEST(TearingBody, FallsToSingleTetrahedra) {
         state.velocities_mm_per_s[i] =
             Vec3(0, 0, 10.0).cross(state.positions_mm[i]) + 20.0 * state.positions_mm[i];
     stepper->set_state(state.positions_mm, state.velocities_mm_per_s);
-    for (int k = 0; k < 10; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 10; ++k) stepper->step(frame_s);
     EXPECT_EQ(stepper->tearing()->report().pieces, static_cast<int>(body.mesh.tetrahedra.size()));
     for (const Vec3& x : stepper->positions_mm()) EXPECT_TRUE(x.allFinite());
 }

@@ -9,12 +9,12 @@
 namespace hepatica {
 
 namespace {
-constexpr std::size_t rows_per_block = 1024;
+constexpr std::size_t jacobi_rows_per_block = 1024;
 }
 
 std::vector<Mat3> inverse_diagonal(const BlockMatrix& matrix) {
     std::vector<Mat3> inverse(static_cast<std::size_t>(matrix.rows()));
-    parallel_blocks(inverse.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(inverse.size(), jacobi_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Mat3& block = matrix.block[matrix.diagonal[i]];
             inverse[i] = block.inverse();
@@ -42,7 +42,7 @@ SolveReport BlockJacobiSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> 
 
 void BlockJacobiSolver::precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) {
     z.resize(r.size());
-    parallel_blocks(r.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(r.size(), jacobi_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) z[i] = inverse_[i] * r[i];
     });
 }

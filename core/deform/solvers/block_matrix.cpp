@@ -9,7 +9,7 @@
 namespace hepatica {
 
 namespace {
-constexpr std::size_t rows_per_block = 256;
+constexpr std::size_t product_rows_per_block = 256;
 }
 
 int BlockMatrix::find(int i, int j) const {
@@ -40,7 +40,7 @@ Wide times(const Mat3& block, const Vec3& x) {
 
 void multiply(const BlockMatrix& matrix, const std::vector<Vec3>& x, std::vector<Vec3>& y) {
     y.resize(x.size());
-    parallel_blocks(x.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(x.size(), product_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Wide sum{};
             for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k)

@@ -12,7 +12,7 @@ namespace hepatica {
 namespace {
 
 constexpr int vertices_per_chunk = 128;
-constexpr std::size_t rows_per_block = 512;
+constexpr std::size_t sweep_rows_per_block = 512;
 
 // Colours of consecutive chunks of the order, such that chunks with a block in common differ.
 std::vector<int> colour_chunks(const BlockMatrix& pattern, std::span<const int> order) {
@@ -104,7 +104,7 @@ void GaussSeidel::prepare_rows(const BlockMatrix& matrix, std::size_t begin, std
 }
 
 void GaussSeidel::prepare(const BlockMatrix& matrix) {
-    parallel_blocks(vertex_.size(), rows_per_block,
+    parallel_blocks(vertex_.size(), sweep_rows_per_block,
                     [&](std::size_t begin, std::size_t end) { prepare_rows(matrix, begin, end); });
 }
 
@@ -156,7 +156,7 @@ void GaussSeidel::forward(std::span<const Vec3> r, std::span<Vec3> z, std::span<
         });
     }
     // Row p had no residual when it was swept; its residual now comes from later rows only.
-    parallel_blocks(vertex_.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(vertex_.size(), sweep_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             Wide sum{};
             for (int k = row_middle_[p]; k < row_begin_[p + 1]; ++k) {
@@ -168,7 +168,7 @@ void GaussSeidel::forward(std::span<const Vec3> r, std::span<Vec3> z, std::span<
 }
 
 void GaussSeidel::backward(std::span<const Vec3> r, std::span<Vec3> z) {
-    parallel_blocks(vertex_.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(vertex_.size(), sweep_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) z_[p] = widen(z[vertex_[p]]);
     });
     for (int colour = colours(); colour-- > 0;) {

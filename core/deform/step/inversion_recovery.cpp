@@ -33,15 +33,15 @@ bool is_inverted(const ElementGroup& group, int e, std::span<const Vec3> x) {
 }
 
 // The rigid motion that fits the nodes outside the patch best, from their positions at rest.
-struct RigidMotion {
+struct RestFit {
     Mat3 rotation = Mat3::Identity();
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
     Vec3 operator()(const Vec3& rest) const { return to + rotation * (rest - from); }
 };
 
-RigidMotion motion_of(const std::vector<int>& nodes, const std::vector<Vec3>& rest,
-                      const std::vector<Vec3>& now) {
-    RigidMotion motion;
+RestFit motion_of(const std::vector<int>& nodes, const std::vector<Vec3>& rest,
+                  const std::vector<Vec3>& now) {
+    RestFit motion;
     for (const int i : nodes) {
         motion.from += rest[i] / static_cast<double>(nodes.size());
         motion.to += now[i] / static_cast<double>(nodes.size());
@@ -210,7 +210,7 @@ std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patc
         if (part.body.fixed[i]) around.push_back(i);
     }
     const bool held = !around.empty();
-    const RigidMotion motion = motion_of(held ? around : all, rest, now);
+    const RestFit motion = motion_of(held ? around : all, rest, now);
     std::vector<Vec3> change(rest.size(), Vec3::Zero());
     // Deviation of the surroundings from the rigid motion, in rest coordinates.
     for (const int i : around) change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));

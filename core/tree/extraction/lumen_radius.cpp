@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/base/median.h"
 #include "core/image/interpolation.h"
@@ -82,10 +84,9 @@ class Section {
     }
 
     void choose_usable(CrossSection& section) {
-        std::array<double, ray_count> walls{};
-        for (int k = 0; k < ray_count; ++k) walls[k] = rays_[k].wall_mm;
-        std::ranges::nth_element(walls, walls.begin() + ray_count / 2);
-        const double limit = longest_ray * walls[ray_count / 2] + 0.5 * voxel_mm_;
+        std::vector<double> walls;
+        for (const Ray& ray : rays_) walls.push_back(ray.wall_mm);
+        const double limit = longest_ray * median(std::move(walls)) + 0.5 * voxel_mm_;
         int usable = 0;
         double shortest = limit, longest = 0.0;
         for (Ray& ray : rays_) {

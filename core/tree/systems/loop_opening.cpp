@@ -11,7 +11,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 5.0;  // over which a direction is measured
+constexpr double direction_reach_mm = 5.0;  // over which a direction is measured
 
 // Away from a node, which must be one of the link's.
 Vec3 direction_from(const VesselLink& link, int node) {
@@ -19,7 +19,7 @@ Vec3 direction_from(const VesselLink& link, int node) {
     if (link.from != node) reverse(turned);
     const std::vector<double> along = arclengths_mm(turned.points_mm);
     const auto last = std::min<std::ptrdiff_t>(
-        std::ranges::lower_bound(along, reach_mm) - along.begin(), std::ssize(along) - 1);
+        std::ranges::lower_bound(along, direction_reach_mm) - along.begin(), std::ssize(along) - 1);
     return (turned.points_mm[last] - turned.points_mm.front()).normalized();
 }
 

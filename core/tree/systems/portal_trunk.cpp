@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 15.0;
+constexpr double trunk_reach_mm = 15.0;
 constexpr double step_mm = 1.0;
 
 struct Place {
@@ -20,7 +20,7 @@ struct Place {
 
 std::optional<Place> nearest_portal_point(const Vec3& at_mm, const VesselGraph& graph) {
     std::optional<Place> nearest;
-    double least_mm = reach_mm;
+    double least_mm = trunk_reach_mm;
     for (std::size_t i = 0; i < graph.links.size(); ++i) {
         if (graph.links[i].system != VascularSystem::portal) continue;
         for (std::size_t p = 0; p < graph.links[i].points_mm.size(); ++p) {

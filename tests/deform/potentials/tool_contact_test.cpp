@@ -21,7 +21,7 @@ namespace {
 using test::random_field;
 
 // 12 x 12 x 6 mm, its top at z = 6.
-Body brick() {
+Body touchable_brick() {
     BodyDescription d;
     d.mesh = kuhn_brick(Vec3(12, 12, 6), {4, 4, 2});
     d.touchable = true;
@@ -76,7 +76,7 @@ double gradient_error(const Potential& potential, std::vector<Vec3> x, double h)
 
 class ToolContactTest : public testing::TestWithParam<bool> {
   protected:
-    ToolContactTest() : body_(brick()), list_(body_), x_(shaken(body_, 0.1, 3)) {
+    ToolContactTest() : body_(touchable_brick()), list_(body_), x_(shaken(body_, 0.1, 3)) {
         list_.set_tool(pressing(GetParam()));
         list_.begin_step({x_, {}}, dt_s, {});
     }
@@ -210,7 +210,7 @@ Tool wide_ball(double gap_mm) {
 
 // In a later part of a step, in which a tool that was led away is so no longer where the body is.
 TEST(ToolFriction, DoesNotRubWhatHasComeToWhereTheToolWas) {
-    const Body body = brick();
+    const Body body = touchable_brick();
     PotentialList list(body);
     Tool tool = pressing(false);
     const Vec3 away(0, 0, 3);
@@ -294,7 +294,7 @@ TEST(ToolContact, PointsOnATriangleIntegrateThePressure) {
 }
 
 TEST(ToolContact, IsLedUntilThePadIsHalfPressedOrTheLimitIsReached) {
-    const Body body = brick();
+    const Body body = touchable_brick();
     PotentialList list(body);
     Tool tool = pressing(false);
     tool.parts[0].shape.centre_mm = Vec3(6, 6, 30);
@@ -317,7 +317,7 @@ TEST(ToolContact, IsLedUntilThePadIsHalfPressedOrTheLimitIsReached) {
 }
 
 TEST(ToolContact, WhatIsRefused) {
-    const Body body = brick();
+    const Body body = touchable_brick();
     PotentialList list(body);
     using Change = void (*)(Tool&);
     for (const Change change :

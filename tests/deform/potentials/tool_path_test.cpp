@@ -15,7 +15,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double keep_mm = 0.1;
 
 // A floor at height 0 and, where wanted, nothing else near.

@@ -14,7 +14,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // alpha / (2 w) + beta w / 2
 double ratio_at(const RayleighDamping& damping, double frequency_hz) {

@@ -5,14 +5,13 @@
 
 #include <random>
 
+#include "core/base/frame_time.h"
 #include "core/base/units.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "tests/deform/support/test_bodies.h"
 
 namespace hepatica {
 namespace {
-
-constexpr double dt_s = 1.0 / 60.0;
 
 BodyDescription bar() {
     return test::description_of(test::make_bar(36.0, 3.0, 12, 1));
@@ -38,7 +37,7 @@ double furthest_apart(const BodyState& a, const BodyState& b) {
     for (std::size_t i = 0; i < a.positions_mm.size(); ++i) {
         apart = std::max(apart, (a.positions_mm[i] - b.positions_mm[i]).norm());
         apart =
-            std::max(apart, dt_s * (a.velocities_mm_per_s[i] - b.velocities_mm_per_s[i]).norm());
+            std::max(apart, frame_s * (a.velocities_mm_per_s[i] - b.velocities_mm_per_s[i]).norm());
     }
     return apart;
 }
@@ -79,8 +78,8 @@ TEST_P(Frozen, NodesActAsFixedOnesWhateverWasFrozenBefore) {
         double moved = 0.0;
         for (int k = 0; k < 4; ++k) {
             const BodyState before = one->state();
-            const StepReport report = one->advance(dt_s);
-            const StepReport truth = other->advance(dt_s);
+            const StepReport report = one->advance(frame_s);
+            const StepReport truth = other->advance(frame_s);
             moved = std::max(moved, furthest_apart(before, one->state()));
             EXPECT_LT(furthest_apart(one->state(), other->state()), 1e-6 * size_mm)
                 << "frozen beyond " << share << ", step " << k;

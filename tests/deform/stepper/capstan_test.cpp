@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr double drum_mm = 10.0, pad_mm = 0.2, half_mm = 0.3, tail_mm = 12.0, pitch_mm = 1.5;
 constexpr double friction = 0.2, slack_un = 1e4, pull_mm_per_s = 4.0;
 
@@ -103,9 +103,10 @@ TEST_P(Capstan, TensionGrowsAsEulerHasItForAThickRope) {
     const Grab slack = hold(rope, rope.first, 100.0 * rope.out_at_first(), slack_un);
     std::vector<double> ratios;
     for (int k = 0; k < 150; ++k) {
-        const Grab pull = hold(rope, rope.last, pull_mm_per_s * dt_s * k * rope.out_at_last(), 1e9);
+        const Grab pull =
+            hold(rope, rope.last, pull_mm_per_s * frame_s * k * rope.out_at_last(), 1e9);
         stepper->set_grabs(std::vector{slack, pull});
-        stepper->step(dt_s);
+        stepper->step(frame_s);
         if (k >= 110) ratios.push_back(tension(pull, *stepper) / slack_un);
     }
     double mean = 0.0;

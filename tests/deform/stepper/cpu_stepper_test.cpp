@@ -13,9 +13,12 @@
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/energy_ledger.h"
 #include "core/mesh/brick_mesh.h"
+#include "tests/deform/support/random_field.h"
 
 namespace hepatica {
 namespace {
+
+using test::copy_of;
 
 const Vec3 gravity(0, 0, -units::standard_gravity);
 
@@ -28,17 +31,13 @@ BodyDescription clamped_beam(const Vec3& size_mm, const Index3& cells) {
     return body;
 }
 
-std::vector<Vec3> copy(std::span<const Vec3> x) {
-    return {x.begin(), x.end()};
-}
-
 TEST(CpuStepper, FallsFreely) {
     BodyDescription body = clamped_beam(Vec3(4, 2, 2), {2, 1, 1});
     body.fixed.clear();
     body.material.damping_ratio = 0.0;
     const auto stepper = make_cpu_stepper(body, {.linear = {.energy_tolerance = 1e-12}});
     stepper->set_gravity(gravity);
-    const std::vector<Vec3> start = copy(stepper->positions_mm());
+    const std::vector<Vec3> start = copy_of(stepper->positions_mm());
     const double dt = 0.01;
     const int steps = 50;
     for (int i = 0; i < steps; ++i) stepper->step(dt);
@@ -60,7 +59,7 @@ TEST(CpuStepper, ABodyThatHasComeToRestTakesItsStepsWhole) {
         make_cpu_stepper(body, {.linear = {.energy_tolerance = 1e-12}, .sleeping = false});
     stepper->set_gravity(gravity);
     for (int i = 0; i < 100; ++i) stepper->step(1.0);
-    const std::vector<Vec3> rest = copy(stepper->positions_mm());
+    const std::vector<Vec3> rest = copy_of(stepper->positions_mm());
     for (int i = 0; i < 200; ++i) {
         const StepReport report = stepper->step(1.0 / 60.0);
         EXPECT_FALSE(report.degraded) << "step " << i << ": " << report.message;

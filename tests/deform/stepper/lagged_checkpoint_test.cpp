@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "tests/deform/support/test_bodies.h"
@@ -15,7 +16,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr int change_before_step = 2;
 constexpr int last_step = 12;
 constexpr RayleighDamping error_at_first{.alpha_per_s = 2.0, .beta_s = 1e-3};
@@ -73,7 +73,7 @@ TEST_P(LaggedCheckpoint, GoesOnWithTheFactorOfAnEarlierVelocityError) {
             ASSERT_TRUE(played->set_options(options(step)));
         }
         act_before(step, *played);
-        iterations.push_back(played->step(dt_s).linear_iterations);
+        iterations.push_back(played->step(frame_s).linear_iterations);
         velocities.emplace_back(played->velocities_mm_per_s().begin(),
                                 played->velocities_mm_per_s().end());
         const StepperCheckpoint kept = played->checkpoint();
@@ -90,7 +90,7 @@ TEST_P(LaggedCheckpoint, GoesOnWithTheFactorOfAnEarlierVelocityError) {
         restored->restore(checkpoint_from_bytes(checkpoints[from]));
         for (int step = from + 1; step <= last_step; ++step) {
             act_before(step, *restored);
-            ASSERT_EQ(restored->step(dt_s).linear_iterations, iterations[step])
+            ASSERT_EQ(restored->step(frame_s).linear_iterations, iterations[step])
                 << step << " from " << from;
             const std::vector<Vec3> now(restored->velocities_mm_per_s().begin(),
                                         restored->velocities_mm_per_s().end());
@@ -108,13 +108,14 @@ std::vector<LaggedCase> lagged_cases() {
     return cases;
 }
 
-std::string name_of_case(const testing::TestParamInfo<LaggedCase>& info) {
+std::string name_of_lagged_case(const testing::TestParamInfo<LaggedCase>& info) {
     return std::string(name_of(info.param.solver)) +
            (info.param.newton_iterations > 1 ? "_newton" : "_one_iterate") +
            (info.param.error_later.alpha_per_s > 0.0 ? "_another_error" : "_no_error_any_more");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LaggedCheckpoint, testing::ValuesIn(lagged_cases()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(All, LaggedCheckpoint, testing::ValuesIn(lagged_cases()),
+                         name_of_lagged_case);
 
 }  // namespace
 }  // namespace hepatica

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/deform/step/assembly.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/energy_ledger.h"
@@ -12,8 +13,6 @@
 
 namespace hepatica {
 namespace {
-
-constexpr double dt_s = 1.0 / 60.0;
 
 BodyDescription tree_in_tissue() {
     BodyDescription body = test::description_of(test::make_brick_tree(5, 3.0, 1.5));
@@ -71,7 +70,7 @@ TEST(LiveLedger, IsThatOfTheWholeBodyAndClosesWhileTheRegionChanges) {
             grabs.push_back(grab);
         }
         live->set_grabs(grabs);
-        const EnergyLedger ledger = live->step(dt_s).energy;
+        const EnergyLedger ledger = live->step(frame_s).energy;
         const EnergyLedger truth = whole.energies(*live, grabs);
         most = std::max(most, truth.elastic + truth.grab + truth.tether);
         EXPECT_NEAR(ledger.kinetic, truth.kinetic, 1e-9 * most) << "step " << k;
@@ -105,8 +104,8 @@ TEST(LiveLedger, LosesNoWorkBetweenTwoSteps) {
     EXPECT_TRUE(live->set_options({.newton_iterations = 3}));  // another stepper of the part
     EXPECT_NEAR(live->energies().tool_work, worth, 1e-6 * worth);
     live->set_grabs(std::span(&grab, 1));
-    EXPECT_NEAR(live->step(dt_s).energy.tool_work, worth, 1e-6 * worth);
-    EXPECT_EQ(live->step(dt_s).energy.tool_work, 0.0);
+    EXPECT_NEAR(live->step(frame_s).energy.tool_work, worth, 1e-6 * worth);
+    EXPECT_EQ(live->step(frame_s).energy.tool_work, 0.0);
 }
 
 }  // namespace

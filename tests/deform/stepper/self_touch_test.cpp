@@ -6,24 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/mesh/crossing_triangles.h"
+#include "tests/deform/support/random_field.h"
 #include "tests/deform/support/two_bars.h"
 
 namespace hepatica {
 namespace {
 
+using test::copy_of;
 using test::crossed_bars;
-
-constexpr double dt_s = 1.0 / 60.0;
-
-std::vector<Vec3> copy(std::span<const Vec3> a) {
-    return {a.begin(), a.end()};
-}
 
 Vec3 momentum(const Body& body, const Stepper& stepper) {
     Vec3 sum = Vec3::Zero();
@@ -54,9 +51,9 @@ TEST(SelfTouch, AnImpactKeepsMomentumAndMakesNoEnergy) {
             const Vec3 begin = momentum(body, *stepper);
             double energy = stored_energy(stepper->energies());
             int touched = 0;
-            const int steps = static_cast<int>(std::ceil(3.0 / (speed_mm_per_s * dt_s))) + 10;
+            const int steps = static_cast<int>(std::ceil(3.0 / (speed_mm_per_s * frame_s))) + 10;
             for (int k = 0; k < steps; ++k) {
-                const StepReport report = stepper->step(dt_s);
+                const StepReport report = stepper->step(frame_s);
                 touched += report.self.contacts > 0 ? 1 : 0;
                 const double left = stored_energy(report.energy);
                 EXPECT_LE(left, energy * (1 + 1e-9)) << speed_mm_per_s << " step " << k;
@@ -109,10 +106,10 @@ TEST(SelfTouch, WhatIsPulledOntoAnotherDoesNotPassIt) {
         const int second = vertex_near(body, Vec3(0, 0, 5) - end);
         int touched = 0;
         for (int k = 0; k < 90; ++k) {
-            const Vec3 down(0, 0, -std::min(20.0, speed_mm_per_s * dt_s * k));
+            const Vec3 down(0, 0, -std::min(20.0, speed_mm_per_s * frame_s * k));
             stepper->set_grabs(std::vector{pull(first, body.mesh.vertices_mm[first] + down),
                                            pull(second, body.mesh.vertices_mm[second] + down)});
-            touched += stepper->step(dt_s).self.contacts > 0 ? 1 : 0;
+            touched += stepper->step(frame_s).self.contacts > 0 ? 1 : 0;
             if (k % 5 == 4) {
                 ASSERT_EQ(crossings(body, *stepper), 0u) << speed_mm_per_s << " step " << k;
             }
@@ -163,7 +160,7 @@ TEST(SelfTouch, AKnotPulledTightStaysAKnot) {
         const double by = std::min(40.0, 0.25 * k);
         stepper->set_grabs(std::vector{pull(first, body.mesh.vertices_mm[first] - by * apart, 2e4),
                                        pull(last, body.mesh.vertices_mm[last] + by * apart, 2e4)});
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         most = std::max(most, static_cast<std::size_t>(report.self.contacts));
         if (k % 12 == 11) {
             ASSERT_EQ(crossings(body, *stepper), 0u) << "step " << k;
@@ -182,11 +179,11 @@ TEST(SelfTouch, WhatRestsOnAnotherComesToRestAndSleeps) {
         else
             stepper = make_cpu_stepper(body, {});
         stepper->set_gravity(Vec3(0, 0, -units::standard_gravity));
-        for (int k = 0; k < 1200; ++k) stepper->step(dt_s);
-        const std::vector<Vec3> then = copy(stepper->positions_mm());
+        for (int k = 0; k < 1200; ++k) stepper->step(frame_s);
+        const std::vector<Vec3> then = copy_of(stepper->positions_mm());
         const EnergyLedger energies = stepper->energies();
         StepReport last;
-        for (int k = 0; k < 3600; ++k) last = stepper->step(dt_s);
+        for (int k = 0; k < 3600; ++k) last = stepper->step(frame_s);
         EXPECT_TRUE(last.asleep) << region;
         EXPECT_GT(last.self.contacts, 0) << region;
         EXPECT_LE(stored_energy(stepper->energies()), stored_energy(energies) * (1 + 1e-9));
@@ -197,7 +194,7 @@ TEST(SelfTouch, WhatRestsOnAnotherComesToRestAndSleeps) {
         EXPECT_EQ(crossings(body, *stepper), 0u);
         // What lies on the other wakes with it.
         stepper->set_grabs(std::vector{pull(vertex_near(body, Vec3(0, 0, 6.2)), Vec3(0, 0, 16))});
-        EXPECT_FALSE(stepper->step(dt_s).asleep);
+        EXPECT_FALSE(stepper->step(frame_s).asleep);
     }
 }
 
@@ -218,7 +215,7 @@ TEST(SelfTouch, WhatOverlapsAtRestComesApartAndThenCounts) {
         ASSERT_GT(before, 0u);
         const auto stepper = make_cpu_stepper(body, {});
         // Nothing pushes it apart.
-        for (int k = 0; k < 30; ++k) EXPECT_EQ(stepper->step(dt_s).self.contacts, 0);
+        for (int k = 0; k < 30; ++k) EXPECT_EQ(stepper->step(frame_s).self.contacts, 0);
         for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v)
             EXPECT_LT((stepper->positions_mm()[v] - body.mesh.vertices_mm[v]).norm(), 1e-9);
         const int top = vertex_near(body, Vec3(0, 0, 12));
@@ -228,7 +225,7 @@ TEST(SelfTouch, WhatOverlapsAtRestComesApartAndThenCounts) {
                 Vec3 to = body.mesh.vertices_mm[top];
                 to.z() += z;
                 stepper->set_grabs(std::vector{pull(top, to, 3e4)});
-                touched += stepper->step(dt_s).self.contacts > 0 ? 1 : 0;
+                touched += stepper->step(frame_s).self.contacts > 0 ? 1 : 0;
             }
             return touched;
         };
@@ -258,7 +255,7 @@ TEST(SelfTouch, TheSameCommandsGiveTheSameBitsForAnyNumberOfThreads) {
         int touched = 0;
         for (int k = 0; k < 90; ++k) {
             play(*stepper, body, k);
-            touched += stepper->step(dt_s).self.contacts;
+            touched += stepper->step(frame_s).self.contacts;
             all = 31 * all + stepper->state_hash();
         }
         EXPECT_GT(touched, 100);
@@ -285,7 +282,7 @@ TEST_P(SelfTouchCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
             std::uint64_t then = 0;
             for (int k = 0; k < 90; ++k) {
                 play(*first, body, k);
-                first->step(dt_s);
+                first->step(frame_s);
                 if (k != kept_at) continue;
                 bytes = to_bytes(first->checkpoint());
                 then = first->state_hash();
@@ -296,7 +293,7 @@ TEST_P(SelfTouchCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
             EXPECT_EQ(second->state_hash(), then);
             for (int k = kept_at + 1; k < 90; ++k) {
                 play(*second, body, k);
-                second->step(dt_s);
+                second->step(frame_s);
             }
             EXPECT_EQ(second->state_hash(), first->state_hash()) << region << " at " << kept_at;
         }
@@ -314,8 +311,8 @@ TEST(SelfTouch, WhereNothingTouchesTheBitsAreAsTheyWere) {
         if (!self) body.self.reset();
         const auto stepper = make_cpu_stepper(body, {});
         stepper->set_gravity(Vec3(0, 0, units::standard_gravity));
-        for (int k = 0; k < 30; ++k) stepper->step(dt_s);
-        if (!self) expected = copy(stepper->positions_mm());
+        for (int k = 0; k < 30; ++k) stepper->step(frame_s);
+        if (!self) expected = copy_of(stepper->positions_mm());
         EXPECT_TRUE(std::ranges::equal(expected, stepper->positions_mm()));
         EXPECT_EQ(stepper->checkpoint().self.has_value(), self);
     }
@@ -327,7 +324,7 @@ TEST(SelfTouch, TheLedgerCloses) {
     double pressed = 0.0, stored = 0.0;
     for (int k = 0; k < 90; ++k) {
         play(*stepper, body, k);
-        const EnergyLedger ledger = stepper->step(dt_s).energy;
+        const EnergyLedger ledger = stepper->step(frame_s).energy;
         const double open = std::abs(stored_energy(ledger) - stored - explained_change(ledger)) /
                             (stored + energy_handled(ledger) + 1e-300);
         EXPECT_LT(open, 1e-9) << "step " << k;

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "tests/deform/support/test_bodies.h"
@@ -20,7 +21,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 constexpr int last_kept_step = 160;
 constexpr int steps_after = 60;
 
@@ -120,7 +120,7 @@ Played play(const Motion& motion) {
     int before = computed(*stepper);
     for (int k = 0; k <= last_kept_step + steps_after; ++k) {
         motion.act(*stepper, k);
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         record(run, *stepper, report);
         run.asleep += report.asleep ? 1 : 0;
         const bool changed = computed(*stepper) != std::exchange(before, computed(*stepper));
@@ -150,7 +150,7 @@ TEST_P(StepperCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
         Played again;
         for (int k = step + 1; k <= step + steps_after; ++k) {
             motion.act(*stepper, k);
-            const StepReport report = stepper->step(dt_s);
+            const StepReport report = stepper->step(frame_s);
             record(again, *stepper, report);
             ASSERT_EQ(again.positions.back(), run.positions[k]) << k << " from " << step;
             ASSERT_EQ(again.velocities.back(), run.velocities[k]) << k << " from " << step;
@@ -191,7 +191,7 @@ StepperCheckpoint rich_checkpoint() {
     const auto stepper = motion.stepper();
     for (int k = 0; k <= last_kept_step; ++k) {
         motion.act(*stepper, k);
-        stepper->step(dt_s);
+        stepper->step(frame_s);
     }
     motion.act(*stepper, last_kept_step + 1);
     return stepper->checkpoint();
@@ -301,7 +301,7 @@ TEST(StepperCheckpointBytes, AStepperRefusesWhatIsNotOfItsKind) {
     const StepperCheckpoint checkpoint = rich_checkpoint();
     const Motion motion({LinearSolverKind::skeleton, ElementOrder::linear, true, Variant::newton});
     const auto stepper = motion.stepper();
-    for (int k = 0; k < 10; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 10; ++k) stepper->step(frame_s);
     const std::uint64_t before = stepper->state_hash();
     for (const auto& [name, change] : changes) {
         StepperCheckpoint other = checkpoint;

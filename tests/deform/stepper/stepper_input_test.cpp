@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "tests/deform/support/test_bodies.h"
@@ -15,7 +16,6 @@
 namespace hepatica {
 namespace {
 
-constexpr double dt_s = 1.0 / 60.0;
 const double nan = std::nan("");
 
 BodyDescription bar_body() {
@@ -32,8 +32,8 @@ class StepperInput : public testing::TestWithParam<Make> {
     // Without forces for a second: what can rest, rests.
     std::unique_ptr<Stepper> asleep() const {
         auto stepper = make();
-        for (int k = 0; k < 60; ++k) stepper->step(dt_s);
-        EXPECT_TRUE(stepper->step(dt_s).asleep);
+        for (int k = 0; k < 60; ++k) stepper->step(frame_s);
+        EXPECT_TRUE(stepper->step(frame_s).asleep);
         return stepper;
     }
 };
@@ -86,12 +86,12 @@ TEST_P(StepperInput, RefusesOptionsOutOfRangeEvenAsleep) {
         EXPECT_THROW(make(options), InputError) << "fault " << f;
         EXPECT_THROW(stepper->set_options(options), InputError) << "fault " << f;
     }
-    EXPECT_TRUE(stepper->step(dt_s).asleep);
+    EXPECT_TRUE(stepper->step(frame_s).asleep);
 }
 
 TEST_P(StepperInput, RefusesAClockThatDoesNotAdvanceEvenAsleep) {
     const auto awake = make(), resting = asleep();
-    for (const double dt : {0.0, -dt_s, nan, HUGE_VAL}) {
+    for (const double dt : {0.0, -frame_s, nan, HUGE_VAL}) {
         EXPECT_THROW(awake->step(dt), InputError) << dt;
         EXPECT_THROW(resting->step(dt), InputError) << dt;
     }
@@ -116,12 +116,12 @@ TEST_P(StepperInput, RefusedGrabsGravityAndStatesLeaveItAsItWas) {
     EXPECT_THROW(stepper->set_state(wrong, still), InputError);
     EXPECT_THROW(stepper->set_state(rest, wrong), InputError);
     EXPECT_THROW(stepper->set_state(rest, {}), InputError);
-    EXPECT_TRUE(stepper->step(dt_s).asleep);
-    other->step(dt_s);
+    EXPECT_TRUE(stepper->step(frame_s).asleep);
+    other->step(frame_s);
     // What is done next begins from the same state, with the same forces.
     for (Stepper* s : {stepper.get(), other.get()}) {
         s->set_gravity(Vec3(0, 9810, 0));
-        for (int k = 0; k < 5; ++k) s->step(dt_s);
+        for (int k = 0; k < 5; ++k) s->step(frame_s);
     }
     for (std::size_t v = 0; v < rest.size(); ++v)
         EXPECT_EQ(stepper->positions_mm()[v], other->positions_mm()[v]);

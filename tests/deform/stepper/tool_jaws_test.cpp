@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
@@ -19,8 +20,6 @@ using test::ends_inside;
 using test::free_brick;
 using test::least_gap;
 using test::momentum;
-
-constexpr double dt_s = 1.0 / 60.0;
 
 // Two rods along `axis_mm` that open along z, about a middle.
 Tool jaws_at(const Vec3& middle_mm, const Vec3& half_axis_mm, double radius_mm, double opening_mm) {
@@ -59,7 +58,7 @@ class Pinch {
         StepReport last;
         for (int k = 0; k < steps; ++k) {
             stepper_->lead_tool(stepper_->tool()->target_mm + by_mm);
-            last = stepper_->step(dt_s);
+            last = stepper_->step(frame_s);
         }
         return last;
     }
@@ -136,7 +135,7 @@ TEST(ToolJaws, LiftWithTheMomentumThatTheyGive) {
         const double share = std::clamp(0.05 * (k - 40), 0.0, 1.0);
         if (k < 110) stepper->lead_tool(stepper->tool()->target_mm + share * Vec3(0.05, 0.1, 0.02));
         if (k == 100) stepper->open_tool(12.0);
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         const Vec3 now = momentum(*stepper, body);
         const Vec3 gained = now - before;
         before = now;
@@ -145,7 +144,7 @@ TEST(ToolJaws, LiftWithTheMomentumThatTheyGive) {
         ++good;
         // Of both jaws' impulses, which nearly cancel.
         EXPECT_LT((gained + report.tool.impulse_un_s).norm(),
-                  1e-8 * 2.0 * report.tool.grip_un * dt_s)
+                  1e-8 * 2.0 * report.tool.grip_un * frame_s)
             << k;
     }
     EXPECT_GT(good, 50);
@@ -155,7 +154,7 @@ TEST(ToolJaws, LiftWithTheMomentumThatTheyGive) {
         for (const double m : body.mass_g) sum += m;
         return sum;
     }();
-    EXPECT_NEAR(before.y() / mass, 0.1 / dt_s, 0.02 * 0.1 / dt_s);
+    EXPECT_NEAR(before.y() / mass, 0.1 / frame_s, 0.02 * 0.1 / frame_s);
 }
 
 // Opened, closed, turned and led through the bar at 0.01 to 100 m/s.
@@ -178,8 +177,8 @@ TEST(ToolJaws, PassThroughNothingAtAnySpeed) {
             const Vec3 way =
                 Vec3(in(20, 40), in(-4, 10), in(-6, 12)) - stepper->tool()->centre_mm();
             stepper->lead_tool(stepper->tool()->centre_mm() +
-                               std::min(1.0, speed_mm_per_s * dt_s / way.norm()) * way);
-            const StepReport report = stepper->step(dt_s);
+                               std::min(1.0, speed_mm_per_s * frame_s / way.norm()) * way);
+            const StepReport report = stepper->step(frame_s);
             held += report.tool.grip_un > 0.0 ? 1 : 0;
             ASSERT_GT(least_gap(*stepper, surface), 0.0) << speed_mm_per_s << " mm/s, " << k;
             ASSERT_FALSE(ends_inside(*stepper, body.mesh)) << speed_mm_per_s << " mm/s, " << k;
@@ -213,7 +212,7 @@ TEST(ToolJaws, WhatFliesIsStoppedByEachPart) {
             stepper->set_state(description.mesh.vertices_mm,
                                std::vector<Vec3>(vertices, Vec3(0, 0, -speed_mm_per_s)));
             for (int k = 0; k < 5; ++k) {
-                stepper->step(dt_s);
+                stepper->step(frame_s);
                 ASSERT_GT(least_gap(*stepper, surface), 0.0);
                 ASSERT_FALSE(ends_inside(*stepper, description.mesh));
                 // The middle of the brick has not come past that of the ball on its way.
@@ -234,7 +233,7 @@ TEST(ToolJaws, CloseUntilTheirForce) {
     stepper->set_tool(tool);
     stepper->open_tool(0.0);
     StepReport last;
-    for (int k = 0; k < 600; ++k) last = stepper->step(dt_s);
+    for (int k = 0; k < 600; ++k) last = stepper->step(frame_s);
     EXPECT_GT(last.tool.grip_un, 0.8e6);
     EXPECT_LT(last.tool.grip_un, 1.02e6);
     EXPECT_LT(stepper->tool()->opening_mm, 6.2);
@@ -272,21 +271,21 @@ TEST(ToolHook, HoldsABarAsideAndLetsItGo) {
     StepReport last;
     for (int k = 0; k < 60; ++k) {
         stepper->lead_tool(stepper->tool()->target_mm + Vec3(0, 0.05, 0.06));
-        last = stepper->step(dt_s);
+        last = stepper->step(frame_s);
         ASSERT_GT(least_gap(*stepper, surface), 0.0) << k;
     }
     EXPECT_GT(middle().y() - 3.0, 0.8);
     EXPECT_GT(middle().z() - 3.0, 0.8);
     EXPECT_LT(last.tool.force_un.y(), 0.0);
     EXPECT_LT(last.tool.force_un.z(), 0.0);
-    for (int k = 0; k < 1200; ++k) last = stepper->step(dt_s);
+    for (int k = 0; k < 1200; ++k) last = stepper->step(frame_s);
     EXPECT_TRUE(last.asleep);
     EXPECT_GT(middle().y() - 3.0, 0.8) << "held aside";
     for (int k = 0; k < 60; ++k) {
         stepper->lead_tool(stepper->tool()->target_mm - Vec3(0, 0.2, 0.3));
-        stepper->step(dt_s);
+        stepper->step(frame_s);
     }
-    for (int k = 0; k < 300; ++k) last = stepper->step(dt_s);
+    for (int k = 0; k < 300; ++k) last = stepper->step(frame_s);
     EXPECT_EQ(last.tool.contacts, 0);
     EXPECT_LT((middle() - Vec3(30, 3, 3)).norm(), 0.01);
 }
@@ -298,7 +297,7 @@ TEST(ToolJaws, ARestoredStepperGoesOnToTheLastBit) {
         if (k == 5) stepper.open_tool(5.5);
         if (k > 20) stepper.lead_tool(Vec3(30 + 0.03 * k, 3, 3 + 0.05 * k));
         if (k == 30) stepper.turn_tool(Vec3(0.1, 0.2, 0));
-        stepper.step(dt_s);
+        stepper.step(frame_s);
     };
     const auto first = make_cpu_stepper(bar(), {}), second = make_cpu_stepper(bar(), {});
     std::string bytes;

@@ -9,23 +9,24 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/base/frame_time.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
+#include "tests/deform/support/random_field.h"
 #include "tests/deform/support/tool_oracles.h"
 
 namespace hepatica {
 namespace {
 
 using test::bar;
+using test::copy_of;
 using test::ends_inside;
 using test::free_brick;
 using test::least_gap;
 using test::momentum;
-
-constexpr double dt_s = 1.0 / 60.0;
 
 Tool ball_at(const Vec3& centre_mm, double radius_mm = 3.0) {
     Tool tool = single_tool({.centre_mm = centre_mm, .radius_mm = radius_mm});
@@ -33,10 +34,6 @@ Tool ball_at(const Vec3& centre_mm, double radius_mm = 3.0) {
     tool.pressure_pa = 2e6;
     tool.friction = 0.3;
     return tool;
-}
-
-std::vector<Vec3> copy(std::span<const Vec3> x) {
-    return {x.begin(), x.end()};
 }
 
 // At 0.01 to 100 m/s, led to and fro through the bar.
@@ -59,8 +56,8 @@ TEST(Tool, PassesThroughNothingAtAnySpeed) {
                 const Vec3 goal(in(15, 45), in(-8, 14), k % 16 < 8 ? -10.0 : 16.0);
                 const Vec3 way = goal - centre;
                 stepper->lead_tool(centre +
-                                   std::min(1.0, speed_mm_per_s * dt_s / way.norm()) * way);
-                const StepReport report = stepper->step(dt_s);
+                                   std::min(1.0, speed_mm_per_s * frame_s / way.norm()) * way);
+                const StepReport report = stepper->step(frame_s);
                 touched += report.tool.contacts > 0 ? 1 : 0;
                 ASSERT_GT(least_gap(*stepper, surface), 0.0) << speed_mm_per_s << " mm/s, " << k;
                 ASSERT_FALSE(ends_inside(*stepper, body.mesh));
@@ -84,7 +81,7 @@ TEST(Tool, TurnsThroughNothingAtAnySpeed) {
         for (int k = 0; k < 200; ++k) {
             if (k % 4 == 0)
                 stepper->turn_tool(Vec3(k % 80 < 40 ? turn_rad : -turn_rad, 0.1 * turn_rad, 0));
-            const StepReport report = stepper->step(dt_s);
+            const StepReport report = stepper->step(frame_s);
             touched += report.tool.contacts > 0 ? 1 : 0;
             ASSERT_GT(least_gap(*stepper, surface), 0.0) << turn_rad << ", step " << k;
             ASSERT_FALSE(ends_inside(*stepper, body.mesh));
@@ -116,7 +113,7 @@ TEST(Tool, AnImpactExchangesMomentumAndMakesNoEnergy) {
         Vec3 before = begin;
         double exchanged = 0.0;
         for (int k = 0; k < 40; ++k) {
-            const StepReport report = stepper->step(std::min(dt_s, 1.0 / speed_mm_per_s));
+            const StepReport report = stepper->step(std::min(frame_s, 1.0 / speed_mm_per_s));
             const Vec3 now = momentum(*stepper, body);
             exchanged += report.tool.impulse_un_s.norm();
             if (!report.degraded && report.newton_iterations < most_iterates) {
@@ -170,9 +167,9 @@ BodyDescription flat_block() {
 TEST(Tool, ABlockSticksOnASlopeOfLessThanItsFriction) {
     const BodyDescription block = flat_block();
     const auto stepper = Slope{0.4, 0.9}.stepper(block);
-    for (int k = 0; k < 120; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 120; ++k) stepper->step(frame_s);
     const Vec3 before = middle(*stepper);
-    for (int k = 0; k < 60; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 60; ++k) stepper->step(frame_s);
     const double edge =
         build_body(block, ElementModel::corotated, ElementOrder::linear).mean_edge_mm;
     EXPECT_LT((middle(*stepper) - before).norm(), 1e-4 * edge);
@@ -183,14 +180,14 @@ TEST(Tool, ABlockSlidesOnASteeperSlopeAsCoulombHasIt) {
     block.material.damping_ratio = 0.0;  // which would brake flight, too
     const Slope slope{0.4, 1.5};
     const auto stepper = slope.stepper(block);
-    for (int k = 0; k < 30; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 30; ++k) stepper->step(frame_s);
     const auto speed = [&] {
         double sum = 0.0;
         for (const Vec3& v : stepper->velocities_mm_per_s()) sum += v.x();
         return sum / static_cast<double>(stepper->velocities_mm_per_s().size());
     };
     const double before = speed();
-    for (int k = 0; k < 60; ++k) stepper->step(dt_s);
+    for (int k = 0; k < 60; ++k) stepper->step(frame_s);
     const double expected = units::standard_gravity *
                             (std::sin(slope.angle()) - slope.friction * std::cos(slope.angle()));
     EXPECT_NEAR((speed() - before) / 1.0, expected, 0.01 * expected);
@@ -213,7 +210,7 @@ TEST(Tool, TheSameCommandsGiveTheSameBitsForAnyNumberOfThreads) {
         std::uint64_t all = 0;
         for (int k = 0; k < 140; ++k) {
             play(*stepper, k);
-            stepper->step(dt_s);
+            stepper->step(frame_s);
             all = 31 * all + stepper->state_hash();
         }
         hashes.push_back(all);
@@ -239,7 +236,7 @@ TEST_P(ToolCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
             std::uint64_t then = 0;
             for (int k = 0; k < 140; ++k) {
                 play(*first, k);
-                first->step(dt_s);
+                first->step(frame_s);
                 if (k != kept_at) continue;
                 bytes = to_bytes(first->checkpoint());
                 then = first->state_hash();
@@ -250,7 +247,7 @@ TEST_P(ToolCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
             EXPECT_EQ(second->state_hash(), then);
             for (int k = kept_at + 1; k < 140; ++k) {
                 play(*second, k);
-                second->step(dt_s);
+                second->step(frame_s);
             }
             EXPECT_EQ(second->state_hash(), first->state_hash()) << region << " at " << kept_at;
         }
@@ -265,7 +262,7 @@ TEST(ToolCheckpoint, EveryFieldCountsInTheHash) {
     const auto stepper = make_cpu_stepper(bar(), {});
     for (int k = 0; k < 70; ++k) {
         play(*stepper, k);
-        stepper->step(dt_s);
+        stepper->step(frame_s);
     }
     const StepperCheckpoint kept = stepper->checkpoint();
     ASSERT_TRUE(kept.tool);
@@ -319,7 +316,7 @@ TEST(Tool, WithoutOneTheBitsAreAsTheyWere) {
         body.touchable = touchable;
         const auto stepper = make_cpu_stepper(body, {});
         stepper->set_gravity(Vec3(0, 0, -units::standard_gravity));
-        for (int k = 0; k < 30; ++k) stepper->step(dt_s);
+        for (int k = 0; k < 30; ++k) stepper->step(frame_s);
         if (!touchable) hash = stepper->state_hash();
         EXPECT_EQ(stepper->state_hash(), hash);
     }
@@ -337,11 +334,11 @@ TEST(Tool, WhatIsPressedComesToRestAndSleeps) {
             stepper = make_cpu_stepper(body, {});
         stepper->set_tool(ball_at(Vec3(30, 3, 12)));
         stepper->lead_tool(Vec3(30, 3, 8));
-        for (int k = 0; k < 600; ++k) stepper->step(dt_s);
-        const std::vector<Vec3> then = copy(stepper->positions_mm());
+        for (int k = 0; k < 600; ++k) stepper->step(frame_s);
+        const std::vector<Vec3> then = copy_of(stepper->positions_mm());
         const double energy = stored_energy(stepper->energies());
         StepReport last;
-        for (int k = 0; k < 3600; ++k) last = stepper->step(dt_s);
+        for (int k = 0; k < 3600; ++k) last = stepper->step(frame_s);
         EXPECT_TRUE(last.asleep);
         EXPECT_GT(last.tool.contacts, 0);
         EXPECT_GT(last.tool.force_un.z(), 0.0);
@@ -350,7 +347,7 @@ TEST(Tool, WhatIsPressedComesToRestAndSleeps) {
             EXPECT_LT((stepper->positions_mm()[v] - then[v]).norm(), 1e-3 * 3.0);
         // It wakes when the tool goes on.
         stepper->lead_tool(Vec3(30, 3, 7));
-        EXPECT_FALSE(stepper->step(dt_s).asleep);
+        EXPECT_FALSE(stepper->step(frame_s).asleep);
     }
 }
 
@@ -359,7 +356,7 @@ TEST(Tool, TheLedgerOfWhatIsPressedAndRubbedCloses) {
     double rubbed = 0.0, pressed = 0.0, stored = 0.0;
     for (int k = 0; k < 140; ++k) {
         play(*stepper, k);
-        const StepReport report = stepper->step(dt_s);
+        const StepReport report = stepper->step(frame_s);
         const EnergyLedger& ledger = report.energy;
         const double open = std::abs(stored_energy(ledger) - stored - explained_change(ledger)) /
                             (stored + energy_handled(ledger) + 1e-300);
@@ -380,7 +377,7 @@ TEST(Tool, IsRefusedInTheBodyAndLeavesEverythingAsItWas) {
     EXPECT_THROW(stepper->set_tool(ball_at(Vec3(30, 3, 6))), InputError);
     EXPECT_THROW(stepper->lead_tool(Vec3(0, NAN, 0)), InputError);
     EXPECT_EQ(stepper->state_hash(), before);
-    std::vector<Vec3> lifted = copy(stepper->positions_mm());
+    std::vector<Vec3> lifted = copy_of(stepper->positions_mm());
     for (Vec3& x : lifted) x.z() += 6.0;
     EXPECT_THROW(stepper->set_state(lifted, std::vector<Vec3>(lifted.size(), Vec3::Zero())),
                  InputError);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <random>
+#include <span>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -17,6 +18,10 @@ inline std::vector<Vec3> random_field(std::size_t count, double size, unsigned s
         for (int i = 0; i < 3; ++i)
             x[i] = size * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1.0);
     return field;
+}
+
+inline std::vector<Vec3> copy_of(std::span<const Vec3> field) {
+    return {field.begin(), field.end()};
 }
 
 }  // namespace hepatica::test

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/governed_stepper.h"
 #include "gpu/machine/device_error.h"
@@ -21,8 +22,6 @@ using gpu::BlockOrder;
 using gpu::Precision;
 using test::difference;
 using test::relative_distance;
-
-constexpr double dt_s = 1.0 / 60.0;
 
 struct Case {
     std::string machine, element;
@@ -63,8 +62,8 @@ class TwoBackEnds : public testing::TestWithParam<Case> {
     // Of the motion of the step, and of the velocities at its end.
     double distance_after_step(const BodyState& start) {
         begin_at(start);
-        cpu_report_ = cpu_->advance(dt_s);
-        gpu_report_ = gpu_->advance(dt_s);
+        cpu_report_ = cpu_->advance(frame_s);
+        gpu_report_ = gpu_->advance(frame_s);
         EXPECT_EQ(share_->device, 1);
         const auto moved = [&](const StepBackEnd& one) {
             return difference(one.state().positions_mm, start.positions_mm);
@@ -127,8 +126,8 @@ TEST_P(TwoBackEnds, ThreeHundredStepsAgreeInDouble) {
     const BodyState start = test::lively(cpu_->body());
     begin_at(start);
     for (int k = 0; k < 300; ++k) {
-        cpu_->advance(dt_s);
-        gpu_->advance(dt_s);
+        cpu_->advance(frame_s);
+        gpu_->advance(frame_s);
     }
     EXPECT_LT(relative_distance(difference(gpu_->state().positions_mm, start.positions_mm),
                                 difference(cpu_->state().positions_mm, start.positions_mm)),
@@ -191,7 +190,7 @@ TEST(CudaBackEnd, AnyOrderOfBlocksGivesTheSameBits) {
     for (const BlockOrder order :
          {BlockOrder::ascending, BlockOrder::descending, BlockOrder::shuffled}) {
         Played played(body, options, gpu::make_emulator(order), Precision::single_precision);
-        for (int k = 0; k < 5; ++k) played.back_end->advance(dt_s);
+        for (int k = 0; k < 5; ++k) played.back_end->advance(frame_s);
         EXPECT_TRUE(played.said.empty());
         ends.push_back(played.back_end->state());
     }
@@ -209,7 +208,7 @@ TEST(CudaBackEnd, TheSkeletonSavesMostIterations) {
         options.solver = solver;
         options.linear = {.energy_tolerance = 1e-3};
         Played played(body, options, gpu::make_emulator(), precision);
-        const StepReport report = played.back_end->advance(dt_s);
+        const StepReport report = played.back_end->advance(frame_s);
         EXPECT_TRUE(played.said.empty());
         EXPECT_LT(report.linear_energy_error, 1e-3);
         return report.linear_iterations;
@@ -230,7 +229,7 @@ TEST(CudaBackEnd, ABodyAtRestStaysThereOnTheDevice) {
     const auto back_end =
         gpu::make_cuda_back_end(bar, StepperOptions{}, gpu::make_emulator(), cuda);
     for (int k = 0; k < 20; ++k) {
-        const StepReport report = back_end->advance(dt_s);
+        const StepReport report = back_end->advance(frame_s);
         EXPECT_FALSE(report.degraded) << report.message;
     }
     EXPECT_EQ(cuda.share->device, 20);
@@ -251,8 +250,8 @@ TEST(CudaBackEnd, LeavesToTheProcessorWhatHasNoKernels) {
         cpu->set_gravity({0.0, -9810.0, 0.0});
         cpu->set_state(played.back_end->state());
         for (int k = 0; k < 3; ++k) {
-            cpu->advance(dt_s);
-            played.back_end->advance(dt_s);
+            cpu->advance(frame_s);
+            played.back_end->advance(frame_s);
         }
         EXPECT_EQ(machine->traffic().launches, 0);
         EXPECT_THAT(played.said, testing::ElementsAre(testing::HasSubstr("no kernels")));
@@ -265,7 +264,7 @@ TEST(CudaBackEnd, LeavesStepsWithAToolToTheProcessor) {
     body.touchable = true;
     const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
     Played played(body, test::exact_options("corotated"), machine, Precision::double_precision);
-    played.back_end->advance(dt_s);
+    played.back_end->advance(frame_s);
     const long launches = machine->traffic().launches;
     EXPECT_GT(launches, 0);
     Tool tool = single_tool(Capsule{Vec3(12.0, 100.0, 0.0), Vec3::Zero(), 1.0});
@@ -274,11 +273,11 @@ TEST(CudaBackEnd, LeavesStepsWithAToolToTheProcessor) {
     tool.pressure_pa = 1e6;
     played.back_end->set_tool(tool);
     const long with_tool = machine->traffic().launches;
-    played.back_end->advance(dt_s);
+    played.back_end->advance(frame_s);
     EXPECT_EQ(machine->traffic().launches, with_tool);
     EXPECT_THAT(played.said, testing::ElementsAre(testing::HasSubstr("tools")));
     played.back_end->set_tool(std::nullopt);
-    played.back_end->advance(dt_s);
+    played.back_end->advance(frame_s);
     EXPECT_GT(machine->traffic().launches, with_tool);
 }
 
@@ -293,12 +292,12 @@ TEST(CudaBackEnd, ContinuesFromACheckpointToTheBit) {
     };
     GovernedStepper one = make(), other = make();
     one.set_gravity({0.0, -9810.0, 0.0});
-    for (int k = 0; k < 4; ++k) one.step(dt_s);
+    for (int k = 0; k < 4; ++k) one.step(frame_s);
     other.restore(one.checkpoint());
     EXPECT_EQ(one.state_hash(), other.state_hash());
     for (int k = 0; k < 4; ++k) {
-        one.step(dt_s);
-        other.step(dt_s);
+        one.step(frame_s);
+        other.step(frame_s);
         EXPECT_EQ(one.state_hash(), other.state_hash());
     }
 }

@@ -29,6 +29,7 @@ class Queue : public ::testing::Test {
                     work.throw_if_cancelled();
                 }
                 if (title == "bad") throw std::runtime_error("bad");
+                worked_ = true;
                 return [this, title] { log_.push_back("done " + title); };
             };
         };
@@ -41,7 +42,7 @@ class Queue : public ::testing::Test {
         EXPECT_TRUE(QTest::qWaitFor([this] { return !queue_.busy(); }, 10000));
     }
 
-    std::atomic<bool> hold_{true};
+    std::atomic<bool> hold_{true}, worked_{false};
     std::vector<std::string> log_;
     std::string title_;
     int waiting_ = -1;
@@ -78,7 +79,7 @@ TEST_F(Queue, a_newer_job_takes_the_place_of_its_kind_and_of_no_other) {
 TEST_F(Queue, a_job_dropped_after_its_work_was_done_has_no_effect) {
     hold_ = false;
     queue_.add(job(JobKind::open, "a"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the worker is done, unheard
+    while (!worked_) std::this_thread::yield();  // unheard as long as no event is taken
     queue_.drop(JobKind::open);
     EXPECT_FALSE(queue_.holds(JobKind::open));
     finish();
