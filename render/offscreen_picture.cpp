@@ -12,6 +12,7 @@ OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options) {
     view.set_smoothing(Smoothing::best);
     view.show(frame);
     view.set_vertex_systems(options.vertex_systems);
+    view.set_vertex_segments(options.vertex_segments);
     view.set_bridges(options.bridges);
     view.set_liver(options.liver);
     view.set_caption(options.caption);

@@ -31,6 +31,7 @@ struct PictureOptions {
     std::string caption;
     bool annotations = true;                     // legend, scale bar, orientation
     std::vector<VascularSystem> vertex_systems;  // one per vertex; empty: all unknown
+    std::vector<std::uint8_t> vertex_segments;   // Couinaud's, 1 to 8; 0 or missing: as its system
     std::vector<BridgeView> bridges;             // gaps that might be bridged
     TriangleMesh liver;                          // drawn as a ghost; may be empty
 };

@@ -33,6 +33,19 @@ Colour vessel_system(VascularSystem system) {
     return {0.58, 0.60, 0.72};
 }
 
+// Okabe and Ito's colours for every kind of sight (2008), the black one replaced by grey.
+Colour liver_segment(int segment) {
+    constexpr std::array<Colour, 8> colours{{{0.70, 0.70, 0.70},
+                                             {0.90, 0.62, 0.00},
+                                             {0.34, 0.71, 0.91},
+                                             {0.00, 0.62, 0.45},
+                                             {0.94, 0.89, 0.26},
+                                             {0.00, 0.45, 0.70},
+                                             {0.84, 0.37, 0.00},
+                                             {0.80, 0.47, 0.65}}};
+    return colours[static_cast<std::size_t>(std::clamp(segment, 1, 8) - 1)];
+}
+
 Colour drug(double fraction) {
     constexpr int intervals = static_cast<int>(drug_stops.size()) - 1;
     const double place = std::clamp(fraction, 0.0, 1.0) * intervals;

@@ -30,6 +30,9 @@ inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 // unknown system is a bluish grey.
 Colour vessel_system(VascularSystem system);
 
+// Of the branches to one of Couinaud's segments, 1 to 8.
+Colour liver_segment(int segment);
+
 // The drug's colour at `fraction` in [0, 1] of the map; values outside are clamped.
 Colour drug(double fraction);
 

@@ -168,6 +168,10 @@ void SceneView::set_vertex_systems(std::vector<VascularSystem> systems) {
     parts_->tree.set_vertex_systems(std::move(systems));
 }
 
+void SceneView::set_vertex_segments(std::vector<std::uint8_t> segments) {
+    parts_->tree.set_vertex_segments(std::move(segments));
+}
+
 void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
     parts_->tree.set_highlight(std::move(vertices));
 }

@@ -67,6 +67,7 @@ class SceneView {
     void render(double pixel_ratio = 1.0);
 
     void set_vertex_systems(std::vector<VascularSystem> systems);
+    void set_vertex_segments(std::vector<std::uint8_t> segments);
     void set_highlight(std::vector<std::uint8_t> vertices);
     // What is being drawn on the vessels, from one point to another; none removes it.
     void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);

@@ -68,6 +68,11 @@ void TreeActor::set_vertex_systems(std::vector<VascularSystem> systems) {
     take_colours();
 }
 
+void TreeActor::set_vertex_segments(std::vector<std::uint8_t> segments) {
+    segments_ = std::move(segments);
+    take_colours();
+}
+
 void TreeActor::set_highlight(std::vector<std::uint8_t> highlight) {
     if (highlight == highlight_) return;
     highlight_ = std::move(highlight);
@@ -115,10 +120,13 @@ void TreeActor::take_colours() {
         const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
         const bool lit = v < highlight_.size() && highlight_[v] != 0;
         const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
+        const int segment = v < segments_.size() ? segments_[v] : 0;
+        const Colour own =
+            segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system);
         const bool touched = std::ranges::binary_search(touched_, vertex);
         const Colour colour = touched                    ? palette::touch
                               : split && (*rims_)[shown] ? palette::torn
-                                                         : palette::vessel_system(system);
+                                                         : own;
         for (double channel : colour) {
             if (lit && !touched) channel = 0.45 * channel + 0.55;
             rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * channel)));

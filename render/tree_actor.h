@@ -31,6 +31,9 @@ class TreeActor {
     // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
     // the end count as unknown.
     void set_vertex_systems(std::vector<VascularSystem> systems);
+    // Couinaud's segment of each vertex of the frame, 1 to 8, whose colour stands in for its
+    // system's; 0, and those missing at the end, show the system.
+    void set_vertex_segments(std::vector<std::uint8_t> segments);
     // Vertices of the frame to light up, 1 or 0 each; empty lights none.
     void set_highlight(std::vector<std::uint8_t> highlight);
     // Depths (mm from the camera) between which the tree fades into the background.
@@ -58,6 +61,7 @@ class TreeActor {
     bool plain_is_old_ = false;    // its positions are those of an earlier frame
     bool rounded_is_old_ = false;  // the same
     std::vector<VascularSystem> systems_;
+    std::vector<std::uint8_t> segments_;
     std::vector<std::uint8_t> highlight_;
     std::vector<int> touched_;                               // vertices of the frame, ascending
     std::shared_ptr<const std::vector<int>> origins_;        // see TearView

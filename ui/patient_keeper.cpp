@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/patient/liver_segments.h"
 
 namespace hepatica {
 
@@ -218,7 +219,10 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage("Writing the case");
         PatientCase whole = *patient;
-        if (!voxels.empty() && whole.mask.voxels.empty()) add_voxels(voxels, whole);
+        if (!voxels.empty() && whole.mask.voxels.empty()) {
+            add_voxels(voxels, whole);
+            label_segments(whole, job);
+        }
         ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
             workspace_.saved(folder, edits);

@@ -7,11 +7,13 @@
 #include <string>
 
 #include "app/as_published.h"
+#include "app/batch/batch_run.h"
 #include "app/output_place.h"
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/doubts_json.h"
+#include "core/patient/liver_segments.h"
 #include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
@@ -31,6 +33,7 @@ struct Options {
     std::string method = "coherent";
     std::string thinning = "queue";
     bool as_published = false;
+    BatchOptions batch;
 };
 
 VascularSystem parse_system(const std::string& option, const std::string& text) {
@@ -85,7 +88,8 @@ void parse(Options& options) {
         {"multi-layer", SegmentationMethod::multi_layer},
         {"vesselness", SegmentationMethod::vesselness}};
     ReconstructOptions& reconstruct = options.reconstruct;
-    if (!options.liver_mask.empty()) reconstruct.liver_mask = options.liver_mask;
+    if (!options.liver_mask.empty() && options.batch.folder.empty())
+        reconstruct.liver_mask = options.liver_mask;
     if (!options.vessel_mask.empty()) reconstruct.vessel_mask = options.vessel_mask;
     if (!options.window.empty()) {
         if (options.window.size() != 2 || !(options.window[0] < options.window[1]))
@@ -106,8 +110,24 @@ Json to_json(const VoxelCounts& counts) {
             {"cavities", counts.cavities}};
 }
 
+// Many CTs: --batch stands in for the one, and --liver-mask names a folder of masks.
+Json run_many(const Options& options, Job& job) {
+    BatchOptions batch = options.batch;
+    if (batch.task > batch.tasks)
+        throw UsageError(
+            "there is no task " + std::to_string(batch.task) + " of " + std::to_string(batch.tasks),
+            "--task", "Tasks go from 1 to what --of says");
+    batch.out = options.out;
+    batch.liver_masks = options.liver_mask;
+    batch.reconstruct = options.reconstruct;
+    return run_batch(batch, job);
+}
+
 Json run(Options options, Job& job) {
     parse(options);
+    if (!options.batch.folder.empty()) return run_many(options, job);
+    if (options.reconstruct.ct.empty())
+        throw UsageError("no CT is given", "ct", "Name one, or a folder of CTs with --batch");
     require_case_name(options.out);
     require_writable(options.out);
     require_own_or_new(options.out, "case.json");
@@ -132,9 +152,28 @@ Json run(Options options, Job& job) {
     answer["tree"] = to_json(made.patient.tree);
     answer["bridges"] = to_json(made.patient.corrections.bridges);
     answer["mesh"] = to_json(made.patient.mesh);
+    if (!made.patient.couinaud.voxels.empty())
+        answer["segments_ml"] = segments_ml_json(made.patient.couinaud);
     answer["doubts"] = json_of(*made.patient.doubts);
     answer["warnings"] = made.warnings;
     return answer;
+}
+
+CLI::Option* add_batch_options(CLI::App& verb, BatchOptions& batch) {
+    CLI::Option* folder =
+        verb.add_option("--batch", batch.folder,
+                        "Instead of a CT: all CTs of this folder, into the folder --out; goes on "
+                        "where it stopped. --liver-mask then names a folder of masks");
+    verb.add_option("--task", batch.task, "Of the batch only this share ...")
+        ->check(CLI::Range(1, 100'000))
+        ->needs(folder)
+        ->capture_default_str();
+    verb.add_option("--of", batch.tasks, "... of so many, as in an array of cluster jobs")
+        ->check(CLI::Range(1, 100'000))
+        ->needs(folder)
+        ->capture_default_str();
+    verb.add_flag("--retry", batch.retry, "Of the batch those that failed, too")->needs(folder);
+    return folder;
 }
 
 }  // namespace
@@ -144,8 +183,8 @@ void add_reconstruct(CommandLine& line) {
     CLI::App& verb = line.add_verb("reconstruct", "Make a patient's case from a contrast CT",
                                    [options](Job& job) { return run(*options, job); });
     ReconstructOptions& reconstruct = options->reconstruct;
-    verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file")
-        ->required();
+    CLI::Option* ct =
+        verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file");
     verb.add_option("--series", reconstruct.series,
                     "Which series of a DICOM folder, as the warnings number them; 1 is the best")
         ->check(CLI::Range(1, 10000));
@@ -155,6 +194,8 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
     verb.add_option("--vessel-mask", options->vessel_mask,
                     "Image of the vessels, its labels their systems: nothing is segmented");
+    verb.add_option("--tumour-mask", reconstruct.tumour_masks,
+                    "Image whose nonzero pieces are tumours, for `feeders`; may be repeated");
     verb.add_option("--window", options->window, "Vessels lie within LO,HI [HU]")->delimiter(',');
     verb.add_option(
         "--seed-mm", options->seeds,
@@ -196,6 +237,9 @@ void add_reconstruct(CommandLine& line) {
                       "As the paper has it: --method multi-layer --refine 1 --thinning parallel");
     for (const char* other : {"--method", "--refine", "--thinning"})
         as_published->excludes(verb.get_option(other));
+    CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
+    for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
+        batch->excludes(verb.get_option(of_one));
 }
 
 }  // namespace hepatica

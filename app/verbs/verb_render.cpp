@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/back_end_choice.h"
+#include "app/case_picture.h"
 #include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
@@ -34,6 +35,7 @@ struct Options {
     double turn_up_deg = 0.0;
     double zoom = 1.0;
     bool bare = false;
+    bool segments = false;
 };
 
 PictureOptions picture_options(const Options& options) {
@@ -106,22 +108,14 @@ std::unique_ptr<Session> played(const Options& options, const Recording& recordi
     return session;
 }
 
-std::vector<VascularSystem> vertex_systems(const World& world, const VesselTree& tree) {
-    std::vector<VascularSystem> systems(world.vertex_count());
-    for (std::size_t v = 0; v < systems.size(); ++v) {
-        const TreePoint place = nearest_point(tree, world.rest_positions_mm()[v]);
-        systems[v] = tree.segments[static_cast<std::size_t>(place.segment)].system;
-    }
-    return systems;
-}
-
 Json run(const Options& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
     require_writable(options.out);
     job.expect_stages(3);
     job.begin_stage("Reading the case");
-    auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
+    auto patient = std::make_shared<const PatientCase>(
+        options.segments ? read_case(options.patient) : read_case_without_voxels(options.patient));
     const std::unique_ptr<Session> session =
         options.recording.empty()
             ? still_life(options, patient, job)
@@ -132,7 +126,7 @@ Json run(const Options& options, Job& job) {
         throw InputError(frame.statistics.message, options.patient.string(),
                          "check the options of the injection");
     job.begin_stage("Drawing");
-    picture.vertex_systems = vertex_systems(session->world(), patient->tree);
+    colour_vessels(session->world(), *patient, options.segments, picture);
     picture.bridges = views_of(open_bridges(*patient));
     picture.caption = patient->source.name;
     const OffscreenPicture drawn = draw_frame(frame, picture);
@@ -161,6 +155,8 @@ void add_render(CommandLine& line) {
     verb.add_option("--turn-up-deg", options->turn_up_deg, "Turned away from the view");
     verb.add_option("--zoom", options->zoom, "1: all of the tree fits");
     verb.add_option("--size", options->size, "WIDTH,HEIGHT in pixels");
+    verb.add_flag("--segments", options->segments,
+                  "Colour portal branches by the liver segment that they supply");
     verb.add_flag("--bare", options->bare, "Without legend, scale bar and orientation");
 }
 

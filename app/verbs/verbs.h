@@ -9,6 +9,7 @@ namespace hepatica {
 void add_phantom(CommandLine& line);
 void add_reconstruct(CommandLine& line);
 void add_edit(CommandLine& line);
+void add_feeders(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_pressure_drop(CommandLine& line);
 void add_inject(CommandLine& line);

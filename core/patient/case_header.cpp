@@ -11,6 +11,7 @@
 #include "core/base/sha256.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
+#include "core/patient/liver_segments.h"
 #include "core/tree/files/tree_json.h"
 
 namespace hepatica {
@@ -120,9 +121,10 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
                       {"grid", to_json(patient.source.image_grid)}};
     json["parameters"] = Json::parse(patient.source.parameters_json);
     json["tree"] = to_json(patient.tree);
+    if (!patient.couinaud.voxels.empty()) json["segments_ml"] = segments_ml_json(patient.couinaud);
     if (patient.doubts) json["doubts"] = json_of(*patient.doubts);
     for (const char* name :
-         {mask, skeleton, organs, tree, swc, surface, mesh, corrections, extracted})
+         {mask, skeleton, organs, couinaud, tree, swc, surface, mesh, corrections, extracted})
         if (fs::exists(folder / name)) json["sha256"][name] = sha256_of_file(folder / name);
     write_text_atomically(folder / case_file::header, json.dump(2) + "\n");
 }

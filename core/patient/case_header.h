@@ -17,6 +17,7 @@ inline constexpr const char* header = "case.json";
 inline constexpr const char* mask = "mask.nii.gz";
 inline constexpr const char* skeleton = "skeleton.nii.gz";
 inline constexpr const char* organs = "organs.nii.gz";
+inline constexpr const char* couinaud = "couinaud.nii.gz";
 inline constexpr const char* tree = "tree.vtp";
 inline constexpr const char* swc = "tree.swc";
 inline constexpr const char* surface = "surface.vtp";

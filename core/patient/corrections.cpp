@@ -8,6 +8,7 @@
 #include "core/base/json_number.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/patient/liver_segments.h"
 
 namespace hepatica {
 
@@ -109,6 +110,7 @@ PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& 
     if (same) return result;
     result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
     result.surface = surface_of(result.mesh).mesh;
+    label_segments(result, job);
     return result;
 }
 

@@ -19,6 +19,35 @@ std::string number_of(int count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+std::string listed(const std::vector<int>& numbers) {
+    std::string list;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0) list += i + 1 == numbers.size() ? " and " : ", ";
+        list += std::to_string(numbers[i]);
+    }
+    return list;
+}
+
+void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {
+    if (doubts.veins_known < 3)
+        list.push_back(
+            std::string(doubts.veins_known == 0 ? "No hepatic vein is"
+                                                : "Not all three hepatic veins are") +
+            " known where the liver's segments part: an adult's usual planes stand in for them. A "
+            "seed inside a hepatic vein helps.");
+    if (!doubts.without_branch.empty()) {
+        const bool one = doubts.without_branch.size() == 1;
+        list.push_back(std::string("No portal branch to the liver's ") +
+                       (one ? "segment " : "segments ") + listed(doubts.without_branch) +
+                       " was found: " + (one ? "its" : "their") +
+                       " part of the liver counts to the neighbours.");
+    }
+    if (doubts.unsure_share > notable_share)
+        list.push_back("For " + percent(doubts.unsure_share) +
+                       " of the liver it is less than 80 % sure to which of Couinaud's segments it "
+                       "belongs: the branches there run across the usual borders.");
+}
+
 }  // namespace
 
 Doubts doubts_of(const VesselTree& tree) {
@@ -66,6 +95,7 @@ std::vector<std::string> sentences(const Doubts& doubts) {
     if (doubts.loops > 0)
         list.push_back(number_of(doubts.loops, "loop") + (doubts.loops == 1 ? " is" : " are") +
                        " left in the vessels. Cut those that are no real connections.");
+    if (doubts.segments) add_sentences(*doubts.segments, list);
     return list;
 }
 

@@ -4,12 +4,20 @@
 // what would help.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
+
+// Of the liver's parting into Couinaud's segments (liver_segments.h).
+struct SegmentDoubts {
+    double unsure_share = 0.0;        // of the liver: nearest to branches less than 80 % sure
+    std::vector<int> without_branch;  // segments 1 to 8 to which no branch was found
+    int veins_known = 0;              // 0 to 3 hepatic veins that say where the sectors part
+};
 
 struct Doubts {
     // What the image says of itself; both 0 where the vessels were given and none was asked.
@@ -19,8 +27,9 @@ struct Doubts {
     // Shares of the tree's length.
     double uncertain_share = 0.0;  // confidence of the system under 0.8, unknown ones included
     double unknown_share = 0.0;
-    int opened_loops = 0;  // branches of one system that touched and were parted
-    int loops = 0;         // left in the tree
+    int opened_loops = 0;                     // branches of one system that touched and were parted
+    int loops = 0;                            // left in the tree
+    std::optional<SegmentDoubts> segments{};  // none where the liver was not parted into segments
 };
 
 // The part that the tree itself tells.

@@ -7,15 +7,36 @@ namespace hepatica {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+Json json_of(const SegmentDoubts& doubts) {
+    return {{"unsure_share", doubts.unsure_share},
+            {"without_branch", doubts.without_branch},
+            {"veins_known", doubts.veins_known}};
+}
+
+SegmentDoubts segment_doubts_from(const Json& json) {
+    SegmentDoubts doubts;
+    doubts.unsure_share = json.at("unsure_share").get<double>();
+    for (const Json& number : json.at("without_branch"))
+        doubts.without_branch.push_back(whole_number<int>(number));
+    doubts.veins_known = whole_number<int>(json.at("veins_known"));
+    return doubts;
+}
+
+}  // namespace
+
 Json json_of(const Doubts& doubts) {
-    return {{"contrast_hu", doubts.contrast_hu},
-            {"noise_hu", doubts.noise_hu},
-            {"coarsest_spacing_mm", doubts.coarsest_spacing_mm},
-            {"uncertain_share", doubts.uncertain_share},
-            {"unknown_share", doubts.unknown_share},
-            {"opened_loops", doubts.opened_loops},
-            {"loops", doubts.loops},
-            {"in_words", sentences(doubts)}};
+    Json json{{"contrast_hu", doubts.contrast_hu},
+              {"noise_hu", doubts.noise_hu},
+              {"coarsest_spacing_mm", doubts.coarsest_spacing_mm},
+              {"uncertain_share", doubts.uncertain_share},
+              {"unknown_share", doubts.unknown_share},
+              {"opened_loops", doubts.opened_loops},
+              {"loops", doubts.loops}};
+    if (doubts.segments) json["segments"] = json_of(*doubts.segments);
+    json["in_words"] = sentences(doubts);
+    return json;
 }
 
 Doubts doubts_from(const Json& json) {
@@ -27,6 +48,7 @@ Doubts doubts_from(const Json& json) {
     doubts.unknown_share = json.at("unknown_share").get<double>();
     doubts.opened_loops = whole_number<int>(json.at("opened_loops"));
     doubts.loops = whole_number<int>(json.at("loops"));
+    if (json.contains("segments")) doubts.segments = segment_doubts_from(json.at("segments"));
     return doubts;
 }
 

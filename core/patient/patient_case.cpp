@@ -67,6 +67,7 @@ void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCa
     patient.mask = read_voxels(folder, header, case_file::mask);
     patient.skeleton = read_voxels(folder, header, case_file::skeleton);
     patient.organs = read_voxels(folder, header, case_file::organs);
+    patient.couinaud = read_voxels(folder, header, case_file::couinaud);
     if (header.version > 1) return;
     const VesselTree extracted = extracted_tree(folder, header);
     relabel_format_1(patient.mask, extracted.segments.empty()
@@ -123,6 +124,7 @@ void write_case(const fs::path& folder, const PatientCase& patient) {
         write_voxels(temporary / case_file::mask, patient.mask);
         write_voxels(temporary / case_file::skeleton, patient.skeleton);
         write_voxels(temporary / case_file::organs, patient.organs);
+        write_voxels(temporary / case_file::couinaud, patient.couinaud);
         write_tree_vtp(temporary / case_file::tree, patient.tree);
         write_tree_swc(temporary / case_file::swc, patient.tree);
         write_vtp(temporary / case_file::surface, patient.surface);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One patient on disk: NAME.hep, a folder of open formats.
 //   case.json (version, digest of the CT, parameters, the tree in numbers, SHA-256 of the rest),
-//   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, tree.vtp, tree.swc,
-//   surface.vtp, mesh.vtu, and where the tree was corrected by hand corrections.json (bridges
-//   offered, edits) and tree_extracted.vtp (the tree before the edits)
+//   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, couinaud.nii.gz, tree.vtp,
+//   tree.swc, surface.vtp, mesh.vtu, and where the tree was corrected by hand corrections.json
+//   (bridges offered, edits) and tree_extracted.vtp (the tree before the edits)
 // The CT is not copied, and no path of it or of a mask is kept: folders are often called after the
 // patient. This is format 2; format 1 is read, too (format_1.h).
 #pragma once
@@ -50,6 +50,9 @@ struct PatientCase {
     Mask mask;      // numbers of vascular systems, on the grid they were segmented on; may be empty
     Mask skeleton;  // its unit-width skeleton, same grid; may be empty
     Mask organs;    // organ_label, on a grid of its own; empty where none was given or found
+    // Couinaud's segments 1 to 8 of the liver, on the grid of `organs`, by the portal vein of
+    // `tree`; empty where either is missing. See liver_segments.h.
+    Mask couinaud;
     VesselTree tree;
     TriangleMesh surface;  // boundary of `mesh`
     TetMesh mesh;
@@ -72,7 +75,8 @@ void write_case(const std::filesystem::path& folder, const PatientCase& patient)
 // version is not known, a file is missing, or a file's digest is not the one that case.json holds.
 PatientCase read_case(const std::filesystem::path& folder);
 
-// The same without the voxels (mask, skeleton, organs stay empty): simulation needs none of them.
+// The same without the voxels (mask, skeleton, organs, couinaud stay empty): simulation needs none
+// of them.
 PatientCase read_case_without_voxels(const std::filesystem::path& folder);
 
 // Reads a case's voxels into a patient that was read without them.

@@ -12,9 +12,11 @@
 #include "core/image/volume_reader.h"
 #include "core/mesh/surface.h"
 #include "core/patient/image_digest.h"
+#include "core/patient/liver_segments.h"
 #include "core/reconstruction/mask_of_tree.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
+#include "core/reconstruction/tumours.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "core/segmentation/vessel_systems.h"
 #include "core/skeleton/thinning.h"
@@ -62,6 +64,15 @@ Mask organs_of(const Mask& liver) {
     for (std::uint8_t& voxel : organs.voxels)
         if (voxel != 0) voxel = organ_label::liver;
     return organs;
+}
+
+// What of them lies in the box of the liver.
+void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& organs, Job& job) {
+    if (options.tumour_masks.empty()) return;
+    if (organs.voxels.empty())
+        throw InputError("tumours are given without a liver", options.tumour_masks.front().string(),
+                         "Give the liver, too (--liver-mask): blood reaches tumours through it");
+    add_tumours(read_tumours(options.tumour_masks, ct_grid, job), organs);
 }
 
 std::optional<Mask> given_liver(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
@@ -166,6 +177,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                                           : segmented_anatomy(options, ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
+    mark_tumours(options, ct.grid, patient.organs, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
     fill_cavities(patient.mask);
     job.advance(0.8);
@@ -186,6 +198,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+    label_segments(patient, job);
     std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
 
     job.begin_stage("Meshing the vessels");
@@ -200,10 +213,11 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 }  // namespace
 
 int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 5;
+    constexpr int reading = 1, from_skeleton_to_mesh = 6;
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
-    return reading + (options.vessel_mask ? given_liver + given_mask : segmentation) +
+    const int tumours = static_cast<int>(options.tumour_masks.size());
+    return reading + tumours + (options.vessel_mask ? given_liver + given_mask : segmentation) +
            from_skeleton_to_mesh;
 }
 

@@ -26,6 +26,7 @@ struct ReconstructOptions {
                                                          // or a box of its voxels
     std::optional<std::filesystem::path> vessel_mask;    // no segmentation is done; labels are
                                                          // systems, see given_vessels.h
+    std::vector<std::filesystem::path> tumour_masks;     // see tumours.h; a liver must be known
     std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
     std::vector<int> liver_labels;           // of the liver mask; empty: all that are not 0

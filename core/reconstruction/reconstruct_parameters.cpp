@@ -9,6 +9,7 @@ std::string parameters_json(const ReconstructOptions& options) {
     nlohmann::ordered_json json;
     json["liver_mask_given"] = options.liver_mask.has_value();
     json["vessel_mask_given"] = options.vessel_mask.has_value();
+    if (!options.tumour_masks.empty()) json["tumour_masks_given"] = options.tumour_masks.size();
     json["method"] = name_of(options.method);
     if (options.window_hu)
         json["window_hu"] = {options.window_hu->first, options.window_hu->second};

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/batch_record.h"
+
+#include <fstream>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/tree/territories/couinaud_segments.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+fs::path file_of(const fs::path& out, const std::string& patient) {
+    return out / "records" / (patient + ".json");
+}
+
+Json read_json(const fs::path& file) {
+    std::ifstream in(file);
+    return in ? Json::parse(in, nullptr, false) : Json();
+}
+
+}  // namespace
+
+void open_batch(const fs::path& out, const Json& options) {
+    const fs::path mark = out / batch_mark;
+    const Json begun = read_json(mark);
+    if (fs::exists(mark) && begun != options)
+        throw InputError("was begun with other options", out.string(),
+                         "Repeat those in " + mark.string() + ", or give another --out");
+    fs::create_directories(out / "records");
+    if (!fs::exists(mark)) write_text_atomically(mark, options.dump(2) + "\n");
+}
+
+std::optional<BatchRecord> read_record(const fs::path& out, const std::string& patient) {
+    const Json json = read_json(file_of(out, patient));
+    if (!json.is_object()) return std::nullopt;
+    try {
+        BatchRecord record;
+        record.patient = json.at("patient").get<std::string>();
+        record.done = json.at("state").get<std::string>() == "done";
+        record.seconds = json.at("seconds").get<double>();
+        record.reason = json.at("reason").get<std::string>();
+        record.vessels_mm = json.at("vessels_mm").get<double>();
+        record.liver_ml = json.at("liver_ml").get<double>();
+        record.doubts = json.at("doubts").get<std::vector<std::string>>();
+        record.has_picture = json.at("picture").get<bool>();
+        return record;
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+void write_record(const fs::path& out, const BatchRecord& record) {
+    const Json json{{"patient", record.patient},       {"state", record.done ? "done" : "failed"},
+                    {"seconds", record.seconds},       {"reason", record.reason},
+                    {"vessels_mm", record.vessels_mm}, {"liver_ml", record.liver_ml},
+                    {"doubts", record.doubts},         {"picture", record.has_picture}};
+    write_text_atomically(file_of(out, record.patient), json.dump(2) + "\n");
+}
+
+BatchRecord record_of(const std::string& name, const PatientCase& patient,
+                      const std::vector<std::string>& warnings, double seconds) {
+    BatchRecord record;
+    record.patient = name;
+    record.done = true;
+    record.seconds = seconds;
+    record.vessels_mm = length_mm(patient.tree);
+    for (const double volume : segment_volumes_ml(patient.couinaud)) record.liver_ml += volume;
+    record.doubts = warnings;
+    return record;
+}
+
+}  // namespace hepatica

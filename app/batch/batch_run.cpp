@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/batch_run.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include "app/batch/batch_inputs.h"
+#include "app/batch/batch_record.h"
+#include "app/batch/batch_report.h"
+#include "app/case_picture.h"
+#include "app/output_place.h"
+#include "core/base/error.h"
+#include "core/reconstruction/reconstruct_parameters.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string in_words(const Error& error) {
+    const std::string where = error.place().empty() ? "" : error.place() + ": ";
+    return where + error.problem() + ". " + error.remedy();
+}
+
+BatchRecord made(const BatchOptions& batch, const BatchInput& input, Job& job) {
+    const auto begin = std::chrono::steady_clock::now();
+    ReconstructOptions options = batch.reconstruct;
+    options.ct = input.ct;
+    options.liver_mask = input.liver_mask;
+    Reconstruction found = reconstruct(options, job);
+    write_case(batch.out / "cases" / (input.patient + ".hep"), found.patient);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    BatchRecord record = record_of(input.patient, found.patient, found.warnings, time.count());
+    record.has_picture =
+        write_case_picture(std::make_shared<const PatientCase>(std::move(found.patient)),
+                           batch.out / "pictures" / (input.patient + ".png"), job);
+    return record;
+}
+
+// Whatever goes wrong with one patient is his record. Throws Cancelled alone.
+BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, Job& job) {
+    BatchRecord failed;
+    failed.patient = input.patient;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        return made(batch, input, job);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        failed.reason = in_words(error);
+    } catch (const std::bad_alloc&) {
+        failed.reason = "Not enough memory.";
+    } catch (const std::exception& error) {
+        failed.reason = std::string("Internal error: ") + error.what();
+    }
+    failed.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return failed;
+}
+
+// What a batch must be gone on with: the same folder need not be, as it may have moved.
+Json beginning(const BatchOptions& options) {
+    return {{"format", "hepatica-batch"},
+            {"parameters", Json::parse(parameters_json(options.reconstruct))}};
+}
+
+void say(const BatchRecord& record) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f s", record.seconds);
+    if (!record.done) {
+        spdlog::warn("{}: failed after {}: {}", record.patient, seconds, record.reason);
+        return;
+    }
+    spdlog::info("{}: done in {}, {} in doubt", record.patient, seconds, record.doubts.size());
+    for (const std::string& doubt : record.doubts) spdlog::info("{}: {}", record.patient, doubt);
+}
+
+}  // namespace
+
+Json run_batch(const BatchOptions& options, Job& job) {
+    const std::vector<BatchInput> all = batch_inputs(options.folder, options.liver_masks);
+    require_writable_folder(options.out);
+    require_own_or_new(options.out, batch_mark);
+    open_batch(options.out, beginning(options));
+    for (const char* folder : {"cases", "pictures"}) fs::create_directories(options.out / folder);
+    std::vector<std::string> patients;
+    for (const BatchInput& input : all) patients.push_back(input.patient);
+    std::vector<BatchInput> open;
+    for (const BatchInput& input : share_of(all, options.task, options.tasks)) {
+        const auto record = read_record(options.out, input.patient);
+        if (!record || (!record->done && options.retry)) open.push_back(input);
+    }
+    job.expect_stages(static_cast<int>(open.size()));
+    write_batch_report(options.out, patients);
+    for (const BatchInput& input : open) {
+        job.begin_stage(input.patient);
+        Job one;
+        one.observe([&](JobEvent) {
+            if (job.cancelled()) one.cancel();
+        });
+        const BatchRecord record = made_or_failed(options, input, one);
+        say(record);
+        write_record(options.out, record);
+        write_batch_report(options.out, patients);
+    }
+    std::size_t done = 0, failed = 0;
+    for (const std::string& patient : patients)
+        if (const auto record = read_record(options.out, patient)) ++(record->done ? done : failed);
+    return {{"out", options.out.string()},
+            {"patients", patients.size()},
+            {"done", done},
+            {"failed", failed},
+            {"made_now", open.size()},
+            {"summary", (options.out / "summary.csv").string()},
+            {"page", (options.out / "index.html").string()}};
+}
+
+}  // namespace hepatica

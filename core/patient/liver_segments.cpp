@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/patient/liver_segments.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/tree/territories/couinaud_segments.h"
+
+namespace hepatica {
+
+Mask liver_of(const Mask& organs) {
+    Mask liver = organs;
+    for (std::uint8_t& voxel : liver.voxels)
+        voxel = voxel == organ_label::liver || voxel >= organ_label::first_tumour ? 1 : 0;
+    return liver;
+}
+
+void label_segments(PatientCase& patient, Job& job) {
+    job.begin_stage("Parting the liver into segments");
+    if (patient.organs.voxels.empty()) return;
+    patient.couinaud = {};
+    if (patient.doubts) patient.doubts->segments.reset();
+    auto found = couinaud_segments(patient.tree, liver_of(patient.organs), job);
+    if (!found) return;
+    patient.couinaud = std::move(found->labels);
+    if (!patient.doubts) return;
+    SegmentDoubts doubts;
+    doubts.unsure_share = found->unsure_share;
+    const auto volumes = segment_volumes_ml(patient.couinaud);
+    for (int k = 0; k < couinaud_count; ++k)
+        if (volumes[k] == 0.0) doubts.without_branch.push_back(k + 1);
+    doubts.veins_known = static_cast<int>(std::ranges::count(found->frame.vein_known, true));
+    patient.doubts->segments = std::move(doubts);
+}
+
+nlohmann::ordered_json segments_ml_json(const Mask& couinaud) {
+    const auto volumes = segment_volumes_ml(couinaud);
+    nlohmann::ordered_json json;
+    for (int k = 0; k < couinaud_count; ++k) json[std::to_string(k + 1)] = volumes[k];
+    return json;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/tumours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image/morphology.h"
+#include "core/image/volume_reader.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int most_tumours = 255 - organ_label::first_tumour + 1;
+
+}  // namespace
+
+Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid, Job& job) {
+    Mask any(ct_grid);
+    for (const std::filesystem::path& file : files) {
+        const Mask one = on_grid_of(ct_grid, read_mask(file, job), file.string());
+        for (std::size_t i = 0; i < any.voxels.size(); ++i)
+            if (one.voxels[i] != 0) any.voxels[i] = 1;
+    }
+    const Components pieces = connected_components(any, Connectivity::all26);
+    Mask tumours(ct_grid);
+    for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
+        if (pieces.labels.voxels[i] <= most_tumours)
+            tumours.voxels[i] = static_cast<std::uint8_t>(pieces.labels.voxels[i]);
+    return tumours;
+}
+
+void add_tumours(const Mask& tumours, Mask& organs) {
+    const Grid& grid = organs.grid;
+    for (std::size_t i = 0; i < organs.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 at = tumours.grid.to_index(grid.to_mm(x, y, z));
+        const int u = static_cast<int>(std::lround(at.x())),
+                  v = static_cast<int>(std::lround(at.y())),
+                  w = static_cast<int>(std::lround(at.z()));
+        if (!tumours.grid.contains(u, v, w)) continue;
+        if (const std::uint8_t tumour = tumours.at(u, v, w); tumour != 0)
+            organs.voxels[i] = static_cast<std::uint8_t>(organ_label::first_tumour + tumour - 1);
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many CTs in one call of the real program: what fails, what is gone on with, what is left behind.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/patient/patient_case.h"
+#include "tests/app/tour.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::answer;
+using test::Json;
+using test::Outcome;
+using test::run_cli;
+
+class Batch : public testing::Test {
+  protected:
+    // Two good patients about one that is no image.
+    static void SetUpTestSuite() {
+        fs::remove_all(root());
+        fs::create_directories(root() / "scans");
+        fs::create_directories(root() / "livers");
+        answer({"phantom", path("p"), "--dims", "88,88,64", "--spacing", "2,2,2", "--generations",
+                "3", "--format", "nifti"});
+        for (const char* name : {"anton", "carla"}) {
+            fs::copy_file(root() / "p/ct.nii.gz",
+                          root() / "scans" / (name + std::string(".nii.gz")));
+            fs::copy_file(root() / "p/liver.nii.gz",
+                          root() / "livers" / (name + std::string(".nii.gz")));
+        }
+        std::ofstream(root() / "scans/berta.nii.gz") << "no image";
+    }
+    static void TearDownTestSuite() { fs::remove_all(root()); }
+    void SetUp() override { fs::remove_all(root() / "out"); }
+
+    static fs::path root() { return fs::path(testing::TempDir()) / "hepatica batch"; }
+    static std::string path(const std::string& name) { return (root() / name).string(); }
+    static std::vector<std::string> call(std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments{"reconstruct",  "--batch",      path("scans"),
+                                           "--out",        path("out"),    "--liver-mask",
+                                           path("livers"), "--tetrahedra", "1500"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+    static std::string text_of(const fs::path& file) {
+        std::ifstream in(file);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    // State of each patient in summary.csv.
+    static std::map<std::string, std::string> states() {
+        std::ifstream in(root() / "out/summary.csv");
+        std::map<std::string, std::string> found;
+        std::string line;
+        std::getline(in, line);
+        EXPECT_EQ(line, "patient,state,seconds,vessels_mm,liver_ml,doubts,reason");
+        while (std::getline(in, line)) {
+            const std::size_t comma = line.find(',');
+            const std::size_t second = line.find(',', comma + 1);
+            found[line.substr(1, comma - 2)] = line.substr(comma + 1, second - comma - 1);
+        }
+        return found;
+    }
+    using States = std::map<std::string, std::string>;
+};
+
+TEST_F(Batch, OneThatFailsDoesNotStopTheRestAndNothingIsMadeTwice) {
+    const Json first = answer(call());
+    EXPECT_EQ(first.at("patients"), 3);
+    EXPECT_EQ(first.at("done"), 2);
+    EXPECT_EQ(first.at("failed"), 1);
+    EXPECT_EQ(first.at("made_now"), 3);
+    EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "failed"}, {"carla", "done"}}));
+    const PatientCase carla = read_case(root() / "out/cases/carla.hep");
+    EXPECT_FALSE(carla.tree.segments.empty());
+    EXPECT_FALSE(fs::exists(root() / "out/cases/berta.hep"));
+    const std::string page = text_of(root() / "out/index.html");
+    EXPECT_NE(page.find("pictures/carla.png"), std::string::npos);
+    EXPECT_NE(page.find("berta.nii.gz"), std::string::npos);  // with the reason
+    EXPECT_NE(page.find("2 done, 1 failed, 0 to do"), std::string::npos);
+    EXPECT_TRUE(fs::exists(root() / "out/pictures/anton.png"));
+
+    const auto written = fs::last_write_time(root() / "out/cases/carla.hep/case.json");
+    EXPECT_EQ(answer(call()).at("made_now"), 0);
+    EXPECT_EQ(answer(call({"--retry"})).at("made_now"), 1);
+    EXPECT_EQ(fs::last_write_time(root() / "out/cases/carla.hep/case.json"), written);
+
+    const Outcome other = run_cli(call({"--method", "vesselness"}));
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.errors.find("other options"), std::string::npos) << other.errors;
+}
+
+// A patient whose record is missing was half done: he is made anew, and the case is whole.
+TEST_F(Batch, GoesOnWhereItWasInterrupted) {
+    const Outcome run = run_cli(call(), {.interrupt_at = "[3/3] carla"});
+    EXPECT_EQ(run.exit_code, 130) << run.errors;
+    EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "failed"}, {"carla", "to do"}}));
+    EXPECT_FALSE(fs::exists(root() / "out/cases/carla.hep"));
+    const Json rest = answer(call());
+    EXPECT_EQ(rest.at("made_now"), 1);
+    EXPECT_EQ(rest.at("done"), 2);
+    EXPECT_EQ(hash_of(read_case(root() / "out/cases/carla.hep")),
+              hash_of(read_case(root() / "out/cases/anton.hep")));  // the same CT
+    for (const auto& entry : fs::directory_iterator(root() / "out/cases"))
+        EXPECT_EQ(entry.path().extension(), ".hep") << entry.path();
+}
+
+TEST_F(Batch, SharesOfAnArrayOfJobsMakeTheWhole) {
+    EXPECT_EQ(answer(call({"--task", "1", "--of", "2"})).at("made_now"), 2);
+    EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "to do"}, {"carla", "done"}}));
+    EXPECT_EQ(answer(call({"--task", "2", "--of", "2"})).at("made_now"), 1);
+    EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "failed"}, {"carla", "done"}}));
+}
+
+TEST_F(Batch, RefusesWhatMakesNoSense) {
+    fs::create_directories(root() / "mine");
+    std::ofstream(root() / "mine/thesis.txt") << "x";
+    EXPECT_EQ(run_cli({"reconstruct", "--batch", path("scans"), "--out", path("mine")}).exit_code,
+              1);
+    EXPECT_EQ(run_cli(call({"--task", "3", "--of", "2"})).exit_code, 2);
+    EXPECT_EQ(run_cli(call({"--seed-mm", "1,2,3"})).exit_code, 2);
+    EXPECT_EQ(run_cli({"reconstruct", "--out", path("out")}).exit_code, 2);
+    EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/tumours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/image/volume_writer.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Tumours, AreNumberedByTheirSizeAndMarkedOnAnyGrid) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica tumours";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {24, 20, 16};
+    Mask first(grid), second(grid);
+    first.at(3, 3, 3) = 7;  // one voxel
+    for (int x = 10; x < 14; ++x)
+        for (int y = 10; y < 14; ++y)
+            for (int z = 4; z < 12; ++z) second.at(x, y, z) = 1;
+    write_nifti(folder / "first.nii.gz", first);
+    write_nifti(folder / "second.nii.gz", second);
+    Job job;
+    const Mask tumours =
+        read_tumours({folder / "first.nii.gz", folder / "second.nii.gz"}, grid, job);
+    EXPECT_EQ(tumours.at(3, 3, 3), 2);
+    EXPECT_EQ(tumours.at(12, 12, 8), 1);
+    EXPECT_EQ(std::ranges::count(tumours.voxels, 1), 128);
+
+    Grid fine = grid;  // half the edge, from the middle of the CT on
+    fine.dims = {20, 20, 20};
+    fine.spacing_mm = Vec3::Constant(0.5);
+    fine.origin_mm = Vec3(8.25, 8.25, 4.25);
+    Mask organs(fine, 1);
+    add_tumours(tumours, organs);
+    // Voxels whose middles lie in the tumour's, which fills 9.5 to 13.5 mm, and 3.5 to 11.5 mm.
+    EXPECT_EQ(std::ranges::count(organs.voxels, 10), 8 * 8 * 15);
+    EXPECT_EQ(std::ranges::count(organs.voxels, 11), 0);
+    EXPECT_EQ(organs.at(0, 0, 0), 1);
+    Grid other = grid;
+    other.spacing_mm = Vec3::Constant(2.0);
+    EXPECT_THROW(read_tumours({folder / "first.nii.gz"}, other, job), InputError);
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/territories/nearest_branch.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+Grid cube(int edge, double spacing_mm) {
+    Grid grid;
+    grid.dims = {edge, edge, edge};
+    grid.spacing_mm = Vec3::Constant(spacing_mm);
+    return grid;
+}
+
+// Straight vessels, each a tree of its own, in this order.
+VesselTree vessels(const std::vector<std::array<Vec3, 2>>& ends) {
+    VesselTree tree;
+    for (const auto& [from, to] : ends) {
+        VesselSegment segment;
+        segment.proximal_node = static_cast<int>(tree.nodes.size());
+        segment.distal_node = segment.proximal_node + 1;
+        segment.points_mm = {from, to};
+        segment.radii_mm = {1.0, 1.0};
+        tree.nodes.push_back({from, 1.0});
+        tree.nodes.push_back({to, 1.0});
+        tree.segments.push_back(segment);
+    }
+    return tree;
+}
+
+double distance_mm(const VesselTree& tree, int segment, const Vec3& at) {
+    VesselTree one;
+    one.segments = {tree.segments[segment]};
+    return nearest_point(one, at).distance_mm;
+}
+
+// Oracle: straight distances to all of them. Steps along a lattice make paths longer by at most 8
+// %.
+TEST(NearestBranch, IsTheNearestInAConvexOrgan) {
+    const Mask organ(cube(40, 1.0), 1);
+    const VesselTree tree = vessels({{Vec3(5, 5, 5), Vec3(30, 8, 6)},
+                                     {Vec3(8, 33, 10), Vec3(20, 20, 30)},
+                                     {Vec3(35, 35, 35), Vec3(34, 12, 30)}});
+    const std::vector<std::int32_t> owners{0, 1, 2};
+    Job job;
+    const auto nearest = nearest_branch(organ, tree, owners, job);
+    for (std::size_t i = 0; i < nearest.voxels.size(); ++i) {
+        const auto [x, y, z] = organ.grid.index_of(i);
+        const Vec3 at = organ.grid.to_mm(x, y, z);
+        ASSERT_NE(nearest.voxels[i], no_owner);
+        double least = std::numeric_limits<double>::infinity();
+        for (int s = 0; s < 3; ++s) least = std::min(least, distance_mm(tree, s, at));
+        EXPECT_LE(distance_mm(tree, nearest.voxels[i], at), 1.128 * least + 1.0) << at.transpose();
+    }
+}
+
+// A wall with a door far away: what is nearer through the wall is farther on foot.
+TEST(NearestBranch, GoesRoundAFissure) {
+    Mask organ(cube(30, 1.0), 1);
+    for (int y = 0; y < 25; ++y)
+        for (int z = 0; z < 30; ++z) organ.at(15, y, z) = 0;
+    const VesselTree tree =
+        vessels({{Vec3(13, 2, 2), Vec3(13, 2, 28)}, {Vec3(28, 2, 2), Vec3(28, 2, 28)}});
+    const std::vector<std::int32_t> owners{3, 7};
+    Job job;
+    const auto nearest = nearest_branch(organ, tree, owners, job);
+    EXPECT_EQ(nearest.at(14, 2, 15), 3);
+    EXPECT_EQ(nearest.at(16, 2, 15), 7);  // 3 mm from the first as the crow flies, 12 from this
+    EXPECT_EQ(nearest.at(15, 2, 15), no_owner);
+    EXPECT_EQ(nearest.at(16, 29, 15), 3);  // beyond the door the first is nearer
+}
+
+TEST(NearestBranch, ReachesIslandsInAStraightLine) {
+    Mask organ(cube(30, 1.0));
+    for (int x = 0; x < 10; ++x) organ.at(x, 5, 5) = 1;
+    organ.at(28, 5, 5) = 1;
+    organ.at(12, 25, 5) = 1;
+    const VesselTree tree =
+        vessels({{Vec3(1, 5, 5), Vec3(8, 5, 5)}, {Vec3(25, 20, 20), Vec3(28, 5, 20)}});
+    const std::vector<std::int32_t> owners{0, 1};
+    Job job;
+    const auto nearest = nearest_branch(organ, tree, owners, job);
+    EXPECT_EQ(nearest.at(5, 5, 5), 0);
+    EXPECT_EQ(nearest.at(28, 5, 5), 1);
+    EXPECT_EQ(nearest.at(12, 25, 5), 0);  // 20 mm from the first, 20.6 from the second
+}
+
+TEST(NearestBranch, WhatOwnsNothingIsPassedOver) {
+    const Mask organ(cube(20, 1.0), 1);
+    const VesselTree tree =
+        vessels({{Vec3(2, 2, 2), Vec3(2, 2, 18)}, {Vec3(18, 18, 2), Vec3(18, 18, 18)}});
+    Job job;
+    const auto second = nearest_branch(organ, tree, std::vector<std::int32_t>{no_owner, 4}, job);
+    for (const std::int32_t owner : second.voxels) EXPECT_EQ(owner, 4);
+    const auto none =
+        nearest_branch(organ, tree, std::vector<std::int32_t>{no_owner, no_owner}, job);
+    for (const std::int32_t owner : none.voxels) EXPECT_EQ(owner, no_owner);
+}
+
+TEST(NearestBranch, StopsWhenItIsCancelled) {
+    const Mask organ(cube(20, 1.0), 1);
+    const VesselTree tree = vessels({{Vec3(2, 2, 2), Vec3(2, 2, 18)}});
+    Job job;
+    job.cancel();
+    EXPECT_THROW(nearest_branch(organ, tree, std::vector<std::int32_t>{0}, job), Cancelled);
+}
+
+}  // namespace
+}  // namespace hepatica
