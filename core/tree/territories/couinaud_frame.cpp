@@ -10,11 +10,12 @@ namespace hepatica {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double one_degree = std::numbers::pi / 180.0;
 constexpr double adult_ml = 1500.0;
 // An adult's: shares of the liver's box, and azimuths of the three veins.
 const Vec3 usual_confluence(0.50, 0.60, 0.82);
-constexpr std::array<double, 3> usual_azimuth{25.0 * degree, 70.0 * degree, 125.0 * degree};
+constexpr std::array<double, 3> usual_azimuth{25.0 * one_degree, 70.0 * one_degree,
+                                              125.0 * one_degree};
 
 double soft(double distance_mm, double width_mm) {
     return 1.0 / (1.0 + std::exp(-distance_mm / width_mm));
@@ -23,7 +24,7 @@ double soft(double distance_mm, double width_mm) {
 // In [-120, 240) degrees: the cut lies behind, where no plane is.
 double azimuth_about(const Vec3& axis, const Vec3& at) {
     const double turn = std::atan2(axis.y() - at.y(), axis.x() - at.x());
-    return turn < -120.0 * degree ? turn + 2.0 * std::numbers::pi : turn;
+    return turn < -120.0 * one_degree ? turn + 2.0 * std::numbers::pi : turn;
 }
 
 double distance_from_axis(const Vec3& axis, const Vec3& at) {
@@ -34,8 +35,8 @@ double distance_from_axis(const Vec3& axis, const Vec3& at) {
 double beyond_plane_mm(const Vec3& axis, double azimuth, const Vec3& at) {
     const double turn = azimuth_about(axis, at) - azimuth;
     const double away = distance_from_axis(axis, at);
-    if (turn > 90.0 * degree) return away;
-    if (turn < -90.0 * degree) return -away;
+    if (turn > 90.0 * one_degree) return away;
+    if (turn < -90.0 * one_degree) return -away;
     return away * std::sin(turn);
 }
 
@@ -76,7 +77,7 @@ std::optional<Vec3> root_of_hepatic_veins(const VesselTree& tree,
 // Angles of the three veins: the mean of the wide hepatic veins about each, by expectation and
 // maximisation from an adult's angles, which go on counting as some of the veins.
 void find_veins(const VesselTree& tree, CouinaudFrame& frame) {
-    constexpr double spread = 18.0 * degree;
+    constexpr double spread = 18.0 * one_degree;
     constexpr double usual_weight = 0.1, known_share = 0.05;
     constexpr int rounds = 5;
     const double near_mm = 15.0 * frame.scale, far_mm = 80.0 * frame.scale;
