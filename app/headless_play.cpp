@@ -8,14 +8,12 @@
 #include <utility>
 
 #include "app/step_times.h"
-#include "core/base/atomic_write.h"
 #include "core/flow/injection.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/script.h"
 #include "core/session/session.h"
 #include "render/chart.h"
-#include "render/offscreen_picture.h"
 
 namespace hepatica {
 
@@ -47,33 +45,6 @@ class Player {
     Session& session_;
     Job& job_;
     StepTimes times_;
-};
-
-class Album {
-  public:
-    // All pictures show `box`, whatever the tree does, so that they can be compared.
-    Album(std::filesystem::path folder, const std::array<Vec3, 2>& box)
-        : folder_(std::move(folder)) {
-        options_.fitted_box_mm = box;
-    }
-
-    void add(const Frame& frame, const std::string& name, const std::string& caption) {
-        const std::filesystem::path file = name + ".png";
-        write_png(folder_ / file, draw_frame(frame, options_).picture);
-        pictures_.push_back({file, caption});
-    }
-    void add(const Chart& chart, const std::string& name) {
-        const std::filesystem::path file = name + ".png";
-        write_png(folder_ / file, draw_chart(chart).picture);
-        write_text_atomically(folder_ / (name + ".csv"), to_csv(chart));
-        pictures_.push_back({file, chart.title});
-    }
-    std::vector<PlayedPicture> pictures() const { return pictures_; }
-
-  private:
-    std::filesystem::path folder_;
-    PictureOptions options_;
-    std::vector<PlayedPicture> pictures_;
 };
 
 // Towards the viewer of the anterior picture's upper left, so that the pull is seen.
@@ -116,7 +87,7 @@ double watch_injection(Session& session, const Vec3& tip_mm, Player& player, Alb
     session.post(FinishInjection{});
     player.step(1);
     const double end_s = player.frame().drug.end_s;
-    for (const int percent : {2, 10, 30, 100}) {
+    for (const int percent : drug_moments_percent) {
         const double time_s = end_s * percent / 100.0;
         session.post(SetDrugTime{time_s});
         session.post(PlayDrug{false});
@@ -181,7 +152,8 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     job.begin_stage("Playing");
     player.step(1);
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
-    Album album(folder, box_of_play(player.frame(), held));
+    // All pictures show one box, whatever the tree does, so that they can be compared.
+    Album album(folder, {.fitted_box_mm = box_of_play(player.frame(), held)});
     album.add(player.frame(), "1_patient", "The vessel tree from the front.");
     job.advance(0.1);
 

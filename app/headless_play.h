@@ -6,22 +6,17 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
+#include "app/album.h"
 #include "core/base/job.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
 
 namespace hepatica {
 
-struct PlayedPicture {
-    std::filesystem::path file;  // relative to the folder played into
-    std::string caption;
-};
-
 struct HeadlessPlay {
-    std::vector<PlayedPicture> pictures;
+    std::vector<AlbumPicture> pictures;
     // Steps, how many of them the body slept through, times of the others, forces.
     nlohmann::ordered_json simulation;
     nlohmann::ordered_json injection;  // the drug, pressure, volumes

@@ -16,6 +16,7 @@ constexpr const char* style =
     "color:#222;background:#fff}figure{margin:1.5rem 0}img{max-width:100%;border-radius:4px}"
     "figcaption{color:#555}table{border-collapse:collapse;margin:1rem 0}"
     "td,th{border-bottom:1px solid #ddd;padding:.2rem .8rem;text-align:left}"
+    ".pair{display:grid;grid-template-columns:1fr 1fr;gap:1rem}.pair figure{margin:0}"
     "td.number{text-align:right;font-variant-numeric:tabular-nums}";
 
 std::string escaped(const std::string& text) {
@@ -75,6 +76,13 @@ void HtmlReport::add_paragraph(const std::string& text) {
 void HtmlReport::add_picture(const std::filesystem::path& file, const std::string& caption) {
     body_ += "<figure><img src=\"" + escaped(file.generic_string()) + "\" alt=\"" +
              escaped(caption) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+void HtmlReport::add_pictures(
+    const std::vector<std::pair<std::filesystem::path, std::string>>& pictures) {
+    body_ += "<div class=\"pair\">\n";
+    for (const auto& [file, caption] : pictures) add_picture(file, caption);
+    body_ += "</div>\n";
 }
 
 void HtmlReport::add_table(const Json& facts) {

@@ -19,6 +19,8 @@ class HtmlReport {
     void add_paragraph(const std::string& text);
     // `file` is named relative to the page and not copied.
     void add_picture(const std::filesystem::path& file, const std::string& caption);
+    // Several beside each other, two in a row.
+    void add_pictures(const std::vector<std::pair<std::filesystem::path, std::string>>& pictures);
     // An object becomes rows of key and value; an array of objects a table with a column per key.
     void add_table(const nlohmann::ordered_json& facts);
 

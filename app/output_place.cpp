@@ -55,6 +55,14 @@ void require_writable_folder(const fs::path& folder) {
     require_writable(fs::exists(folder) ? folder / "file" : folder);
 }
 
+void require_empty_or_new(const fs::path& folder) {
+    if (!fs::exists(folder)) return;
+    if (!fs::is_directory(folder))
+        throw InputError("is a file and no folder", folder.string(), "Name a new folder");
+    if (!fs::is_empty(folder))
+        throw InputError("is not empty", folder.string(), "Name a new folder, or an empty one");
+}
+
 void require_case_name(const fs::path& place) {
     const std::string extension = extension_of(place);
     if (extension.empty() || extension == ".hep") return;

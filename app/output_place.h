@@ -15,6 +15,9 @@ void require_writable(const std::filesystem::path& place);
 // The same for a folder that a verb puts its files into, which may be there already.
 void require_writable_folder(const std::filesystem::path& folder);
 
+// Throws InputError where `folder` exists and is anything but an empty folder.
+void require_empty_or_new(const std::filesystem::path& folder);
+
 // Throws UsageError where `place` is named like a file: a case is a folder, NAME.hep or without an
 // extension.
 void require_case_name(const std::filesystem::path& place);

@@ -1,10 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/offscreen_picture.h"
 
+#include <cmath>
+
 #include "render/osmesa_context.h"
+#include "render/picture_marks.h"
 #include "render/scene_view.h"
 
 namespace hepatica {
+namespace {
+
+void draw_marks(Picture& picture, const SceneView& view, const PictureOptions& options) {
+    const auto place_of = [&](const Vec3& point_mm) {
+        const Pixel pixel = view.pixel_of(point_mm);
+        return std::array<double, 2>{pixel.x, pixel.y};
+    };
+    for (const LineMark& line : options.lines) {
+        std::vector<std::array<double, 2>> points;
+        for (const Vec3& point : line.points_mm) points.push_back(place_of(point));
+        draw_line(picture, points, line.width_px, line.colour);
+    }
+    for (const CircleMark& circle : options.circles) {
+        const auto centre = place_of(circle.centre_mm);
+        const auto rim = place_of(circle.centre_mm + circle.radius_mm * view.axes().right);
+        draw_circle(picture, centre, std::hypot(rim[0] - centre[0], rim[1] - centre[1]),
+                    circle.width_px, circle.colour);
+    }
+}
+
+}  // namespace
 
 OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options) {
     OsmesaContext context(options.width, options.height);
@@ -25,7 +49,9 @@ OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options) {
     orbit(view.camera(), options.turn_right_deg, options.turn_up_deg);
     view.zoom_by(options.zoom);
     view.render();
-    return {read_picture(context.window()), renderer_name(context.window())};
+    OffscreenPicture drawn{read_picture(context.window()), renderer_name(context.window())};
+    draw_marks(drawn.picture, view, options);
+    return drawn;
 }
 
 OffscreenPicture draw_chart(const Chart& chart, int width, int height) {

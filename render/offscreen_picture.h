@@ -14,9 +14,23 @@
 #include "render/bridge_actor.h"
 #include "render/camera.h"
 #include "render/chart.h"
+#include "render/palette.h"
 #include "render/picture.h"
 
 namespace hepatica {
+
+// What a figure points at, drawn over everything else.
+struct LineMark {
+    std::vector<Vec3> points_mm{};
+    Colour colour = palette::text;
+    double width_px = 4.0;
+};
+struct CircleMark {
+    Vec3 centre_mm = Vec3::Zero();
+    double radius_mm = 5.0;
+    Colour colour = palette::text;
+    double width_px = 4.0;
+};
 
 struct PictureOptions {
     int width = 1280;
@@ -24,16 +38,18 @@ struct PictureOptions {
     ViewDirection view = ViewDirection::anterior;
     // Corners of the box that fits at zoom 1, so that pictures of a moving tree share one camera;
     // none: the tree's own, as it is in the frame.
-    std::optional<std::array<Vec3, 2>> fitted_box_mm;
+    std::optional<std::array<Vec3, 2>> fitted_box_mm{};
     double zoom = 1.0;
     double turn_right_deg = 0.0;  // away from the view, as by the mouse
     double turn_up_deg = 0.0;
-    std::string caption;
-    bool annotations = true;                     // legend, scale bar, orientation
-    std::vector<VascularSystem> vertex_systems;  // one per vertex; empty: all unknown
-    std::vector<std::uint8_t> vertex_segments;   // Couinaud's, 1 to 8; 0 or missing: as its system
-    std::vector<BridgeView> bridges;             // gaps that might be bridged
-    TriangleMesh liver;                          // drawn as a ghost; may be empty
+    std::string caption{};
+    bool annotations = true;                       // legend, scale bar, orientation
+    std::vector<VascularSystem> vertex_systems{};  // one per vertex; empty: all unknown
+    std::vector<std::uint8_t> vertex_segments{};  // Couinaud's, 1 to 8; 0 or missing: as its system
+    std::vector<BridgeView> bridges{};            // gaps that might be bridged
+    TriangleMesh liver{};                         // drawn as a ghost; may be empty
+    std::vector<LineMark> lines{};
+    std::vector<CircleMark> circles{};
 };
 
 struct OffscreenPicture {

@@ -85,7 +85,7 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
     report.add_paragraph(
         "A session played without a window. The pictures are what the window would have shown.");
     for (const std::string& warning : opened.warnings) report.add_paragraph(warning);
-    for (const PlayedPicture& picture : played.pictures)
+    for (const AlbumPicture& picture : played.pictures)
         report.add_picture(picture.file, picture.caption);
     report.add_heading("The tree and its body");
     report.add_table(facts_of(opened.patient->tree, opened.patient->mesh));
@@ -123,7 +123,7 @@ Json run(const Options& options, Job& job) {
                      accuracy, played);
     });
     Json files = Json::array();
-    for (const PlayedPicture& picture : played.pictures)
+    for (const AlbumPicture& picture : played.pictures)
         files.push_back((options.out / picture.file).string());
     return {{"report", report.string()},
             {"pictures", files},

@@ -122,7 +122,8 @@ Json run(const Options& options, Job& job) {
             : played(options, read_recording(options.recording), patient, job);
     session->update_frame();
     const Frame& frame = session->frame();
-    if (!frame.statistics.message.empty())
+    // What a step of a recorded play says of itself is no reason not to show it.
+    if (options.recording.empty() && !frame.statistics.message.empty())
         throw InputError(frame.statistics.message, options.patient.string(),
                          "check the options of the injection");
     job.begin_stage("Drawing");

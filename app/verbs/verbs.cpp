@@ -19,6 +19,7 @@ void add_all_verbs(CommandLine& line) {
     add_play(line);
     add_render(line);
     add_skeleton(line);
+    add_paper(line);
 #endif
     add_scene(line);
     add_bench_drag(line);

@@ -19,6 +19,7 @@ void add_simulate(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_play(CommandLine& line);    // only where the window is built
 void add_render(CommandLine& line);  // only where the window is built
+void add_paper(CommandLine& line);   // only where the window is built
 void add_scene(CommandLine& line);
 void add_skeleton(CommandLine& line);
 void add_bench_gpu(CommandLine& line);

@@ -171,8 +171,11 @@ Vec3 point_on_longest_path(const VesselTree& tree, double share) {
 }
 
 Script read_script(const std::filesystem::path& file) {
-    const Json json = Json::parse(
-        read_text_file(file, "Give a script such as assets/scripts/drag.json"), nullptr, false);
+    return script_of(read_text_file(file, "Give a script such as assets/scripts/drag.json"), file);
+}
+
+Script script_of(const std::string& text, const std::filesystem::path& file) {
+    const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded() || !json.is_object() || !json.contains("actions") ||
         !json["actions"].is_array())
         throw InputError("is not a script", file.string(),

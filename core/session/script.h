@@ -59,6 +59,8 @@ struct Script {
 //    {"at_s": 3,   "do": "set_gravity", "gravity_mm_per_s2": [0, 9806.65, 0]}]}
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);
+// The same of a text, called `place` in errors; its stem is the name of a script without one.
+Script script_of(const std::string& text, const std::filesystem::path& place);
 
 // The commands of each of `steps` steps. The step of an injection waits until that is computed, so
 // that later steps do not depend on the machine's speed. Throws InputError for an empty tree.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's Fig. 3 on a patient: a script that draws cut lines and pulls is played, and four of
+// its moments are chosen by what has happened to the vessel.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/album.h"
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+#include "core/session/script.h"
+#include "core/tear/tear_state.h"
+
+namespace hepatica {
+
+struct TearMoment {
+    double time_s = 0.0;
+    double force_un = 0.0;  // of the hand
+    TearReport tear;
+    std::vector<LineMark> lines;      // the bent axis; in the first, where it will be cut
+    std::vector<CircleMark> circles;  // in the last, where it tore
+    Frame frame;
+    std::string words;  // what is seen
+};
+
+struct TearFigure {
+    // At rest; pulled hardest before a section is through; just after that; the end of the pull.
+    std::array<TearMoment, 4> moments;
+    Chart force;                 // of the hand over time, with the four moments
+    std::array<Vec3, 2> box_mm;  // around the pulled stretch at all times
+    double work_nj = 0.0;        // of fracture
+    double force_max_un = 0.0;
+    double entropy_produced_max_nats = 0.0;
+    double body_mass_error_relative = 0.0;
+};
+
+// Plays the script up to where it lets go. It names its scene, cut lines at single places by their
+// share of the longest path, and one pull. Begins two stages of the job. Throws InputError for a
+// script that does not, or a case without a body; Cancelled.
+TearFigure play_tear_figure(const std::shared_ptr<const PatientCase>& patient, const Script& script,
+                            Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/output_place.h"
+#include "app/paper/paper_page.h"
+#include "app/verbs/verbs.h"
+#include "core/base/atomic_write.h"
+#include "core/opening/open_patient.h"
+#include "cut_line_script.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    fs::path patient;  // empty: the built-in one
+    fs::path out;
+    int threads = 2;
+};
+
+Json run(const Options& options, Job& job) {
+    require_writable(options.out);
+    require_empty_or_new(options.out);
+    PaperOptions paper{.title = "the built-in patient",
+                       .cut_line = script_of(cut_line_script, "cut_line.json"),
+                       .contact = {.threads = options.threads, .to_budget = true}};
+    std::shared_ptr<const PatientCase> patient;
+    if (options.patient.empty()) {
+        const OpenRequest request{.built_in = true, .reconstruct = {}};
+        job.expect_stages(opening_stage_count(request) + paper_stage_count);
+        patient = open_patient(request, job).patient;
+    } else {
+        job.expect_stages(1 + paper_stage_count);
+        job.begin_stage("Reading the case");
+        patient = std::make_shared<const PatientCase>(read_case(options.patient));
+        // No file or folder is named: it may be called after the patient.
+        paper.title = patient->source.name.empty() ? "a patient" : patient->source.name;
+    }
+    Json facts;
+    write_folder_atomically(options.out, [&](const fs::path& folder) {
+        facts = write_paper(patient, folder, paper, job);
+    });
+    Json answer{{"page", (options.out / "index.html").string()}};
+    answer.update(facts);
+    return answer;
+}
+
+}  // namespace
+
+void add_paper(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb(
+        "paper", "Make the paper's figures and table anew, as a page with ours beside its own",
+        [options](Job& job) { return run(*options, job); });
+    verb.add_option("case", options->patient, "Case to show; none: the built-in patient");
+    verb.add_option("--out", options->out, "Folder to make, with index.html and its pictures")
+        ->required();
+    verb.add_option("--threads", options->threads, "Of the measured contacts")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+}
+
+}  // namespace hepatica
