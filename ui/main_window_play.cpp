@@ -104,7 +104,7 @@ void MainWindow::show_figures() {
     const Frame& frame = patient_->simulation->frame();
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
-    tool_panel_->show_tool(frame.tool);
+    tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_tear(frame.tear);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);

@@ -41,7 +41,7 @@ ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
     column->addWidget(help_);
     column->addStretch(1);
     show_kind({});
-    show_tool(std::nullopt);
+    show_force(std::nullopt, std::nullopt);
 }
 
 QWidget* ToolPanel::make_size() {
@@ -142,13 +142,20 @@ void ToolPanel::show_kind(const std::string& kind) {
                          "away.");
 }
 
-void ToolPanel::show_tool(const std::optional<ToolView>& tool) {
-    const std::string force = tool ? force_text(tool->force_un.norm()) : std::string();
+void ToolPanel::show_force(const std::optional<ToolView>& tool,
+                           const std::optional<GrabView>& hand) {
+    const bool pulls = !tool && hand;
+    const std::string force = tool    ? force_text(tool->force_un.norm())
+                              : pulls ? force_text(hand->force_un)
+                                      : std::string();
     const std::string grip = tool ? force_text(tool->grip_un) : std::string();
+    const bool at_limit = tool ? tool->at_limit : pulls && hand->at_limit;
+    QString felt = !tool && !pulls ? QString("no tool")
+                   : force.empty() ? QString(pulls ? "pulls at nothing" : "touches nothing")
+                                   : (pulls ? "Pull " : "Force ") + QString::fromStdString(force);
+    if (at_limit) felt += ", the most it has";
+    force_->setText(felt);
     grip_->setText(grip.empty() ? QString() : "Grip " + QString::fromStdString(grip));
-    force_->setText(!tool           ? QString("no tool")
-                    : force.empty() ? QString("touches nothing")
-                                    : "Force " + QString::fromStdString(force));
 }
 
 }  // namespace hepatica

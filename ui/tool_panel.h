@@ -32,7 +32,8 @@ class ToolPanel : public QWidget {
     void forget_tear();
     // Empty where no tool is in the hand.
     void show_kind(const std::string& kind);
-    void show_tool(const std::optional<ToolView>& tool);
+    // Of the tool, or else of the hand that pulls.
+    void show_force(const std::optional<ToolView>& tool, const std::optional<GrabView>& hand);
 
   private:
     QWidget* make_size();

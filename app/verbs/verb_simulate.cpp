@@ -55,6 +55,7 @@ struct Play {
     int rows_max = 0;         // normal and, against a tool, two of friction
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
+    int hand_at_limit_steps = 0, tool_at_limit_steps = 0;
     double momentum_error_relative = 0.0;  // see MomentumBalance
     TearReport tear;                       // of the last step
     double torn_nj = 0.0;                  // energy of fracture
@@ -118,6 +119,9 @@ Play play(Session& session, const std::vector<std::vector<Command>>& commands, b
         result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
+        const Frame& shown = session.frame();
+        result.hand_at_limit_steps += shown.grab && shown.grab->at_limit ? 1 : 0;
+        result.tool_at_limit_steps += shown.tool && shown.tool->at_limit ? 1 : 0;
         const std::string& used = session.frame().statistics.setting;
         if (!setting.empty() && used != setting) ++result.setting_changes;
         setting = used;
@@ -209,9 +213,12 @@ Json run(const Options& options, Job& job) {
         {"rows_max", touches ? Json(played.rows_max) : Json(nullptr)},
         {"penetration_max_mm", touches ? Json(played.penetration_max_mm) : Json(nullptr)},
         {"tool_force_max_un", tools ? Json(played.tool_force_max_un) : Json(nullptr)},
+        {"hand_at_limit_steps", moves ? Json(played.hand_at_limit_steps) : Json(nullptr)},
+        {"tool_at_limit_steps", tools ? Json(played.tool_at_limit_steps) : Json(nullptr)},
         {"intersections_at_end",
          self ? Json(crossing_pairs(*session.world().deform())) : Json(nullptr)},
-        {"momentum_error_relative", self ? Json(played.momentum_error_relative) : Json(nullptr)},
+        {"momentum_error_relative",
+         self || spec.tear ? Json(played.momentum_error_relative) : Json(nullptr)},
         {"joints_broken", spec.tear ? Json(played.tear.joints_broken) : Json(nullptr)},
         {"joints_parted", spec.tear ? Json(played.tear.joints_parted) : Json(nullptr)},
         {"vertices_split", spec.tear ? Json(played.tear.vertices_split) : Json(nullptr)},

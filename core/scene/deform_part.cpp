@@ -21,6 +21,9 @@ namespace hepatica {
 
 namespace {
 
+// Of its limit: a tool is led in pieces, and stops before the one that would be too much.
+constexpr double at_limit_share = 0.9;
+
 const MaterialPreset& material_named(const std::string& name) {
     std::string known;
     for (const MaterialPreset& preset : material_presets()) {
@@ -150,6 +153,12 @@ void DeformPart::grab_vertex(int vertex) {
     close_hand(vertex, positions_mm()[vertex]);
 }
 
+double DeformPart::hand_pressure_pa() const {
+    const double pressure_pa = hand_strain * body_.material.young_modulus_pa;
+    return body_.tear ? std::max(pressure_pa, 2.0 * strength_pa_ * tear_->tear_factor)
+                      : pressure_pa;
+}
+
 void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const std::span<const Vec3> positions = positions_mm();
     const double radius_mm = places_[vertex].radius_mm;
@@ -171,10 +180,7 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const auto springs = static_cast<double>(hold.vertices.size());
     hold.target_mm = point_mm;
     hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
-    // Where the vessel may tear the hand is strong enough for it.
-    double pressure_pa = hand_strain * modulus_pa;
-    if (body_.tear) pressure_pa = std::max(pressure_pa, 2.0 * strength_pa_ * tear_->tear_factor);
-    hold.force_limit_un = pressure_pa * M_PI * radius_mm * radius_mm / springs;
+    hold.force_limit_un = hand_pressure_pa() * M_PI * radius_mm * radius_mm / springs;
     set_hold(std::move(hold));
 }
 
@@ -210,7 +216,7 @@ void DeformPart::set_hold(std::optional<Hold> hold) {
 }
 
 void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
-    Tool tool = tool_of(choice, towards_mm, body_.material.young_modulus_pa);
+    Tool tool = tool_of(choice, towards_mm, body_.material.young_modulus_pa, hand_pressure_pa());
     const Vec3 direction = choice.direction.normalized();
     // From outside: nothing of a plausible body is that far away.
     Box box;
@@ -259,6 +265,8 @@ std::optional<ToolView> DeformPart::tool_view() const {
     view.force_un = load.force_un;
     view.at_mm = load.at_mm;
     view.grip_un = load.grip_un;
+    view.at_limit =
+        std::max(load.force_un.norm(), load.grip_un) >= at_limit_share * tool->force_limit_un;
     view.touched = load.touched;
     return view;
 }
@@ -269,13 +277,16 @@ std::optional<GrabView> DeformPart::grab_view() const {
     GrabView view;
     view.target_mm = hold_->target_mm;
     Vec3 force_un = Vec3::Zero();
+    std::size_t limited = 0;
     for (std::size_t i = 0; i < hold_->vertices.size(); ++i) {
         const Vec3 held = positions[hold_->vertices[i]] - hold_->offsets_mm[i];
         view.point_mm += held / static_cast<double>(hold_->vertices.size());
         const Vec3 pull = hold_->stiffness_un_per_mm * (hold_->target_mm - held);
+        limited += pull.norm() >= hold_->force_limit_un ? 1 : 0;
         force_un += pull * std::min(1.0, hold_->force_limit_un / std::max(pull.norm(), 1e-300));
     }
     view.force_un = force_un.norm();
+    view.at_limit = 2 * limited >= hold_->vertices.size();
     return view;
 }
 

@@ -168,6 +168,9 @@ class DeformPart {
     void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Around the place of a vertex; the held point is where the hand is.
     void close_hand(int vertex, const Vec3& point_mm);
+    // What a hand or a tool presses or pulls with at most, over the section of what it holds. Where
+    // the vessel may tear it is strong enough for that.
+    double hand_pressure_pa() const;
     static std::vector<Grab> springs_of(const std::optional<Hold>& hold);
     // The hand is as before where the stepper refuses it.
     void set_hold(std::optional<Hold> hold);

@@ -21,6 +21,7 @@ struct GrabView {
     Vec3 point_mm = Vec3::Zero();
     Vec3 target_mm = Vec3::Zero();
     double force_un = 0.0;
+    bool at_limit = false;  // half of it or more pulls no harder, however far it is led
 };
 
 // A tool beside the vessels, and what it feels.
@@ -38,6 +39,7 @@ struct ToolView {
     Vec3 force_un = Vec3::Zero();   // of the vessels on the tool
     Vec3 at_mm = Vec3::Zero();      // the middle of where they touch it
     double grip_un = 0.0;           // with which jaws hold
+    bool at_limit = false;          // it is not led further against such a force, nor closes
     std::vector<int> touched;       // vertices of the triangles that it touches, ascending
     bool operator==(const ToolView&) const = default;
 };

@@ -104,7 +104,8 @@ class TouchTrial {
         choice.direction = direction();
         const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
         stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
-                                   body_.material.young_modulus_pa));
+                                   body_.material.young_modulus_pa,
+                                   hand_strain * body_.material.young_modulus_pa));
     }
 
     // A vessel, or a place beyond it; forceps open and close by turns.

@@ -87,12 +87,14 @@ TEST(Session, AHandThatJumpsPullsNoHarderThanItsLimit) {
     session->post(GrabPoint{start});
     session->step();
     session->update_frame();
+    EXPECT_FALSE(session->frame().grab->at_limit);
     session->post(MoveGrab{start + Vec3(1e5, 0, 0)});
     play(*session, 60);
     EXPECT_TRUE(session->world().deform()->plausible());
     session->update_frame();
     const double radius = 4.0, modulus = 0.5e6;  // of the root branch, of the default material
     EXPECT_LE(session->frame().grab->force_un, 0.4 * modulus * M_PI * radius * radius * 1.001);
+    EXPECT_TRUE(session->frame().grab->at_limit);
 }
 
 TEST(Session, FramesCarryTheExpectedErrorOfTheDial) {

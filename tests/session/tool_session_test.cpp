@@ -161,12 +161,15 @@ TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
     const DeformPart& deform = *session->world().deform();
     ASSERT_EQ(deform.tool()->parts.size(), 2u);
     EXPECT_EQ(deform.tool()->opening_mm, 9.0);
+    EXPECT_FALSE(session->frame().tool->at_limit);
     for (int i = 0; i < 30; ++i) {
         session->post(CloseForceps{1.0 / (30 - i)});
         session->step();
     }
     const SessionStep held = play(*session, 60);
     EXPECT_GT(held.deform.tool.grip_un, 100.0);
+    session->update_frame();
+    EXPECT_TRUE(session->frame().tool->at_limit) << "a vessel is softer than jaws";
     EXPECT_LT(deform.tool()->opening_mm, 2.0 * 4.0);
     const auto nearest = [&] {
         int best = 0;

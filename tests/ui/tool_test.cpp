@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/tool_panel.h"
 
 namespace hepatica {
 namespace {
@@ -194,6 +195,21 @@ TEST_F(ToolInHand, the_panel_says_what_it_feels) {
     wait_for_figures();
     const double felt_un = window_.frame().tool->force_un.norm();
     EXPECT_EQ(force->text(), QString("Force %1 mN").arg(1e-3 * felt_un, 0, 'f', 1));
+}
+
+TEST(ToolPanel, says_how_hard_the_hand_pulls_and_when_it_pulls_no_harder) {
+    ToolPanel panel({});
+    const auto* force = panel.findChild<QLabel*>("toolForce");
+    GrabView hand{Vec3::Zero(), Vec3(5, 0, 0), 12.4e3, false};
+    panel.show_force(std::nullopt, hand);
+    EXPECT_EQ(force->text(), "Pull 12 mN");
+    hand.at_limit = true;
+    panel.show_force(std::nullopt, hand);
+    EXPECT_EQ(force->text(), "Pull 12 mN, the most it has");
+    panel.show_force(ToolView{}, hand);
+    EXPECT_EQ(force->text(), "touches nothing");
+    panel.show_force(std::nullopt, std::nullopt);
+    EXPECT_EQ(force->text(), "no tool");
 }
 
 TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {

@@ -149,7 +149,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
             return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);
         }
     }
-    if (potentials.self()) {
+    if (potentials.self() || potentials.ties()) {
         const MomentumBalance balance = momentum_balance(body_, step, potential_.live().held(),
                                                          velocities, potential_.elastic_force());
         report.momentum_error_g_mm_per_s = balance.error_g_mm_per_s;

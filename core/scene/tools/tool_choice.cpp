@@ -38,7 +38,8 @@ double widest_opening_mm(const Tool& tool) {
     return part.opens.isZero(0.0) ? 0.0 : jaws_open_to_radii * part.shape.radius_mm;
 }
 
-Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa) {
+Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa,
+             double hand_pressure_pa) {
     const auto require = [](bool good, const std::string& problem, const std::string& remedy) {
         if (!good) throw InputError(problem, "the tool", remedy);
     };
@@ -59,7 +60,7 @@ Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa) 
     kind->second(tool, choice, choice.direction.normalized(), point_mm);
     tool.pad_mm = std::clamp(0.1 * choice.radius_mm, 0.1, 0.5);
     tool.pressure_pa = 2.0 * modulus_pa;
-    tool.force_limit_un = hand_strain * modulus_pa * M_PI * choice.radius_mm * choice.radius_mm;
+    tool.force_limit_un = hand_pressure_pa * M_PI * choice.radius_mm * choice.radius_mm;
     return tool;
 }
 

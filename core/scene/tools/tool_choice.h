@@ -21,9 +21,11 @@ struct ToolChoice {
 };
 
 // The tool where it has arrived at a point. Its pad is a tenth of its radius, within bounds, and
-// gives way like tissue twice as stiff as the vessels; it is as strong as a hand on a vessel of its
-// own radius. Throws InputError for a kind that is not known and for values out of range.
-Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa);
+// gives way like tissue twice as stiff as the vessels; it is as strong as a hand of that pressure
+// on a vessel of its own radius. Throws InputError for a kind that is not known and for values out
+// of range.
+Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa,
+             double hand_pressure_pa);
 
 // How far its jaws may open: six of their radii from surface to surface; 0 where it has none.
 double widest_opening_mm(const Tool& tool);
