@@ -55,12 +55,12 @@ class Potential {
     virtual void add_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
                               std::span<const Vec3> /*d*/, std::span<Vec3> /*product*/) const {}
 
-    // Sets held[i] for the nodes that it ties to a place where they are, so that the body's
-    // momentum is not its own. Weight ties none.
+    // Sets held[i] for the nodes that it ties to points in space: through these the body exchanges
+    // momentum with its surroundings. Weight ties none.
     virtual void mark_held(std::span<const Vec3> /*positions_mm*/, std::span<char> /*held*/) const {
     }
 
-    // Where it joins nodes of several pieces: joined[piece] of all of them becomes the least.
+    // Where it couples several pieces, sets joined[piece] of all of them to the smallest.
     virtual void join_pieces(std::span<const int> /*piece_of_node*/,
                              std::span<int> /*joined*/) const {}
 

@@ -23,7 +23,7 @@ constexpr double slack_edges = 0.25;       // of the search, see PairCover
 constexpr double band = 1e-3;              // of a gap, for times of contact
 constexpr std::size_t pairs_per_block = 64;
 
-// Adds the time of its life.
+// Adds the time between its construction and destruction to a sum.
 class Stopwatch {
   public:
     explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms) {}
@@ -48,7 +48,7 @@ Triangle triangle(const FeaturePair& pair, std::span<const Vec3> x) {
     return {x[pair.nodes[1]], x[pair.nodes[2]], x[pair.nodes[3]]};
 }
 
-// Where the two are nearest.
+// The nearest points of the two features.
 PointPair nearest(const FeaturePair& pair, std::span<const Vec3> x) {
     PointPair at{.nodes = pair.nodes, .in_first = pair.of_edges ? 2 : 1};
     if (pair.of_edges) {
@@ -67,7 +67,7 @@ double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
                                    : closest(x[pair.nodes[0]], triangle(pair, x)).squared_mm2);
 }
 
-// At least so far apart are the two: their boxes are.
+// A lower bound on the distance of the two features, squared: that of their boxes.
 double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x) {
     const int in_first = pair.of_edges ? 2 : 1;
     Box first, second;
@@ -76,7 +76,7 @@ double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x
     return apart.cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
-// How much nearer the two come at most.
+// An upper bound on how much the distance of the two features decreases.
 double approach_mm(const FeaturePair& pair, std::span<const Vec3> from, std::span<const Vec3> to) {
     const auto moved = [&](int a) -> Vec3 { return to[pair.nodes[a]] - from[pair.nodes[a]]; };
     const int in_first = pair.of_edges ? 2 : 1;
@@ -179,7 +179,7 @@ OverlapsKept SelfContact::kept_overlaps() const {
     return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried())};
 }
 
-// What overlapped at rest has no distance there to go by.
+// Half the distance at rest, but the full thickness for pairs that overlapped at rest.
 double SelfContact::pad_of(const FeaturePair& pair) const {
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
         return pad_.thickness_mm;
@@ -225,7 +225,7 @@ void SelfContact::fade(SurfaceContact& contact, std::span<const Vec3> x) const {
     const double c = e.cross(f).squaredNorm() / full;
     if (c >= 1.0) return;
     const double share = c * (2.0 - c);
-    // Of -energy * d share, by e and f.
+    // -energy times the gradient of `share` with respect to the edges e and f.
     const double slope = -contact.energy_nj * 2.0 * (1.0 - c) * 2.0 / full;
     const Vec3 by_e = slope * (f.squaredNorm() * e - e.dot(f) * f);
     const Vec3 by_f = slope * (e.squaredNorm() * f - e.dot(f) * e);
@@ -340,7 +340,7 @@ double SelfContact::least_share(
         double& least = share[begin / pairs_per_block];
         for (std::size_t k = begin; k < end; ++k) {
             const double approach = approach_mm(near[k], from_mm, to_mm);
-            // From so far apart none comes as near as what is kept at most.
+            // A pair that starts farther apart than this cannot come nearer than any kept gap.
             const double far =
                 std::max(approach / (1.0 - least_part), approach + touched * pad_.thickness_mm);
             if (squared_gap_of_boxes_mm2(near[k], from_mm) > far * far) continue;

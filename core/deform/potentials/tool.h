@@ -17,7 +17,7 @@ struct ToolPart {
     Capsule shape;
     // Where its centre goes for each millimetre by which the tool opens; 0 but for jaws.
     Vec3 opens = Vec3::Zero();
-    // By what its centre and its half axis were led last: it drags what it touches.
+    // The last displacement of its centre and of its half axis, with which it drags the body.
     Vec3 led_by_mm = Vec3::Zero();
     Vec3 led_half_axis_mm = Vec3::Zero();
 };
@@ -43,9 +43,9 @@ struct Tool {
     Vec3 centre_mm() const;
     std::vector<Capsule> shapes() const;
     std::vector<Capsule> shapes_before_led() const;
-    // Of the end that moved farthest when it was led last.
+    // The speed of the end that moved farthest in its last displacement.
     double speed_mm_per_s() const;
-    // From its centre to its farthest end.
+    // The distance from its centre to its farthest end.
     double reach_mm() const;
 };
 

@@ -48,13 +48,13 @@ class ToolContact final : public Potential {
     // as it stood before it was led last.
     std::vector<PadContact> contacts(std::span<const Vec3> positions_mm) const;
     std::vector<PadContact> contacts_before_led(std::span<const Vec3> positions_mm) const;
-    // Of the tool to the nearest triangle; below 0 within it, without bound farther than the pad.
+    // The gap between tool and nearest triangle: < 0 inside, infinite beyond the pad.
     double least_gap_mm(std::span<const Vec3> positions_mm) const;
     // Whether the pad's energy is finite and nothing is in the tool.
     bool free(std::span<const Vec3> positions_mm) const;
-    // Of all patches whose boxes meet that of the tool's way, with a pad's room.
+    // The vertices of all patches whose boxes meet the box swept by the tool and its pad.
     std::vector<int> vertices_near_way(std::span<const Vec3> positions_mm) const;
-    // See tool_path.h: past a body that stands still, until a gap falls to half of the pad.
+    // Moves the tool past the body at rest until a gap falls to half of the pad: tool_path.h.
     bool lead(std::span<const Vec3> positions_mm, double share, double dt_s);
 
     double energy(std::span<const Vec3> positions_mm,

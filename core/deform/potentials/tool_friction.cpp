@@ -20,13 +20,13 @@ void ToolFriction::begin_step(const BodyState& start, double dt_s,
     if (!contact_.tool() || contact_.tool()->friction == 0.0) return;
     creep_mm_ = creep_edges_per_s * body_.mean_edge_mm * dt_s;
     std::vector<PadContact> touching = contact_.contacts_before_led(start.positions_mm);
-    // In a later part of a step the body may have come to where the tool was.
+    // In a later part of a step the body may have moved into the tool's former place.
     const auto closed = [](const PadContact& contact) { return !std::isfinite(contact.energy_nj); };
     if (std::ranges::any_of(touching, closed)) touching = contact_.contacts(start.positions_mm);
     for (const PadContact& contact : touching) {
         Grip grip{contact_.nodes_of(contact), contact.weights, contact.normal,
                   contact_.tool()->friction * contact.force_un, Vec3::Zero()};
-        // Where its axis has gone, there the point is taken.
+        // The touched point is dragged with the nearest point of the tool's axis.
         const ToolPart& part = contact_.tool()->parts[contact.part];
         const Vec3 led = part.led_by_mm + (2.0 * contact.along - 1.0) * part.led_half_axis_mm;
         const Vec3 dragged = dt_s * (led / contact_.tool()->led_over_s);

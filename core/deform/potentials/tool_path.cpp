@@ -23,8 +23,8 @@ struct Way {
     void turn(const Vec3& by_rad);
     void open(double by_mm);
 
-    // The share of a motion with this end that may be gone, found by halving: all of it where the
-    // pad stays open and the motion is not `too_strong`ly held back.
+    // The largest share of the motion, found by halving, at which the pad stays open and the body
+    // does not push back `too_strong`ly; 1 where that is so at its `end`.
     template <class Pose, class TooStrong>
     double share_within(const Pose& pose, const ToolResistance& end,
                         const TooStrong& too_strong) const {
@@ -60,7 +60,7 @@ void Way::go(const Vec3& motion_mm) {
     }
 }
 
-// About the centre, in parts; what stops one ends the turn of this step.
+// Turns about the centre in small parts; the first one that is stopped ends the turn.
 void Way::turn(const Vec3& by_rad) {
     const double angle = by_rad.norm(), reach = tool.reach_mm();
     if (angle < least_turn_rad) {

@@ -97,11 +97,11 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
     return outcome.lost;
 }
 
-// After a step that was tried whole, of which the report counts the effort.
+// Makes the step again as two halves. `tried` is the report of the attempt at the whole step.
 StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
                                             const PotentialList& potentials, int halvings_left,
                                             int solves_left, const StepReport& tried) {
-    // The first half leaves the second at least as many solves as it may take, but for one.
+    // The budget of solves is shared evenly; an odd one goes to the first half.
     const StepReport first =
         advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1, (solves_left + 1) / 2);
     const StepReport second = advance_in_parts(state, 0.5 * dt_s, potentials, halvings_left - 1,
@@ -143,7 +143,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     std::vector<Vec3> velocities = std::move(step.velocity);
     if (settings_.line_search) {
         const MomentumLost lost = limit_energy(step, velocities, report);
-        // Surfaces that met gave each other momentum, which a shorter step keeps.
+        // The limiter would destroy the momentum that surfaces exchanged; a shorter step keeps it.
         if (lost == MomentumLost::linear && potentials.self() && may_halve) {
             forget();
             return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);

@@ -34,8 +34,8 @@ class BackwardEuler {
     // solves. What potentials keep of a step is there until their end_step().
     StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials);
 
-    // From the next step on. One iterate and more of them need another tangent each: another
-    // object.
+    // Holds from the next step on. The change between one iterate and several needs a new object,
+    // because the tangent differs.
     void set_settings(const NewtonSettings& settings);
 
     // Energy of elements and potentials at any positions, weight counted from rest [nJ].
@@ -67,9 +67,9 @@ class BackwardEuler {
         newton_.restore(checkpoint);
     }
 
-    // Of the matrices.
+    // Which blocks of the matrix are not zero.
     const BlockMatrix& pattern() { return potential_.matrix(); }
-    // The solver is gone then, and with it all that can still be asked.
+    // Hands over the solver; no other function may be called afterwards.
     std::unique_ptr<LinearSolver> release_solver() { return newton_.release_solver(); }
 
   private:

@@ -9,7 +9,7 @@
 namespace hepatica {
 namespace {
 
-// What friction takes in a step is still there for the tool's motion to give.
+// Stored energy and what friction took: a tool in motion may do that work in this step.
 double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
 }
@@ -145,7 +145,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
     std::vector<int> joined(nodes_.size());
     std::iota(joined.begin(), joined.end(), 0);
     for (const auto& potential : potentials.all()) potential->join_pieces(piece_of_node_, joined);
-    // They have given each other momentum on the way.
+    // Pieces that met exchanged momentum, so only the energy of all of them is conserved.
     if (together) std::ranges::fill(joined, 0);
     Outcome outcome;
     for (int first = 0; first < pieces(); ++first) {

@@ -29,7 +29,7 @@ void IncrementalPotential::forget_matrix() {
     find_cut_blocks();
 }
 
-// Also of rows that were live until now.
+// Includes the rows that were live until the last change of the live part.
 void IncrementalPotential::find_cut_blocks() {
     cut_blocks_.clear();
     for (const int i : live_.changed_rows())
@@ -37,7 +37,7 @@ void IncrementalPotential::find_cut_blocks() {
             const int j = matrix_.column[k];
             if (i == j || (!held(i) && !held(j))) continue;
             cut_blocks_.push_back(k);
-            // A row writes its neighbours' blocks, too, be they among these rows or not.
+            // Assembling a row writes the mirrored block in its neighbour's row as well.
             cut_blocks_.push_back(assembly_.plan().mirror[k]);
         }
 }

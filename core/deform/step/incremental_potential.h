@@ -16,12 +16,12 @@
 namespace hepatica {
 
 // Keeps a reference to the body. Not thread-safe. Held nodes are cut out of gradient and matrix:
-// their change is 0 and nobody feels it.
+// their unknowns are 0 and act on no other node.
 class IncrementalPotential {
   public:
     IncrementalPotential(const Body& body, small::Tangent tangent);
 
-    // What is computed. Rows that are not keep a unit matrix on the diagonal.
+    // The rows that are computed. All others have a unit block on the diagonal.
     const LiveSet& live() const { return live_; }
     bool held(std::size_t node) const { return live_.held()[node] != 0; }
     // Freezes these nodes and no others; the rest goes on from where it is.
@@ -31,7 +31,7 @@ class IncrementalPotential {
     // follows is at these; assemble() finds the stiffness where it is missing.
     void evaluate(std::span<const Vec3> positions_mm);
     void evaluate_forces(std::span<const Vec3> positions_mm);
-    // Also of what is not live: after the state was changed from outside.
+    // Of every element, live or not: needed after the state was changed from outside.
     void evaluate_all_forces(std::span<const Vec3> positions_mm);
     double elastic_energy() const { return elastic_; }
     const std::vector<Vec3>& elastic_force() const { return elastic_force_; }

@@ -62,7 +62,7 @@ void NewtonStep::find_damping(StepUnderway& step) {
     potential_.damping_of(step.velocity, step.damping_force);
 }
 
-// Of a first iterate that begins on the way: beta K_0 w and its share of the residual.
+// Computes beta K_0 w for a first iterate with w != 0, and adds it to the residual.
 void NewtonStep::begin_damping(StepUnderway& step) {
     if (body_.damping.beta_s == 0.0) return;
     multiply(potential_.matrix(), step.velocity, product_);
@@ -123,7 +123,7 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     report.linear_residual = solved.relative_residual;
     report.linear_energy_error = solved.energy_error;
     report.dropped_pivots = std::max(report.dropped_pivots, solved.dropped_pivots);
-    // One that has used up its iterations has done what it was told.
+    // Using up the given iterations is no breakdown: a fixed number may be the setting.
     const bool broke_down =
         !solved.converged && solved.iterations < settings_.linear.max_iterations;
     if (!broke_down && solved.dropped_pivots == 0) return;
@@ -212,7 +212,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
     made_while_ = checkpoint.overlaps;
 }
 
-// While the slots are those of the start.
+// To be called while the assembly's slots hold the start of the step.
 void NewtonStep::keep_linearised_work(StepUnderway& step) {
     const std::vector<Vec3> dx = times(step.dt_s, direction_);
     const double elastic_form = potential_.assembly().quadratic_form(dx);
@@ -312,7 +312,7 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     potential_.assemble(step);
     if (step.iterate == 0 && step.predicted) {
         begin_damping(step);
-        // With it the way there may cost more than standing still, after all.
+        // Damping counted, starting from the predicted velocity may cost more than from rest.
         if (step.value > step.standing) {
             stay_at_start(step);
             return iterate(step, report);
@@ -353,8 +353,8 @@ double NewtonStep::longest_move_mm(const StepUnderway& step) const {
     return step.dt_s * std::sqrt(squared);
 }
 
-// Goes to where the body would be without a change of its velocity, unless that is no better a
-// place to begin: the body is at rest, or the way there costs more than standing still.
+// Takes the present velocity as the first guess, unless the incremental potential is higher there
+// than at velocity 0, or the body is at rest.
 void NewtonStep::predict(StepUnderway& step) {
     const std::vector<Vec3>& velocity = step.start.velocities_mm_per_s;
     if (std::ranges::all_of(velocity, [](const Vec3& v) { return v.isZero(0.0); })) return;
@@ -371,7 +371,7 @@ void NewtonStep::predict(StepUnderway& step) {
     stay_at_start(step);
 }
 
-// False where the way there is not free, or costs more than standing still.
+// Returns false where contact blocks that motion, or the potential is higher than at rest.
 bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity) {
     step.velocity = velocity;
     for_each_node(velocity.size(), [&](std::size_t i) {
@@ -386,8 +386,8 @@ bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity)
     return step.value <= step.standing;
 }
 
-// That of the centre of mass, for all nodes: what is about to collide keeps its momentum, and
-// nothing meets. None where a node is held.
+// The velocity of the centre of mass for every node. It keeps the momentum of a body that is about
+// to collide, and lets no surfaces meet. None where a node is held.
 std::optional<std::vector<Vec3>> NewtonStep::common_velocity(
     const std::vector<Vec3>& velocity) const {
     Vec3 momentum = Vec3::Zero();
@@ -430,7 +430,7 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
         const double longest = longest_move_mm(step);
         if (!lower) {
             // At rest the potential is rounding errors, and no direction lowers it for certain.
-            // Where it overflows there is no direction at all.
+            // Where the potential overflows, the direction means nothing.
             if (step.iterate == 0)
                 return std::isfinite(step.value) && longest <= at_rest * body_.mean_edge_mm;
             break;
