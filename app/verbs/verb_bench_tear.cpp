@@ -1,19 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 
+#include "app/chart_file.h"
+#include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/study/tear_study.h"
 
 namespace hepatica {
 
+namespace {
+
+struct TearPlots {
+    std::filesystem::path entropy, force;  // empty: not asked for
+};
+
+std::string name_of(const char* what, const TearRow& row) {
+    char name[80];
+    std::snprintf(name, sizeof name, "%s, %.3g mm", what, row.edge_mm);
+    return name;
+}
+
+Curve curve_of(const TearRow& row, const std::string& name, double TearRow::Sample::*value,
+               double unit) {
+    Curve curve{name, {}, {}};
+    for (const TearRow::Sample& sample : row.samples) {
+        curve.x.push_back(sample.pulled_mm);
+        curve.y.push_back(unit * (sample.*value));
+    }
+    return curve;
+}
+
+// Of the bars that nothing stops: entropy and what of it was produced, with a fracture energy.
+Chart entropy_chart(const std::vector<TearRow>& rows) {
+    Chart chart{
+        "Entropy while a bar is torn, by the mesh's edge", "Pulled by (mm)", "Entropy (nats)", {}};
+    for (const TearRow& row : rows)
+        if (row.stop == "none" && row.law == "fracture energy") {
+            chart.curves.push_back(
+                curve_of(row, name_of("S", row), &TearRow::Sample::entropy_nats, 1.0));
+            chart.curves.push_back(curve_of(row, name_of("produced", row),
+                                            &TearRow::Sample::entropy_produced_nats, 1.0));
+        }
+    return chart;
+}
+
+// Of the same, and of those with a bare limit.
+Chart force_chart(const std::vector<TearRow>& rows) {
+    Chart chart{"Force that tears a bar, by the mesh's edge", "Pulled by (mm)", "Force (N)", {}};
+    for (const TearRow& row : rows)
+        if (row.stop == "none")
+            chart.curves.push_back(
+                curve_of(row, name_of(row.law.c_str(), row), &TearRow::Sample::force_un, 1e-6));
+    return chart;
+}
+
+void write_plots(const TearPlots& plots, const std::vector<TearRow>& rows) {
+    if (!plots.entropy.empty()) write_chart(plots.entropy, entropy_chart(rows));
+    if (!plots.force.empty()) write_chart(plots.force, force_chart(rows));
+}
+
+}  // namespace
+
 void add_bench_tear(CommandLine& line) {
     const auto options = std::make_shared<TearStudyOptions>();
+    const auto plots = std::make_shared<TearPlots>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "tear",
         "What tearing a notched bar takes: bare limit and fracture energy, entropy and vertex stop",
-        [options](Job& job) {
+        [options, plots](Job& job) {
+            for (const auto& file : {plots->entropy, plots->force})
+                if (!file.empty()) {
+                    require_chart_file(file);
+                    require_writable(file);
+                }
+            const std::vector<TearRow> found = study_tear(*options, job);
+            write_plots(*plots, found);
             Json rows = Json::array();
-            for (const TearRow& row : study_tear(*options, job))
+            for (const TearRow& row : found)
                 rows.push_back({{"law", row.law},
                                 {"stop", row.stop},
                                 {"tear_factor", row.tear_factor},
@@ -38,6 +103,9 @@ void add_bench_tear(CommandLine& line) {
         ->check(CLI::Range(0.2, 4.0));
     verb.add_option("--tear-factors", options->tear_factors, "Each with both stops")
         ->check(CLI::Range(1e-3, 1e3));
+    verb.add_option("--plot-entropy", plots->entropy,
+                    "Entropy over the pull, on each mesh: .png or .csv");
+    verb.add_option("--plot-force", plots->force, "Force over the pull, by law: .png or .csv");
     verb.add_option("--step-mm", options->step_mm, "By which a step pulls")
         ->check(CLI::Range(1e-3, 1.0));
 }

@@ -79,9 +79,11 @@ TearRow pull(double edge_mm, const TearLaw& law, double step_mm) {
         step_ms.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count());
-        row.force_max_un = std::max(row.force_max_un, force_of(grabs, *stepper));
         let_go += report.energy.tear_loss;
         last = report.tear;
+        row.samples.push_back(
+            {pulled, force_of(grabs, *stepper), last.entropy_nats, last.entropy_produced_nats});
+        row.force_max_un = std::max(row.force_max_un, row.samples.back().force_un);
         row.entropy_produced_max_nats =
             std::max(row.entropy_produced_max_nats, last.entropy_produced_nats);
     }

@@ -34,6 +34,13 @@ struct TearRow {
     int pieces = 1;
     double entropy_produced_max_nats = 0.0;
     double median_step_ms = 0.0;
+    struct Sample {
+        double pulled_mm = 0.0;
+        double force_un = 0.0;
+        double entropy_nats = 0.0;
+        double entropy_produced_nats = 0.0;
+    };
+    std::vector<Sample> samples{};  // after each step
 };
 
 // A bar of 20 x 4 x 4 mm with a notch of a quarter of its section in its middle, pulled by 10 mm.

@@ -21,15 +21,17 @@ bool Trial::require(bool good, const std::string& what) {
 }
 
 bool Trial::run(int steps, double dt_s) {
-    for (int i = 0; i < steps; ++i) {
-        const StepReport report = stepper_.step(dt_s);
-        for (const Vec3& x : stepper_.positions_mm())
-            if (!require(x.allFinite(), "a position is not finite")) return false;
-        row_.degraded_steps += report.degraded;
-        row_.touched_steps += report.tool.contacts > 0 || report.self.contacts > 0;
-        if (!check_energy(report)) return false;
-    }
+    for (int i = 0; i < steps; ++i)
+        if (!judge(stepper_.step(dt_s))) return false;
     return true;
+}
+
+bool Trial::judge(const StepReport& report) {
+    for (const Vec3& x : stepper_.positions_mm())
+        if (!require(x.allFinite(), "a position is not finite")) return false;
+    row_.degraded_steps += report.degraded;
+    row_.touched_steps += report.tool.contacts > 0 || report.self.contacts > 0;
+    return check_energy(report);
 }
 
 // Earlier losses must not hide a later gain, so every step is judged alone.

@@ -21,6 +21,9 @@ class Trial {
     // Steps; false as soon as something is wrong, which the row then says.
     bool run(int steps, double dt_s);
 
+    // What run() asks of each step, of one that was just made.
+    bool judge(const StepReport& report);
+
     // Fails the row unless `good`.
     bool require(bool good, const std::string& what);
     // Books the error and fails the row where it is larger than allowed or not a number.

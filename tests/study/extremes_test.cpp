@@ -29,6 +29,20 @@ TEST(Extremes, NothingPassesInASampleOfTouch) {
     EXPECT_GT(touched, 6);
 }
 
+// A sample of the campaign of tears: each kind of play three times.
+TEST(Extremes, EverythingHoldsInASampleOfTears) {
+    Job job;
+    const auto cases = tear_cases({.seed = 5, .trials = 12, .steps = 90, .most_tetrahedra = 700});
+    int torn = 0, splits = 0;
+    for (const ExtremeRow& row : run_extremes(cases, "", job)) {
+        EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+        torn += row.splits > 0 ? 1 : 0;
+        splits += row.splits;
+    }
+    EXPECT_GT(torn, 6);
+    EXPECT_GT(splits, 60);
+}
+
 class QuickExtremes : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuickExtremes, Survive) {

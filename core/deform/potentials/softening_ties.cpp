@@ -18,6 +18,26 @@ void turn_one(SofteningTie& tie, std::span<const Vec3> x) {
     if (length > 0.0) tie.normal = doubled / length;
 }
 
+// A turned normal may press together what slid sideways before, and a damaged tie is stiffer
+// pressed than open. What that would add to its energy it pays by more damage: how far it has been
+// opened, so that it stores no more than `allowed_nj`.
+void pay_for_turn(const SofteningLaw& law, SofteningTie& tie, const Vec3& opening,
+                  double allowed_nj) {
+    if (energy_of(law, tie, opening) <= allowed_nj) return;
+    const double open = effective_opening_mm(tie, opening);
+    tie.most_mm = std::clamp(open, tie.most_mm, law.opening_mm);
+    const double excess = energy_of(law, tie, opening) - allowed_nj;
+    if (!(excess > 0.0) || tie.most_mm >= law.opening_mm) return;
+    const double half_square = 0.5 * tie.area_mm2 * open * open;
+    // Of the energy A k(m) o^2 / 2 of an opening o <= m this much stiffness may remain.
+    const double stiffness =
+        law.unloading_pa_mm(tie.most_mm) - excess / std::max(half_square, 1e-300);
+    const double span = law.opening_mm - law.peak_mm();
+    tie.most_mm = stiffness > 0.0
+                      ? law.strength_pa * law.opening_mm / (stiffness * span + law.strength_pa)
+                      : law.opening_mm;
+}
+
 }  // namespace
 
 void SofteningTies::set(const SofteningLaw& law, std::vector<SofteningTie> ties,
@@ -38,7 +58,9 @@ double SofteningTies::settle(std::span<const Vec3> positions_mm) {
         const Vec3 opening = opening_of(tie, positions_mm);
         const double before = energy_of(law_, tie, opening);
         tie.most_mm = std::clamp(effective_opening_mm(tie, opening), tie.most_mm, law_.opening_mm);
+        const double softened = energy_of(law_, tie, opening);
         turn_one(tie, positions_mm);
+        pay_for_turn(law_, tie, opening, softened);
         loss += before - energy_of(law_, tie, opening);
     }
     return loss;

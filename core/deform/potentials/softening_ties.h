@@ -22,7 +22,7 @@ class SofteningTies final : public Potential {
     void turn(std::span<const Vec3> positions_mm);
 
     // After a step, or a part of one: the ties remember how far they have been opened. Returns what
-    // that takes of their energy [nJ]: that of fracture.
+    // that takes of their energy [nJ]: that of fracture, never less than 0.
     double settle(std::span<const Vec3> positions_mm);
 
     double energy(std::span<const Vec3> positions_mm,

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tears at the edge: random vessel trees that are pulled, pressed, twisted and cut until they come
+// apart, by any law. After every transaction in which something split, all that must hold is looked
+// at (split_check.h).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/deform/stepper/cpu_stepper.h"
+#include "core/scene/tools/tool_choice.h"
+#include "core/study/extreme_cases.h"
+#include "core/study/split_check.h"
+#include "core/study/touch_bodies.h"
+#include "core/study/trial.h"
+#include "core/study/vessel_body.h"
+#include "core/tear/tearing.h"
+
+namespace hepatica {
+namespace {
+constexpr double tear_step_s = 1.0 / 60.0;
+constexpr double fist_radius_mm = 4.0;
+constexpr double fist_un_per_mm = 3e5,
+                 fist_limit_un = 1e7;  // of all springs of a hand together
+constexpr int steps_a_goal = 30;
+
+enum class TearPlay { pull, press, twist, cut };
+constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
+
+Vec3 random_direction(std::mt19937_64& random) {
+    Vec3 d = Vec3::Zero();
+    while (d.norm() < 0.1)
+        for (int c = 0; c < 3; ++c) d[c] = uniform(random, -1.0, 1.0);
+    return d.normalized();
+}
+
+double log_uniform(std::mt19937_64& random, double low, double high) {
+    return low * std::pow(high / low, uniform(random, 0.0, 1.0));
+}
+
+TearLaw random_law(std::mt19937_64& random) {
+    TearLaw law{.strength_pa = log_uniform(random, 3e3, 3e5),
+                .fracture_energy_j_m2 = log_uniform(random, 1.0, 164.0),
+                .tear_factor = log_uniform(random, 0.3, 3.0),
+                .bare_limit = uniform(random, 0.0, 1.0) < 0.25};
+    const double stop = uniform(random, 0.0, 1.0);
+    law.stop = stop < 0.8 ? TearStop::none : stop < 0.9 ? TearStop::entropy : TearStop::vertices;
+    return law;
+}
+
+// One play on one body.
+class TearTrial {
+  public:
+    TearTrial(TearPlay play, double speed_mm_per_s, std::mt19937_64& random, int tetrahedra)
+        : play_(play), speed_mm_per_s_(speed_mm_per_s), random_(random) {
+        Job job;
+        body_ = body_of(random_study_tree(random), tetrahedra, job);
+        body_.tear = random_law(random);
+        body_.tether_pa_per_mm2 = uniform(random, 0.0, 1.0) < 0.5 ? 20.0 : 0.0;
+        body_.touchable = play == TearPlay::press;
+        options_.model = uniform(random, 0.0, 1.0) < 0.6   ? ElementModel::corotated
+                         : uniform(random, 0.0, 1.0) < 0.5 ? ElementModel::neohookean
+                                                           : ElementModel::spring;
+        for (const Vec3& x : body_.mesh.vertices_mm) middle_mm_ += x;
+        middle_mm_ /= static_cast<double>(body_.mesh.vertices_mm.size());
+        for (const Vec3& x : body_.mesh.vertices_mm)
+            reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
+    }
+
+    ExtremeRow run(int steps) {
+        ExtremeRow row;
+        stepper_ = make_cpu_stepper(body_, options_);
+        Trial trial(*stepper_, row);
+        SplitCheck check(body_, options_);
+        weaken_some();
+        if (play_ == TearPlay::press) bring_tool();
+        for (int k = 0; k < steps; ++k) {
+            if (k % steps_a_goal == 0 && !begin_goal(trial, check)) break;
+            lead();
+            const StepReport report = stepper_->step(tear_step_s);
+            if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_, report.energy)))
+                break;
+        }
+        row.splits = check.splits();
+        row.inverted_splits = check.with_inverted();
+        row.touching_splits = check.with_touching_edges();
+        return row;
+    }
+
+  private:
+    static bool holds(Trial& trial, const std::string& wrong) {
+        return trial.require(wrong.empty(), wrong);
+    }
+
+    Vec3 vertex() {
+        const auto& x = stepper_->positions_mm();
+        return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
+    }
+
+    // What a cut line would have left of the strength of some joints.
+    void weaken_some() {
+        const auto joints = static_cast<int>(stepper_->tearing()->topology().joints().size());
+        std::vector<int> some;
+        for (int j = 0; j < joints; ++j)
+            if (uniform(random_, 0.0, 1.0) < 0.03) some.push_back(j);
+        stepper_->weaken(some, uniform(random_, 0.0, 0.5));
+    }
+
+    void bring_tool() {
+        ToolChoice choice;
+        choice.kind = uniform(random_, 0.0, 1.0) < 0.5 ? "sphere" : "capsule";
+        choice.radius_mm = uniform(random_, 0.5, 4.0);
+        choice.length_mm = choice.kind == "sphere" ? 0.0 : uniform(random_, 3.0, 20.0);
+        choice.direction = random_direction(random_);
+        const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
+        stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
+                                   body_.material.young_modulus_pa));
+    }
+
+    // A new place to go to, and what is held on the way there; or a cut, which is a
+    // transaction.
+    bool begin_goal(Trial& trial, SplitCheck& check) {
+        const Vec3 at = vertex();
+        goal_mm_ = at + uniform(random_, 0.2, 1.0) * reach_mm_ * random_direction(random_);
+        gone_mm_ = 0.0;
+        axis_ = random_direction(random_);
+        if (play_ == TearPlay::cut || uniform(random_, 0.0, 1.0) < 0.1) {
+            const EnergyLedger before = stepper_->energies();
+            const Vec3 way = uniform(random_, 1.0, 20.0) * random_direction(random_);
+            const Vec3 edge = uniform(random_, 1.0, 20.0) * random_direction(random_);
+            stepper_->cut(at - 0.5 * (way + edge), way, edge);
+            if (!holds(trial, check.after_step(*stepper_, before))) return false;
+        }
+        close_hand(at);
+        return true;
+    }
+
+    void close_hand(const Vec3& at) {
+        held_.clear();
+        from_mm_.clear();
+        at_mm_ = at;
+        const auto x = stepper_->positions_mm();
+        for (std::size_t v = 0; v < x.size(); ++v)
+            if ((x[v] - at).norm() < fist_radius_mm) {
+                held_.push_back(static_cast<int>(v));
+                from_mm_.push_back(x[v]);
+            }
+    }
+
+    void lead() {
+        gone_mm_ += speed_mm_per_s_ * tear_step_s;
+        if (play_ == TearPlay::press) {
+            const Vec3 way = goal_mm_ - stepper_->tool()->centre_mm();
+            const double share =
+                std::min(1.0, speed_mm_per_s_ * tear_step_s / std::max(way.norm(), 1e-9));
+            stepper_->lead_tool(stepper_->tool()->centre_mm() + share * way);
+            return;
+        }
+        const Vec3 way = goal_mm_ - at_mm_;
+        const Vec3 moved = std::min(1.0, gone_mm_ / std::max(way.norm(), 1e-9)) * way;
+        const double angle = play_ == TearPlay::twist ? gone_mm_ / fist_radius_mm : 0.0;
+        const Eigen::AngleAxisd turn(angle, axis_);
+        std::vector<Grab> grabs(held_.size());
+        for (std::size_t i = 0; i < held_.size(); ++i) {
+            grabs[i].vertices[0] = held_[i];
+            const Vec3 arm = turn * Vec3(from_mm_[i] - at_mm_);
+            grabs[i].target_mm = at_mm_ + arm + (play_ == TearPlay::twist ? 0.2 : 1.0) * moved;
+            grabs[i].stiffness_un_per_mm = fist_un_per_mm / static_cast<double>(held_.size());
+            grabs[i].force_limit_un = fist_limit_un / static_cast<double>(held_.size());
+        }
+        stepper_->set_grabs(grabs);
+    }
+
+    TearPlay play_;
+    double speed_mm_per_s_;
+    std::mt19937_64& random_;
+    BodyDescription body_;
+    StepperOptions options_;
+    Vec3 middle_mm_ = Vec3::Zero(), goal_mm_ = Vec3::Zero(), at_mm_ = Vec3::Zero();
+    Vec3 axis_ = Vec3::UnitZ();
+    double reach_mm_ = 0.0, gone_mm_ = 0.0;
+    std::vector<int> held_;
+    std::vector<Vec3> from_mm_;
+    std::unique_ptr<Stepper> stepper_;
+};
+
+}  // namespace
+
+// Each trial has numbers of its own: a row can be run alone.
+std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
+    std::vector<ExtremeCase> cases;
+    for (int t = 0; t < campaign.trials; ++t) {
+        std::mt19937_64 random(campaign.seed * 2'000'003 + static_cast<std::uint64_t>(t));
+        const auto play = static_cast<TearPlay>(static_cast<std::size_t>(t) % tear_plays.size());
+        const double speed = log_uniform(random, 10.0, 1e3);
+        const int tetrahedra =
+            static_cast<int>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
+        char name[80];
+        std::snprintf(name, sizeof name, "tear %d %s at %.3g mm/s, %d tetrahedra", t,
+                      tear_plays[static_cast<std::size_t>(play)], speed, tetrahedra);
+        cases.push_back({name, [=, steps = campaign.steps]() mutable {
+                             return TearTrial(play, speed, random, tetrahedra).run(steps);
+                         }});
+    }
+    return cases;
+}
+
+}  // namespace hepatica
