@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/study/extreme_cases.h"
@@ -17,7 +18,6 @@
 
 namespace hepatica {
 namespace {
-constexpr double tear_step_s = 1.0 / 60.0;
 constexpr double fist_radius_mm = 4.0;
 constexpr double fist_un_per_mm = 3e5,
                  fist_limit_un = 1e7;  // of all springs of a hand together
@@ -76,7 +76,7 @@ class TearTrial {
         for (int k = 0; k < steps; ++k) {
             if (k % steps_a_goal == 0 && !begin_goal(trial, check)) break;
             lead();
-            const StepReport report = stepper_->step(tear_step_s);
+            const StepReport report = stepper_->step(frame_s);
             if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_, report.energy)))
                 break;
         }
@@ -147,11 +147,11 @@ class TearTrial {
     }
 
     void lead() {
-        gone_mm_ += speed_mm_per_s_ * tear_step_s;
+        gone_mm_ += speed_mm_per_s_ * frame_s;
         if (play_ == TearPlay::press) {
             const Vec3 way = goal_mm_ - stepper_->tool()->centre_mm();
             const double share =
-                std::min(1.0, speed_mm_per_s_ * tear_step_s / std::max(way.norm(), 1e-9));
+                std::min(1.0, speed_mm_per_s_ * frame_s / std::max(way.norm(), 1e-9));
             stepper_->lead_tool(stepper_->tool()->centre_mm() + share * way);
             return;
         }
