@@ -113,7 +113,8 @@ class TearTrial {
         choice.direction = random_direction(random_);
         const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
         stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
-                                   body_.material.young_modulus_pa));
+                                   body_.material.young_modulus_pa,
+                                   hand_strain * body_.material.young_modulus_pa));
     }
 
     // A new place to go to, and what is held on the way there; or a cut, which is a
