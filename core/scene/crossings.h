@@ -8,7 +8,8 @@
 namespace hepatica {
 
 // Pairs of surface triangles that cross as the body lies now, outside of what overlapped at rest
-// and has not come apart yet. Costs a search over the whole surface.
+// and has not come apart yet, and of the sides of a tear that still lie on each other: nearer than
+// the critical opening, at a vertex that was split. Costs a search over the whole surface.
 int crossing_pairs(const DeformPart& deform);
 
 }  // namespace hepatica

@@ -93,6 +93,8 @@ class DeformPart {
     void set_tear(const std::optional<TearSpec>& tear);
     bool tears() const { return tear_.has_value(); }
     int pieces() const;  // of a body that tears
+    // The opening at which what has parted there has come apart; 0 where nothing can tear.
+    double critical_opening_mm() const;
     // Where it is torn through.
     std::vector<ThroughTear> torn_through(const VesselTree& tree);
     // |mass of the torn body - mass of the whole| over that.

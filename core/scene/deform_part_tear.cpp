@@ -58,6 +58,11 @@ int DeformPart::pieces() const {
     return tearing != nullptr ? tearing->report().pieces : 0;
 }
 
+double DeformPart::critical_opening_mm() const {
+    const Tearing* tearing = stepper_->tearing();
+    return tearing != nullptr ? tearing->law().softening().opening_mm : 0.0;
+}
+
 const TornTopology* DeformPart::torn() const {
     const Tearing* tearing = stepper_->tearing();
     return tearing != nullptr ? &tearing->topology() : nullptr;
