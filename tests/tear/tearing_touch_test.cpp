@@ -19,8 +19,7 @@ namespace {
 // Two crossed bars that tear only where a blade passes. The lower one lies on a table.
 BodyDescription bars_to_cut() {
     BodyDescription body = test::crossed_bars(0.5);
-    for (const Vec3& x : body.mesh.vertices_mm)
-        body.fixed.push_back(x.z() < -1.9);
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.z() < -1.9);
     body.self->pressure_moduli = 0.02;
     body.tear.emplace();
     body.tear->tear_factor = 1e3;
