@@ -46,6 +46,19 @@ Colour liver_segment(int segment) {
     return colours[static_cast<std::size_t>(std::clamp(segment, 1, 8) - 1)];
 }
 
+Colour warning(const Colour& vessel, double load) {
+    constexpr Colour near_limit{1.00, 0.83, 0.20}, at_limit{0.95, 0.20, 0.10};
+    constexpr double begin = 0.5, yellow = 0.7;
+    const auto mixed = [](const Colour& a, const Colour& b, double share) {
+        Colour mix{};
+        for (int c = 0; c < 3; ++c) mix[c] = (1.0 - share) * a[c] + share * b[c];
+        return mix;
+    };
+    if (load < begin) return vessel;
+    if (load < yellow) return mixed(vessel, near_limit, (load - begin) / (yellow - begin));
+    return mixed(near_limit, at_limit, std::min(1.0, (load - yellow) / (1.0 - yellow)));
+}
+
 Colour drug(double fraction) {
     constexpr int intervals = static_cast<int>(drug_stops.size()) - 1;
     const double place = std::clamp(fraction, 0.0, 1.0) * intervals;

@@ -35,6 +35,10 @@ Colour vessel_system(VascularSystem system);
 // Of the branches to one of Couinaud's segments, 1 to 8.
 Colour liver_segment(int segment);
 
+// Of a vessel that is loaded to this share of what it bears: its own colour up to a half, then
+// yellow, and red at 1 and beyond.
+Colour warning(const Colour& vessel, double load);
+
 // The drug's colour at `fraction` in [0, 1] of the map; values outside are clamped.
 Colour drug(double fraction);
 

@@ -199,6 +199,10 @@ void SceneView::set_annotations_visible(bool visible) {
     parts_->annotated = visible;
 }
 
+void SceneView::set_warnings_visible(bool visible) {
+    parts_->tree.set_warnings(visible);
+}
+
 void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->window.SetMultiSamples(smoothing == Smoothing::best ? 8 : 0);
     parts_->renderer->SetUseFXAA(smoothing == Smoothing::cheap);

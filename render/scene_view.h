@@ -77,6 +77,8 @@ class SceneView {
     void set_liver_visible(bool visible);
     void set_caption(const std::string& text);
     void set_annotations_visible(bool visible);
+    // Whether vessels that are near tearing are coloured, from the next frame on; not at first.
+    void set_warnings_visible(bool visible);
     void set_smoothing(Smoothing smoothing);  // `best` at first
 
     // The box that look_from() fits: the tree's, as of the last frame.

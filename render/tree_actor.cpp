@@ -42,7 +42,10 @@ bool TreeActor::update(const Frame& frame) {
     if (rebuilt) take_topology();
     origins_ = frame.tear ? frame.tear->origins : nullptr;
     rims_ = frame.tear ? frame.tear->rims : nullptr;
-    if (rebuilt || touched_anew) take_colours();
+    const auto loads = frame.tear && warnings_ ? frame.tear->loads : nullptr;
+    const bool warned_anew = loads != loads_;
+    loads_ = loads;
+    if (rebuilt || touched_anew || warned_anew) take_colours();
     if (change != SurfaceGeometry::Change::none) {
         plain_is_old_ = rounded_is_old_ = true;
         take_positions();
@@ -54,7 +57,8 @@ bool TreeActor::update(const Frame& frame) {
     drug_time_s_ = frame.drug.time_s;
     for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug);
     show_one();
-    return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew;
+    return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew ||
+           warned_anew;
 }
 
 void TreeActor::set_rounded(bool rounded) {
@@ -76,6 +80,13 @@ void TreeActor::set_vertex_segments(std::vector<std::uint8_t> segments) {
 void TreeActor::set_highlight(std::vector<std::uint8_t> highlight) {
     if (highlight == highlight_) return;
     highlight_ = std::move(highlight);
+    take_colours();
+}
+
+void TreeActor::set_warnings(bool shown) {
+    warnings_ = shown;
+    if (shown || !loads_) return;
+    loads_.reset();
     take_colours();
 }
 
@@ -111,26 +122,29 @@ bool TreeActor::take_touched(const std::optional<ToolView>& tool) {
     return true;
 }
 
+Colour TreeActor::colour_of(int vertex) const {
+    if (std::ranges::binary_search(touched_, vertex)) return palette::touch;
+    const auto shown = static_cast<std::size_t>(vertex);
+    const bool split = origins_ && shown < origins_->size();
+    const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
+    const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
+    const int segment = v < segments_.size() ? segments_[v] : 0;
+    const Colour own =
+        segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system);
+    Colour colour = split && (*rims_)[shown] ? palette::torn : own;
+    if (loads_ && shown < loads_->size()) colour = palette::warning(colour, (*loads_)[shown]);
+    const bool lit = v < highlight_.size() && highlight_[v] != 0;
+    for (double& channel : colour)
+        if (lit) channel = 0.45 * channel + 0.55;
+    return colour;
+}
+
 void TreeActor::take_colours() {
     std::vector<std::uint8_t> rgba;
     rgba.reserve(4 * surface_.frame_vertices().size());
     for (const int vertex : surface_.frame_vertices()) {
-        const auto shown = static_cast<std::size_t>(vertex);
-        const bool split = origins_ && shown < origins_->size();
-        const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
-        const bool lit = v < highlight_.size() && highlight_[v] != 0;
-        const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
-        const int segment = v < segments_.size() ? segments_[v] : 0;
-        const Colour own =
-            segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system);
-        const bool touched = std::ranges::binary_search(touched_, vertex);
-        const Colour colour = touched                    ? palette::touch
-                              : split && (*rims_)[shown] ? palette::torn
-                                                         : own;
-        for (double channel : colour) {
-            if (lit && !touched) channel = 0.45 * channel + 0.55;
+        for (const double channel : colour_of(vertex))
             rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * channel)));
-        }
         rgba.push_back(255);
     }
     plain_.set_colours(rgba);

@@ -12,6 +12,7 @@
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
 #include "render/drawn_surface.h"
+#include "render/palette.h"
 #include "render/rounded_surface.h"
 #include "render/surface_geometry.h"
 
@@ -36,6 +37,8 @@ class TreeActor {
     void set_vertex_segments(std::vector<std::uint8_t> segments);
     // Vertices of the frame to light up, 1 or 0 each; empty lights none.
     void set_highlight(std::vector<std::uint8_t> highlight);
+    // Whether what is near its limit is coloured (palette::warning); not at first.
+    void set_warnings(bool shown);
     // Depths (mm from the camera) between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
@@ -44,6 +47,7 @@ class TreeActor {
     const SurfaceGeometry& surface() const { return surface_; }
 
   private:
+    Colour colour_of(int vertex) const;
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
@@ -66,6 +70,8 @@ class TreeActor {
     std::vector<int> touched_;                               // vertices of the frame, ascending
     std::shared_ptr<const std::vector<int>> origins_;        // see TearView
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
+    std::shared_ptr<const std::vector<float>> loads_;        // likewise
+    bool warnings_ = false;
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;

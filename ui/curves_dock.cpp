@@ -35,6 +35,17 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
         std::move(callbacks));
 }
 
+void CurvesDock::follow_tear(const Frame& frame) {
+    const std::size_t before = tear_.events().size();
+    if (!tear_.follow(frame)) return;
+    if (tear_.empty()) return plots_->set_tear({}, {});
+    std::vector<PlotEvent> events;
+    for (const TearHistory::Event& event : tear_.events())
+        events.push_back({event.time_s, QString::fromStdString(event.text)});
+    plots_->set_tear(tear_.chart(), std::move(events));
+    if (before == 0 && !tear_.events().empty()) show();
+}
+
 void CurvesDock::set_time(std::optional<double> time_s) {
     plots_->set_time(time_s);
 }
@@ -42,6 +53,7 @@ void CurvesDock::set_time(std::optional<double> time_s) {
 void CurvesDock::clear() {
     job_.reset();
     followed_.reset();
+    tear_.clear();
     plots_->clear();
 }
 

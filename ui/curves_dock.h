@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of the last injection, computed beside the play, in a dock of their own.
+// The curves of the last injection, computed beside the play, and of the tear so far, in a dock of
+// their own.
 #pragma once
 
 #include <QDockWidget>
@@ -10,6 +11,7 @@
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
 #include "ui/background_job.h"
+#include "ui/tear_history.h"
 
 namespace hepatica {
 
@@ -24,6 +26,8 @@ class CurvesDock : public QDockWidget {
     // Follows the newest frame: computes the curves of an injection that it has not seen yet and
     // then shows them. What was being computed for an older one is given up.
     void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug);
+    // Takes over the newest frame's tear, and shows itself as soon as something is torn.
+    void follow_tear(const Frame& frame);
     // The drug's clock in the curves; none: nothing is injected.
     void set_time(std::optional<double> time_s);
     // Forgets all; nothing is computed any more.
@@ -34,6 +38,7 @@ class CurvesDock : public QDockWidget {
     PlotPanel* plots_;
     std::shared_ptr<const InjectionOptions> followed_;  // whose curves were asked for last
     std::unique_ptr<BackgroundJob> job_;
+    TearHistory tear_;
 };
 
 }  // namespace hepatica

@@ -154,7 +154,12 @@ void MainWindow::build_panels() {
     tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
     tool_panel_ =
         new ToolPanel({[this](const ToolSize& size) { view_->mouse().hand().set_size(size); },
-                       [this](const UseTear& tear) { post(tear); }});
+                       [this](const UseTear& tear) { post(tear); },
+                       [this](bool shown) {
+                           view_->scene().set_warnings_visible(shown);
+                           view_->draw_again();
+                       }});
+    view_->scene().set_warnings_visible(tool_panel_->shows_warnings());
     tabifyDockWidget(edit_dock, make_dock(*this, "Tool", tool_panel_));
     findChild<QDockWidget*>("Injection")->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

@@ -106,6 +106,7 @@ void MainWindow::show_figures() {
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_tear(frame.tear);
+    curves_->follow_tear(frame);
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     show_message_of(frame.statistics);

@@ -20,6 +20,14 @@ namespace {
 const QColor ink(0xc9, 0xd0, 0xd8);
 const QColor grid_line(0x33, 0x3c, 0x47);
 const QColor marker_line(0xff, 0xc4, 0x66);
+const QColor event_line(0xff, 0x6b, 0x5e);
+
+// Okabe and Ito's sky blue and orange stand out on a dark ground.
+QColor colour_of(std::size_t curve) {
+    const Colour colour = curve_colour(curve + 4);
+    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                            static_cast<float>(colour[2]));
+}
 
 double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
     double largest = 0.0;
@@ -58,6 +66,12 @@ void PlotView::set_marker(std::optional<double> x) {
     update();
 }
 
+void PlotView::set_events(std::vector<PlotEvent> events) {
+    if (events == events_) return;
+    events_ = std::move(events);
+    update();
+}
+
 QRectF PlotView::frame() const {
     return QRectF(58, 26, width() - 74.0, height() - 64.0);
 }
@@ -73,6 +87,8 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), palette().base());
     paint_axes(painter);
     if (!chart_.curves.empty()) paint_curves(painter);
+    if (chart_.curves.size() > 1) paint_names(painter);
+    paint_events(painter);
 }
 
 void PlotView::paint_axes(QPainter& painter) const {
@@ -108,12 +124,7 @@ void PlotView::paint_curves(QPainter& painter) const {
             const QPointF point = place(curve.x[i], curve.y[i]);
             path.elementCount() == 0 ? path.moveTo(point) : path.lineTo(point);
         }
-        // Okabe and Ito's sky blue and orange stand out on a dark ground.
-        const Colour colour = curve_colour(c + 4);
-        painter.setPen(
-            QPen(QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                  static_cast<float>(colour[2])),
-                 2.0));
+        painter.setPen(QPen(colour_of(c), 2.0));
         painter.drawPath(path);
     }
     if (!marker_ || *marker_ < 0.0 || *marker_ > x_end_) return;
@@ -121,15 +132,51 @@ void PlotView::paint_curves(QPainter& painter) const {
     painter.drawLine(place(*marker_, 0), place(*marker_, y_end_));
 }
 
+// To the right above the curves, each in its colour.
+void PlotView::paint_names(QPainter& painter) const {
+    qreal right = frame().right();
+    for (std::size_t c = chart_.curves.size(); c-- > 0;) {
+        const QString name = QString::fromStdString(chart_.curves[c].name);
+        const qreal wide = painter.fontMetrics().horizontalAdvance(name);
+        painter.setPen(colour_of(c));
+        painter.drawText(QRectF(right - wide, 4, wide, 18), Qt::AlignLeft, name);
+        right -= wide + 12;
+    }
+}
+
+// Their words stand in the first row that is free there.
+void PlotView::paint_events(QPainter& painter) const {
+    constexpr int row_height = 15;
+    std::vector<qreal> row_ends;
+    for (const PlotEvent& event : events_) {
+        if (event.x < 0.0 || event.x > x_end_) continue;
+        const QPointF foot = place(event.x, 0);
+        const qreal wide = painter.fontMetrics().horizontalAdvance(event.text);
+        const qreal left = std::min(foot.x() + 4, frame().right() - wide);
+        std::size_t row = 0;
+        while (row < row_ends.size() && row_ends[row] > left) ++row;
+        if (row == row_ends.size()) row_ends.push_back(0);
+        row_ends[row] = left + wide + 6;
+        painter.setPen(QPen(event_line, 1.2, Qt::DashLine));
+        painter.drawLine(foot, QPointF(foot.x(), frame().top()));
+        painter.setPen(event_line);
+        painter.drawText(
+            QRectF(left, frame().top() + static_cast<qreal>(row) * row_height, wide, row_height),
+            Qt::AlignLeft | Qt::AlignVCenter, event.text);
+    }
+}
+
 PlotPanel::PlotPanel(QWidget* parent)
     : QWidget(parent),
       left_(new PlotView(this)),
       right_(new PlotView(this)),
+      tear_(new PlotView(this)),
       save_picture_(new QPushButton("Save picture…", this)),
       save_table_(new QPushButton("Save table…", this)) {
     auto* row = new QHBoxLayout(this);
     row->addWidget(left_, 1);
     row->addWidget(right_, 1);
+    row->addWidget(tear_, 1);
     auto* buttons = new QVBoxLayout;
     buttons->addWidget(save_picture_);
     buttons->addWidget(save_table_);
@@ -143,16 +190,32 @@ PlotPanel::PlotPanel(QWidget* parent)
 void PlotPanel::set_charts(const Chart& left, const Chart& right) {
     left_->set_chart(left);
     right_->set_chart(right);
-    save_picture_->setEnabled(true);
-    save_table_->setEnabled(true);
+    injected_ = true;
+    show_some();
+}
+
+void PlotPanel::set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events) {
+    tears_ = chart.has_value();
+    tear_->set_chart(chart.value_or(Chart{}));
+    tear_->set_events(std::move(events));
+    show_some();
+}
+
+// Empty charts of an injection stand where there is nothing else to show.
+void PlotPanel::show_some() {
+    left_->setVisible(injected_ || !tears_);
+    right_->setVisible(injected_ || !tears_);
+    tear_->setVisible(tears_);
+    save_picture_->setEnabled(injected_ || tears_);
+    save_table_->setEnabled(injected_ || tears_);
 }
 
 void PlotPanel::clear() {
     left_->set_chart({"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}});
     right_->set_chart({"Delivery", "Time (s)", "Drug that has passed the ends (%)", {}});
     set_time({});
-    save_picture_->setEnabled(false);
-    save_table_->setEnabled(false);
+    injected_ = false;
+    set_tear({}, {});
 }
 
 void PlotPanel::set_time(std::optional<double> time_s) {
@@ -162,10 +225,12 @@ void PlotPanel::set_time(std::optional<double> time_s) {
 
 void PlotPanel::save_picture(const QString& file) {
     constexpr double scale = 3.0;  // fit for print
-    const QRect both = left_->geometry().united(right_->geometry());
-    QImage picture(both.size() * scale, QImage::Format_RGB32);
+    QRect shown;
+    for (const PlotView* view : {left_, right_, tear_})
+        if (!view->isHidden()) shown |= view->geometry();
+    QImage picture(shown.size() * scale, QImage::Format_RGB32);
     picture.setDevicePixelRatio(scale);
-    render(&picture, QPoint(), QRegion(both));
+    render(&picture, QPoint(), QRegion(shown));
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
             throw InputError("the plots cannot be written", file.toStdString(),
@@ -175,7 +240,10 @@ void PlotPanel::save_picture(const QString& file) {
 }
 
 void PlotPanel::save_table(const QString& file) {
-    write_text_atomically(to_path(file), to_csv(left_->chart()) + to_csv(right_->chart()));
+    std::string text;
+    for (const PlotView* view : {left_, right_, tear_})
+        if (!view->isHidden()) text += to_csv(view->chart());
+    write_text_atomically(to_path(file), text);
 }
 
 }  // namespace hepatica

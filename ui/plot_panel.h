@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of an injection beside the picture, with the drug's clock in them; saved as picture or
-// table.
+// The curves of an injection and of a tear beside the picture, with the drug's clock and what
+// happened in them; saved as picture or table.
 #pragma once
 
 #include <QWidget>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "render/chart.h"
 
@@ -13,6 +14,13 @@ class QPainter;
 class QPushButton;
 
 namespace hepatica {
+
+// Something that happened at a place of the x axis.
+struct PlotEvent {
+    double x = 0.0;
+    QString text;
+    bool operator==(const PlotEvent&) const = default;
+};
 
 // One chart in the window's own colours.
 class PlotView : public QWidget {
@@ -23,6 +31,9 @@ class PlotView : public QWidget {
     const Chart& chart() const { return chart_; }
     // A vertical line at this place of the x axis; none where it is empty.
     void set_marker(std::optional<double> x);
+    // Dashed lines with their words beside them.
+    void set_events(std::vector<PlotEvent> events);
+    const std::vector<PlotEvent>& events() const { return events_; }
 
     QSize sizeHint() const override { return {360, 190}; }
 
@@ -32,11 +43,14 @@ class PlotView : public QWidget {
   private:
     void paint_axes(QPainter& painter) const;
     void paint_curves(QPainter& painter) const;
+    void paint_names(QPainter& painter) const;
+    void paint_events(QPainter& painter) const;
     QRectF frame() const;
     QPointF place(double x, double y) const;
 
     Chart chart_;
     std::optional<double> marker_;
+    std::vector<PlotEvent> events_;
     double x_end_ = 1.0;  // axes begin at 0
     double y_end_ = 1.0;
 };
@@ -46,7 +60,10 @@ class PlotPanel : public QWidget {
     explicit PlotPanel(QWidget* parent = nullptr);
 
     void set_charts(const Chart& left, const Chart& right);
+    // The chart of a tear and what happened in it; none: nothing tears, and it is not shown.
+    void set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events);
     void clear();
+    const PlotView& tear() const { return *tear_; }
     const Chart& left() const { return left_->chart(); }
     const Chart& right() const { return right_->chart(); }
     void set_time(std::optional<double> time_s);
@@ -58,8 +75,12 @@ class PlotPanel : public QWidget {
     std::function<void(bool picture)> on_save;  // the user asked for a file
 
   private:
+    void show_some();
+
     PlotView* left_;
     PlotView* right_;
+    PlotView* tear_;
+    bool injected_ = false, tears_ = false;
     QPushButton* save_picture_;
     QPushButton* save_table_;
 };

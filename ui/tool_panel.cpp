@@ -82,6 +82,14 @@ QWidget* ToolPanel::make_tear() {
     line_strength_->setAccessibleName("Strength along a cut line");
     line_strength_->setToolTip("What is left of the strength along a cut line that you draw");
     form->addRow("Along a line", line_strength_);
+    warnings_ = new QCheckBox("Warning colours", box);
+    warnings_->setObjectName("warningColours");
+    warnings_->setToolTip(
+        "Yellow: loaded to more than half of what the vessel bears; red: about to tear");
+    warnings_->setChecked(true);
+    connect(warnings_, &QCheckBox::toggled, this,
+            [this](bool shown) { callbacks_.show_warnings(shown); });
+    form->addRow(warnings_);
     torn_ = new QLabel(box);
     torn_->setObjectName("torn");
     torn_->setAccessibleName("How the vessels are torn");
@@ -101,6 +109,10 @@ QWidget* ToolPanel::make_tear() {
 
 UseTear ToolPanel::tear() const {
     return {.on = true, .tear_factor = tear_factor_->value()};
+}
+
+bool ToolPanel::shows_warnings() const {
+    return warnings_->isChecked();
 }
 
 double ToolPanel::cut_line_strength() const {

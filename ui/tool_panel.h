@@ -20,6 +20,7 @@ class ToolPanel : public QWidget {
     struct Callbacks {
         std::function<void(const ToolSize&)> resize;
         std::function<void(const UseTear&)> use_tear;
+        std::function<void(bool)> show_warnings;
     };
     explicit ToolPanel(Callbacks callbacks, QWidget* parent = nullptr);
 
@@ -27,6 +28,7 @@ class ToolPanel : public QWidget {
     // As chosen, switched on.
     UseTear tear() const;
     double cut_line_strength() const;
+    bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);
     // A simulation has begun that has not been told.
     void forget_tear();
@@ -46,6 +48,7 @@ class ToolPanel : public QWidget {
     QLabel* help_ = nullptr;
     Callbacks callbacks_;
     QCheckBox* tears_ = nullptr;
+    QCheckBox* warnings_ = nullptr;
     DecimalSpinBox* tear_factor_ = nullptr;
     DecimalSpinBox* line_strength_ = nullptr;
     QLabel* torn_ = nullptr;

@@ -99,7 +99,7 @@ class DeformPart {
     std::vector<ThroughTear> torn_through(const VesselTree& tree);
     // |mass of the torn body - mass of the whole| over that.
     double mass_error_relative() const;
-    // Its counts and entropy.
+    // Its counts and entropy, and what is near its limit.
     void show_tear(TearView& view) const;
     // Null where it does not tear.
     const TornTopology* torn() const;
@@ -160,6 +160,7 @@ class DeformPart {
   private:
     void lead_jaws(bool open, double share);
     std::optional<TearLaw> law_of(const std::optional<TearSpec>& tear) const;
+    std::shared_ptr<const std::vector<float>> vertex_loads() const;
     const std::vector<VertexPlace>& places_of_tetrahedra(const VesselTree& tree);
     void require_tear() const;
     int vertex_near(const Vec3& point_mm) const;

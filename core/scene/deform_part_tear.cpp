@@ -51,6 +51,22 @@ void DeformPart::show_tear(TearView& view) const {
     view.stopped_by = !report.stopped                    ? ""
                       : tear_->stop == TearStop::entropy ? "entropy"
                                                          : "vertices";
+    view.loads = vertex_loads();
+}
+
+std::shared_ptr<const std::vector<float>> DeformPart::vertex_loads() const {
+    const Tearing& tearing = *stepper_->tearing();
+    const std::span<const double> of_joint = tearing.loads();
+    const TornTopology& topology = tearing.topology();
+    std::shared_ptr<std::vector<float>> loads;
+    for (std::size_t j = 0; j < of_joint.size(); ++j) {
+        if (of_joint[j] < Tearing::warning_load) continue;
+        if (!loads) loads = std::make_shared<std::vector<float>>(topology.vertex_count(), 0.0f);
+        for (int k = 0; k < 3; ++k)
+            for (const int v : topology.sides(topology.joints()[j], k))
+                (*loads)[v] = std::max((*loads)[v], static_cast<float>(of_joint[j]));
+    }
+    return loads;
 }
 
 int DeformPart::pieces() const {

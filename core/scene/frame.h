@@ -72,6 +72,9 @@ struct TearView {
     // Of each vertex the one of the whole body that it comes from.
     std::shared_ptr<const std::vector<int>> origins;
     std::shared_ptr<const std::vector<std::uint8_t>> rims;  // of each: 1 where it lies on a tear
+    // Of each: the most that a joint at it is loaded with, over its limit (1 tears), or 0 where
+    // that is less than half. Null where nothing is near its limit.
+    std::shared_ptr<const std::vector<float>> loads;
 };
 
 struct FrameStatistics {

@@ -19,7 +19,7 @@ constexpr std::size_t joint_block = 1024;
 constexpr double not_yet = -1.0;  // no entropy is below 0
 // What shares a vertex with an overloaded joint parts at this share of its own limit. Its ties bear
 // all of it, so that this weakens nothing.
-constexpr double share_of_neighbour = 0.5;
+constexpr double share_of_neighbour = Tearing::warning_load;
 
 [[noreturn]] void refuse(const std::string& problem) {
     throw InputError(problem, "the checkpoint of a body",
@@ -130,8 +130,11 @@ void Tearing::find_loads(const TearLoads& loads, double least, std::vector<doubl
 }
 
 bool Tearing::part_overloaded(const TearLoads& loads) {
-    if (stopped_) return false;
-    find_loads(loads, law_.bare_limit ? 1.0 : share_of_neighbour, load_);
+    if (stopped_) {
+        load_.clear();
+        return false;
+    }
+    find_loads(loads, warning_load, load_);
     std::vector<int> parting;
     for (std::size_t j = 0; j < load_.size(); ++j)
         if (load_[j] >= 1.0) parting.push_back(static_cast<int>(j));
@@ -145,6 +148,7 @@ bool Tearing::part_overloaded(const TearLoads& loads) {
     if (!law_.bare_limit) add_neighbours(parting);
     if (parting.empty()) return false;
     part(parting, law_.bare_limit ? softening_.opening_mm : softening_.peak_mm());
+    for (const int j : parting) load_[j] = 0.0;
     return true;
 }
 
@@ -338,6 +342,7 @@ void Tearing::restore(const TearState& state) {
     stopped_ = state.stopped;
     entropy_before_ = state.entropy_before_nats;
     entropy_ = state.entropy_nats;
+    load_.clear();
     make_ties();
     count();
     report_entropy();

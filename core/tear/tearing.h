@@ -56,6 +56,12 @@ class Tearing {
     // may be given as 0, which costs a fraction.
     void find_loads(const TearLoads& loads, double least, std::vector<double>& load);
 
+    // Load over limit of each joint as after the last step, 0 where it has parted: exact from
+    // `warning_load` on, below that it may be given as 0. Empty where none was found: before the
+    // first step, and once a stop has ended the tear.
+    std::span<const double> loads() const { return load_; }
+    static constexpr double warning_load = 0.5;
+
     // What binds the parted joints. The caller keeps them while it makes steps, and gives back how
     // far they were opened, in their order, before anything else is asked.
     const std::vector<SofteningTie>& ties() const { return ties_; }
@@ -102,7 +108,7 @@ class Tearing {
     double entropy_before_ = 0.0, entropy_ = 0.0;
     double elastic_ = 0.0;  // energy at the last measure [nJ]
     TearReport report_;
-    std::vector<double> load_;       // of joints; scratch
+    std::vector<double> load_;       // of joints
     std::vector<double> weights_;    // of vertices; scratch
     std::vector<double> stress_pa_;  // sizes of the tetrahedra's stress; scratch
 };

@@ -58,6 +58,20 @@ TEST(Palette, the_drugs_map_rises_in_lightness) {
     EXPECT_EQ(palette::drug(7.0), palette::drug(1.0));
 }
 
+TEST(Palette, warns_from_half_of_the_limit_on_and_is_red_at_it) {
+    const Colour vessel = palette::vessel_system(VascularSystem::portal);
+    EXPECT_EQ(palette::warning(vessel, 0.0), vessel);
+    EXPECT_EQ(palette::warning(vessel, 0.49), vessel);
+    double green = 1.0;
+    for (const double load : {0.7, 0.8, 0.9, 1.0}) {
+        const Colour now = palette::warning(vessel, load);
+        EXPECT_GT(now[0], 0.9);
+        EXPECT_LT(now[1], green) << load;
+        green = now[1];
+    }
+    EXPECT_EQ(palette::warning(vessel, 1.0), palette::warning(vessel, 50.0));
+}
+
 TEST(Palette, shader_code_has_decimal_points_whatever_the_locale) {
     const std::string plain = palette::drug_glsl();
     EXPECT_NE(plain.find("0.6"), std::string::npos);

@@ -67,6 +67,26 @@ TEST_P(TreeOnCard, takes_no_colours_and_no_times_of_arrival_where_only_the_body_
     EXPECT_GT(sent("scalarColor"), colours);
 }
 
+TEST_P(TreeOnCard, takes_colours_where_something_comes_near_its_limit_if_that_is_shown) {
+    Frame near_limit = first_;
+    near_limit.tear.emplace();
+    near_limit.tear->loads =
+        std::make_shared<const std::vector<float>>(first_.positions_mm.size() / 3, 0.9f);
+    const vtkMTimeType colours = sent("scalarColor");
+    EXPECT_FALSE(tree_.update(near_limit));
+    context_.window().Render();
+    EXPECT_EQ(sent("scalarColor"), colours);
+    tree_.set_warnings(true);
+    EXPECT_TRUE(tree_.update(near_limit));
+    context_.window().Render();
+    const vtkMTimeType warned = sent("scalarColor");
+    EXPECT_GT(warned, colours);
+    EXPECT_FALSE(tree_.update(near_limit));
+    tree_.set_warnings(false);
+    context_.window().Render();
+    EXPECT_GT(sent("scalarColor"), warned);
+}
+
 TEST_P(TreeOnCard, takes_nothing_where_only_the_drug_runs) {
     const vtkMTimeType positions = sent("vertexMC");
     const vtkMTimeType arrival = sent("arrivalMC");

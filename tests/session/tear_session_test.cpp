@@ -75,6 +75,36 @@ TEST(TearSession, AVesselTearsAlongItsCutLine) {
     EXPECT_LT(deform.mass_error_relative(), 1e-12);
 }
 
+// What comes near its limit is told before it tears, where it will tear, and no more once it has.
+TEST(TearSession, WhatIsNearItsLimitIsToldBeforeItTears) {
+    const auto session = new_session(that_tears());
+    session->post(line());
+    session->step();
+    session->update_frame();
+    ASSERT_TRUE(session->frame().tear);
+    EXPECT_EQ(session->frame().tear->loads, nullptr);
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const Vec3 along = (points.back() - points.front()).normalized();
+    session->post(GrabPoint{points.back()});
+    for (int i = 0; i < 120; ++i) {
+        session->post(MoveGrab{points.back() + 0.15 * (i + 1) * along});
+        const SessionStep done = session->step();
+        session->update_frame();
+        const Frame& frame = session->frame();
+        if (!frame.tear->loads) continue;
+        EXPECT_EQ(done.deform.tear.joints_parted, 0);
+        ASSERT_EQ(frame.tear->loads->size(), frame.positions_mm.size() / 3);
+        const auto most = std::ranges::max_element(*frame.tear->loads);
+        EXPECT_GE(*most, 0.5f);
+        EXPECT_LT(*most, 1.0f);
+        const int vertex = static_cast<int>(most - frame.tear->loads->begin());
+        const Vec3 at = session->world().rest_positions_mm()[vertex];
+        EXPECT_LT((at - middle_of(small_patient()->tree, 0)).norm(), 8.0);
+        return;
+    }
+    FAIL() << "nothing came near its limit";
+}
+
 TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
     auto patient = std::make_shared<PatientCase>(*small_patient());
     for (VesselSegment& segment : patient->tree.segments) segment.system = VascularSystem::portal;

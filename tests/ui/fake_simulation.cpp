@@ -28,6 +28,8 @@ bool FakeSimulation::update_frame() {
     for (const Command& command : std::exchange(waiting_, {})) apply(command);
     if (std::exchange(diverges_, false)) stop();
     if (frame_.drug.playing && !frame_.statistics.paused) frame_.drug.time_s += 1.0 / 60.0;
+    frame_.tear = tear_;
+    if (tear_) frame_.time_s += 1.0 / 60.0;
     ++frame_.step;
     return true;
 }

@@ -30,6 +30,9 @@ class FakeSimulation : public Simulation {
     // why.
     void diverge() { diverges_ = true; }
 
+    // From the next frame on.
+    void show_tear(const std::optional<TearView>& tear) { tear_ = tear; }
+
   private:
     void apply(const Command& command);
     void stop();
@@ -45,6 +48,7 @@ class FakeSimulation : public Simulation {
     std::vector<Command> waiting_;
     std::unique_ptr<QTimer> timer_;
     bool diverges_ = false;
+    std::optional<TearView> tear_;
 };
 
 // The fake tree (tests/render/fake_frame.h) as a patient whose simulation is fake; `simulation`

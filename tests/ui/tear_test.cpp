@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blade and cut line: what a line drawn across a vessel sends, and what the panel says of tears.
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/plot_panel.h"
 
 namespace hepatica {
 namespace {
@@ -70,6 +72,27 @@ TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
     ASSERT_EQ(commands_of_type<UseTear>().size(), 1u);
     EXPECT_TRUE(commands_of_type<UseTear>()[0].on);
     EXPECT_EQ(commands_of_type<UseTear>()[0].tear_factor, 0.1);
+}
+
+TEST_F(TearTest, the_curves_of_a_tear_appear_with_what_happened) {
+    auto* dock = window_.findChild<QDockWidget*>("Curves");
+    ASSERT_TRUE(dock->isHidden());
+    simulation_->show_tear(TearView{});
+    auto* panel = dynamic_cast<PlotPanel*>(dock->widget());
+    ASSERT_TRUE(wait_for([&] { return !panel->tear().chart().curves.empty(); }));
+    EXPECT_TRUE(dock->isHidden()) << "nothing has happened yet";
+    TearView torn;
+    torn.joints_broken = 4;
+    torn.pieces = 2;
+    torn.leak_g_s = 2.5;
+    simulation_->show_tear(torn);
+    ASSERT_TRUE(wait_for([&] { return !dock->isHidden(); }));
+    ASSERT_EQ(panel->tear().events().size(), 3u);
+    EXPECT_EQ(panel->tear().events()[0].text, "torn");
+    EXPECT_EQ(panel->tear().events()[2].text, "bleeding");
+    EXPECT_TRUE(panel->tear().isVisible());
+    simulation_->show_tear(std::nullopt);
+    ASSERT_TRUE(wait_for([&] { return !panel->tear().isVisible(); }));
 }
 
 }  // namespace
