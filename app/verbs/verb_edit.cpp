@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 
 #include "app/output_place.h"
@@ -21,6 +23,8 @@ struct Options {
     fs::path edits;
     fs::path out;
     double accept = std::numeric_limits<double>::infinity();
+    double refuse_below = -1.0;
+    std::vector<int> accepted, refused, offered;  // numbers of bridges, from 1
     int undo = 0;
     bool list = false;
 };
@@ -28,6 +32,53 @@ struct Options {
 std::vector<TreeEdit> edits_in(const fs::path& file) {
     return edits_from_json(read_text_file(file, "Give a file of edits (docs/corrections.md)"),
                            file.string());
+}
+
+// Positions in corrections.bridges of those that an option names.
+std::vector<std::size_t> bridges_named(const std::string& option, const std::vector<int>& numbers,
+                                       const PatientCase& patient) {
+    std::vector<std::size_t> indices;
+    const auto count = static_cast<int>(patient.corrections.bridges.size());
+    for (const int number : numbers) {
+        if (number < 1 || number > count)
+            throw UsageError(
+                "there is no bridge " + std::to_string(number), option,
+                "The case holds " + std::to_string(count) + "; --list numbers them from 1");
+        indices.push_back(static_cast<std::size_t>(number) - 1);
+    }
+    return indices;
+}
+
+void require_state(const PatientCase& patient, std::size_t index, const std::string& option,
+                   std::initializer_list<BridgeState> fitting) {
+    const BridgeState state = state_of_bridge(patient, index);
+    if (std::ranges::find(fitting, state) != fitting.end()) return;
+    throw UsageError("bridge " + std::to_string(index + 1) + " is " + name_of(state), option,
+                     state == BridgeState::accepted ? "Take its edit back: --undo"
+                                                    : "See what can be decided: --list");
+}
+
+// Refuses by confidence, then offers again, accepts and refuses what was named.
+void decide_bridges(const Options& options, PatientCase& patient, std::vector<TreeEdit>& edits) {
+    std::vector<Bridge>& bridges = patient.corrections.bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i)
+        if (bridges[i].confidence < options.refuse_below &&
+            state_of_bridge(patient, i) == BridgeState::open)
+            bridges[i].refused = true;
+    for (const std::size_t i : bridges_named("--offer", options.offered, patient))
+        bridges[i].refused = false;
+    for (const std::size_t i : bridges_named("--accept", options.accepted, patient)) {
+        require_state(patient, i, "--accept", {BridgeState::open, BridgeState::refused});
+        bridges[i].refused = false;
+        edits.push_back(acceptance_of(bridges[i]));
+    }
+    for (const std::size_t i : bridges_named("--refuse", options.refused, patient)) {
+        require_state(patient, i, "--refuse", {BridgeState::open, BridgeState::built});
+        if (bridges[i].built)
+            edits.push_back(refusal_of(bridges[i]));
+        else
+            bridges[i].refused = true;
+    }
 }
 
 // What the case's edits become: some of the last taken back, then the file's, then bridges.
@@ -41,12 +92,24 @@ PatientCase corrected(const Options& options, PatientCase patient, Job& job) {
         const std::vector<TreeEdit> more = edits_in(options.edits);
         edits.insert(edits.end(), more.begin(), more.end());
     }
+    decide_bridges(options, patient, edits);
     if (options.accept <= 1.0) {
         const std::vector<TreeEdit> links =
             acceptances(with_edited_tree(patient, edits), options.accept);
         edits.insert(edits.end(), links.begin(), links.end());
     }
     return with_edits(patient, edits, job);
+}
+
+// All that were ever found, by number.
+Json bridges_of(const PatientCase& patient) {
+    Json list = to_json(patient.corrections.bridges);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].erase("built");
+        list[i]["number"] = i + 1;
+        list[i]["state"] = name_of(state_of_bridge(patient, i));
+    }
+    return list;
 }
 
 Json run(const Options& options, Job& job) {
@@ -70,6 +133,7 @@ Json run(const Options& options, Job& job) {
     answer["edits"] = Json::parse(edits_to_json(patient.corrections.edits));
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
+    answer["bridges"] = bridges_of(patient);
     answer["open_bridges"] = to_json(open_bridges(patient));
     return answer;
 }
@@ -88,9 +152,20 @@ void add_edit(CommandLine& line) {
     verb.add_option("--accept-bridges", options->accept,
                     "Build the bridges that are offered with this confidence or more")
         ->check(CLI::Range(0.0, 1.0));
+    verb.add_option("--refuse-bridges", options->refuse_below,
+                    "Offer no more the bridges of less than this confidence")
+        ->check(CLI::Range(0.0, 1.0));
+    verb.add_option("--accept", options->accepted,
+                    "Build these bridges, N,N as --list numbers them")
+        ->delimiter(',');
+    verb.add_option("--refuse", options->refused,
+                    "Offer these no more; one that the reconstruction built is cut")
+        ->delimiter(',');
+    verb.add_option("--offer", options->offered, "Offer these again, which were refused")
+        ->delimiter(',');
     verb.add_option("--out", options->out,
                     "Write another case, NAME.hep, instead of changing this one");
-    verb.add_flag("--list", options->list, "Change nothing: print edits and open bridges");
+    verb.add_flag("--list", options->list, "Change nothing: print edits and bridges");
 }
 
 }  // namespace hepatica

@@ -66,19 +66,53 @@ VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
 
 }  // namespace
 
+std::string name_of(BridgeState state) {
+    switch (state) {
+        case BridgeState::open:
+            return "open";
+        case BridgeState::built:
+            return "built";
+        case BridgeState::accepted:
+            return "accepted";
+        case BridgeState::refused:
+            return "refused";
+        case BridgeState::needless:
+            break;
+    }
+    return "needless";
+}
+
+BridgeState state_of_bridge(const PatientCase& patient, std::size_t index) {
+    const Bridge& bridge = patient.corrections.bridges[index];
+    const std::vector<TreeEdit>& edits = patient.corrections.edits;
+    if (is_taken_up(bridge, edits)) return BridgeState::accepted;
+    if (bridge.built) {
+        const bool cut = std::ranges::find(edits, refusal_of(bridge)) != edits.end();
+        return cut ? BridgeState::refused : BridgeState::built;
+    }
+    if (bridge.refused) return BridgeState::refused;
+    const bool joins = !patient.tree.segments.empty() && joins_two_vessels(patient.tree, bridge);
+    return joins ? BridgeState::open : BridgeState::needless;
+}
+
 std::vector<Bridge> open_bridges(const PatientCase& patient) {
     std::vector<Bridge> open;
-    if (patient.tree.segments.empty()) return open;
-    for (const Bridge& bridge : patient.corrections.bridges)
-        if (!bridge.built && !is_taken_up(bridge, patient.corrections.edits) &&
-            joins_two_vessels(patient.tree, bridge))
-            open.push_back(bridge);
+    for (std::size_t i = 0; i < patient.corrections.bridges.size(); ++i)
+        if (state_of_bridge(patient, i) == BridgeState::open)
+            open.push_back(patient.corrections.bridges[i]);
     return open;
 }
 
 TreeEdit acceptance_of(const Bridge& bridge) {
     return {TreeEditKind::add_link, bridge.path_mm.front(), bridge.path_mm.back(), bridge.path_mm,
             VascularSystem::unknown};
+}
+
+TreeEdit refusal_of(const Bridge& bridge) {
+    TreeEdit cut;
+    cut.kind = TreeEditKind::cut_link;
+    cut.at_mm = bridge.path_mm[bridge.path_mm.size() / 2];
+    return cut;
 }
 
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {

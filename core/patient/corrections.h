@@ -12,12 +12,27 @@
 
 namespace hepatica {
 
-// The bridges that are still to be decided, best first: not built, not taken up by an edit, and
-// between two vessels that nothing joins yet.
+enum class BridgeState {
+    open,      // offered, to be decided
+    built,     // by the reconstruction
+    accepted,  // built by an edit
+    refused,   // by somebody; a built one by a cut
+    needless,  // other vessels join its two ends already, or one is gone
+};
+
+// For files and the command line: open, built, accepted, refused or needless.
+std::string name_of(BridgeState state);
+// Of corrections.bridges[index].
+BridgeState state_of_bridge(const PatientCase& patient, std::size_t index);
+
+// The bridges that are still to be decided, best first.
 std::vector<Bridge> open_bridges(const PatientCase& patient);
 
 // The edit that builds a bridge.
 TreeEdit acceptance_of(const Bridge& bridge);
+
+// The edit that takes one away that the reconstruction built: a cut in its middle.
+TreeEdit refusal_of(const Bridge& bridge);
 
 // The edits that build all open bridges of this confidence or more, best first. A bridge that
 // another one made needless is left out.

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/segmentation/organ_surroundings.h"
 
 namespace hepatica {
 
@@ -195,6 +196,7 @@ Mask find_liver(const Volume& ct, Job& job) {
                         0.5 * (rim_above_hu + rim_below_hu)));
     unite(liver, rim);
     liver = close_liver(largest_components(liver, Connectivity::faces6), vessel_closing_mm, job);
+    require_surroundings_of_liver(surroundings_of(liver, smooth, job));
     job.advance(0.9);
     return resample(liver, ct.grid, Interpolation::linear, job);
 }

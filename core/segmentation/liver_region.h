@@ -10,7 +10,8 @@ namespace hepatica {
 
 // A good enough liver, on the grid of the CT: it need not be exact at its border, but it holds the
 // liver's vessels and leaves out heart, kidneys, spleen, bone and gut as far as intensity and shape
-// tell. Works on voxels of about 3 mm. Throws InputError if the CT shows no organ of that kind;
+// tell. Works on voxels of about 3 mm. Throws InputError if the CT shows no organ of that kind, or
+// one that bone or lungs enclose (organ_surroundings.h);
 // Cancelled.
 Mask find_liver(const Volume& ct, Job& job);
 

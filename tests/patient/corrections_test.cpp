@@ -41,6 +41,41 @@ TEST(Corrections, ABridgeIsOpenUntilItIsAcceptedOrNeedless) {
     EXPECT_NE(hash_of(joined), hash_of(patient));
 }
 
+TEST(Corrections, ABridgeCanBeRefusedAndOfferedAgain) {
+    PatientCase patient = patient_with_bridges();
+    EXPECT_EQ(state_of_bridge(patient, 0), BridgeState::open);
+    patient.corrections.bridges[0].refused = true;
+    EXPECT_EQ(state_of_bridge(patient, 0), BridgeState::refused);
+    ASSERT_EQ(open_bridges(patient).size(), 1u);
+    EXPECT_EQ(open_bridges(patient)[0].path_mm, test::other_gap);
+    EXPECT_EQ(acceptances(patient, 0.2).size(), 0u);
+    const std::string kept = bridges_to_json(patient.corrections.bridges);
+    const std::vector<Bridge> again = bridges_from_json(kept, "");
+    EXPECT_TRUE(again[0].refused);
+    EXPECT_FALSE(again[1].refused);
+    patient.corrections.bridges[0].refused = false;
+    Job job;
+    const PatientCase joined =
+        with_edits(patient, {acceptance_of(patient.corrections.bridges[0])}, job);
+    EXPECT_EQ(state_of_bridge(joined, 0), BridgeState::accepted);
+    EXPECT_EQ(state_of_bridge(joined, 1), BridgeState::needless);
+}
+
+// The reconstruction built it; refusing parts the vessels again, and undoing that joins them.
+TEST(Corrections, ABridgeThatWasBuiltIsRefusedByACut) {
+    PatientCase patient = patient_with_bridges();
+    patient.tree = edited(patient.tree, acceptance_of(patient.corrections.bridges[0]));
+    patient.corrections.bridges[0].built = true;
+    ASSERT_EQ(roots(patient.tree).size(), 1u);
+    EXPECT_EQ(state_of_bridge(patient, 0), BridgeState::built);
+    Job job;
+    const PatientCase parted =
+        with_edits(patient, {refusal_of(patient.corrections.bridges[0])}, job);
+    EXPECT_EQ(roots(parted.tree).size(), 2u);
+    EXPECT_EQ(state_of_bridge(parted, 0), BridgeState::refused);
+    EXPECT_EQ(state_of_bridge(with_edits(parted, {}, job), 0), BridgeState::built);
+}
+
 TEST(Corrections, AcceptsByConfidenceTheBestFirst) {
     const PatientCase patient = patient_with_bridges();
     EXPECT_EQ(acceptances(patient, 0.3).size(), 0u);

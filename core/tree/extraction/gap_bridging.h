@@ -30,7 +30,8 @@ struct Bridge {
     // whether it leads to the wide end of one of the pieces, as a lost branch has it. Two systems
     // that come near each other with their thin ends score low.
     double confidence = 0.0;
-    bool built = false;  // whether the graph has it already
+    bool built = false;    // whether the graph has it already
+    bool refused = false;  // somebody said that it is none: it is not offered any more
 };
 
 // Finds at most one bridge for each pair of pieces, best first, builds those that are confident

@@ -13,12 +13,6 @@ namespace {
 constexpr int states = couinaud_count + 1;
 using Potentials = std::array<double, states>;  // logarithms
 
-// What a step into a segment from a common branch costs, and one from another segment, against
-// staying; logarithms. A stretch of 1 / 300 of the portal vein's length counts as one independent
-// witness: about a twentieth of what a segment holds.
-constexpr double cost_of_leaving = 3.0;
-constexpr double cost_of_changing = 4.5;
-constexpr double witness_share = 1.0 / 300.0;
 constexpr double impossible = -std::numeric_limits<double>::infinity();
 
 double transition(int parent, int child) {
@@ -26,13 +20,12 @@ double transition(int parent, int child) {
     // What supplies one segment does not divide into common branches, and no other segment's branch
     // leaves the caudate lobe's, which are the smallest.
     if (child == 0 || parent == 1) return impossible;
-    return parent == 0 ? -cost_of_leaving : -cost_of_changing;
+    return parent == 0 ? -branch_chain::leaving : -branch_chain::changing;
 }
 
 // What speaks for each state of a branch: logarithms, times millimetres.
 Potentials evidence_of(const VesselSegment& segment, const CouinaudFrame& frame) {
-    constexpr double least = 0.05;  // of a likelihood: no single place rules a segment out
-    constexpr double common = 0.9;  // a common branch runs where it likes, at a small price
+    using branch_chain::least;
     Potentials evidence{};
     for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
         const Vec3 &from = segment.points_mm[i - 1], &to = segment.points_mm[i];
@@ -43,7 +36,7 @@ Potentials evidence_of(const VesselSegment& segment, const CouinaudFrame& frame)
             most = std::max(most, likelihood[k - 1]);
             evidence[k] += length * std::log(std::max(likelihood[k - 1], least));
         }
-        evidence[0] += length * std::log(common * most);
+        evidence[0] += length * std::log(branch_chain::common * most);
     }
     return evidence;
 }
@@ -73,7 +66,7 @@ Chain chain_of(const VesselTree& tree, const CouinaudFrame& frame) {
     for (const int s : chain.portal) {
         Potentials& evidence = chain.evidence[s];
         evidence = evidence_of(tree.segments[s], frame);
-        for (double& one : evidence) one /= witness_share * whole_mm;
+        for (double& one : evidence) one /= branch_chain::witness_share * whole_mm;
         if (!divides[s]) evidence[0] = impossible;
     }
     for (int s = frame.trunk; s >= 0; s = chain.parent[s])

@@ -16,6 +16,20 @@
 
 namespace hepatica {
 
+// The chain: a step into a segment from a common branch costs `leaving`, and one from another
+// segment `changing`, against staying (logarithms of odds). No branch leaves one of segment 1 for
+// another segment, none becomes common again, ends are not common, and the trunk is. A stretch of
+// `witness_share` of the portal vein's length counts as one independent witness of where a branch
+// runs, with a likelihood of at least `least`; a common branch runs anywhere, at `common` of the
+// best likelihood there.
+namespace branch_chain {
+inline constexpr double leaving = 3.0;
+inline constexpr double changing = 4.5;
+inline constexpr double witness_share = 1.0 / 300.0;
+inline constexpr double least = 0.05;
+inline constexpr double common = 0.9;
+}  // namespace branch_chain
+
 struct BranchLabel {
     int segment = 0;          // 1 to 8; 0: supplies several (trunk, main branches), or not portal
     double confidence = 0.0;  // probability of this label, given where all branches run

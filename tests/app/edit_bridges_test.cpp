@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps that are offered, decided one by one or by their confidence through the real program.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/app/tour.h"
+#include "tests/patient/parted_patient.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::answer;
+using test::Json;
+using test::run_cli;
+
+// Two bridges over one gap: the first with a confidence of 0.22, the second with 0.1.
+class EditBridges : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::remove_all(case_);
+        write_case(case_, test::patient_with_bridges());
+    }
+    void TearDown() override { fs::remove_all(case_); }
+
+    // What `edit` with these options says of the bridges afterwards.
+    std::vector<std::string> states(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"edit", case_.string()});
+        std::vector<std::string> found;
+        for (const Json& bridge : answer(options).at("bridges")) {
+            EXPECT_EQ(bridge.at("number"), found.size() + 1);
+            found.push_back(bridge.at("state"));
+        }
+        return found;
+    }
+    using States = std::vector<std::string>;
+
+    fs::path case_ = fs::path(testing::TempDir()) / "edit bridges.hep";
+};
+
+TEST_F(EditBridges, AreAcceptedOneByOne) {
+    EXPECT_EQ(states({"--list"}), (States{"open", "open"}));
+    EXPECT_EQ(states({"--accept", "2"}), (States{"needless", "accepted"}));
+    EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
+    EXPECT_EQ(states({"--undo", "1"}), (States{"open", "open"}));
+}
+
+TEST_F(EditBridges, AreRefusedOneByOneAndOfferedAgain) {
+    EXPECT_EQ(states({"--refuse", "1"}), (States{"refused", "open"}));
+    EXPECT_EQ(states({"--list"}), (States{"refused", "open"}));  // the case remembers
+    EXPECT_EQ(states({"--accept-bridges", "0"}), (States{"refused", "accepted"}));
+    EXPECT_EQ(states({"--undo", "1"}), (States{"refused", "open"}));
+    EXPECT_EQ(states({"--offer", "1"}), (States{"open", "open"}));
+}
+
+TEST_F(EditBridges, AreRefusedBelowAConfidence) {
+    EXPECT_EQ(states({"--refuse-bridges", "0.2"}), (States{"open", "refused"}));
+    EXPECT_EQ(answer({"edit", case_.string(), "--list"}).at("open_bridges").size(), 1u);
+    EXPECT_EQ(states({"--refuse-bridges", "0.3", "--accept", "2"}),
+              (States{"refused", "accepted"}));
+}
+
+TEST_F(EditBridges, WhatCannotBeDecidedIsSaid) {
+    EXPECT_EQ(run_cli({"edit", case_.string(), "--accept", "3"}).exit_code, 2);
+    EXPECT_EQ(run_cli({"edit", case_.string(), "--refuse", "0"}).exit_code, 2);
+    answer({"edit", case_.string(), "--accept", "1"});
+    const auto taken = run_cli({"edit", case_.string(), "--refuse", "1"});
+    EXPECT_EQ(taken.exit_code, 2);
+    EXPECT_NE(taken.errors.find("--undo"), std::string::npos) << taken.errors;
+}
+
+}  // namespace
+}  // namespace hepatica
