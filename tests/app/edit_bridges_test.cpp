@@ -30,7 +30,8 @@ class EditBridges : public testing::Test {
     std::vector<std::string> states(std::vector<std::string> options) const {
         options.insert(options.begin(), {"edit", case_.string()});
         std::vector<std::string> found;
-        for (const Json& bridge : answer(options).at("bridges")) {
+        const Json said = answer(options);
+        for (const Json& bridge : said.at("bridges")) {
             EXPECT_EQ(bridge.at("number"), found.size() + 1);
             found.push_back(bridge.at("state"));
         }
