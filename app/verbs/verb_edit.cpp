@@ -118,7 +118,7 @@ Json run(const Options& options, Job& job) {
         require_writable(options.out);
         require_own_or_new(options.out, "case.json");
     }
-    job.expect_stages(options.list ? 1 : 5);
+    job.expect_stages(options.list ? 1 : 4);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
     const std::size_t before = patient.corrections.edits.size();

@@ -16,7 +16,6 @@ Mask liver_of(const Mask& organs) {
 }
 
 void label_segments(PatientCase& patient, Job& job) {
-    job.begin_stage("Parting the liver into segments");
     if (patient.organs.voxels.empty()) return;
     patient.couinaud = {};
     if (patient.doubts) patient.doubts->segments.reset();

@@ -213,7 +213,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 }  // namespace
 
 int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 6;
+    constexpr int reading = 1, from_skeleton_to_mesh = 5;
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     const int tumours = static_cast<int>(options.tumour_masks.size());

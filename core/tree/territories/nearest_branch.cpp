@@ -121,7 +121,7 @@ class Diagram {
 
     void spread() {
         const Grid& grid = organ_.grid;
-        constexpr std::size_t look = 1 << 10;
+        constexpr std::size_t look = 1 << 8;
         const auto all =
             static_cast<double>(std::ranges::count_if(passable_, [](auto v) { return v != 0; }));
         for (std::size_t popped = 0; !fronts_.empty(); ++popped) {
