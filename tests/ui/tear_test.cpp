@@ -79,20 +79,20 @@ TEST_F(TearTest, the_curves_of_a_tear_appear_with_what_happened) {
     ASSERT_TRUE(dock->isHidden());
     simulation_->show_tear(TearView{});
     auto* panel = dynamic_cast<PlotPanel*>(dock->widget());
-    ASSERT_TRUE(wait_for([&] { return !panel->tear().chart().curves.empty(); }));
+    ASSERT_TRUE(testing::wait_for([&] { return !panel->tear().chart().curves.empty(); }));
     EXPECT_TRUE(dock->isHidden()) << "nothing has happened yet";
     TearView torn;
     torn.joints_broken = 4;
     torn.pieces = 2;
     torn.leak_g_s = 2.5;
     simulation_->show_tear(torn);
-    ASSERT_TRUE(wait_for([&] { return !dock->isHidden(); }));
+    ASSERT_TRUE(testing::wait_for([&] { return !dock->isHidden(); }));
     ASSERT_EQ(panel->tear().events().size(), 3u);
     EXPECT_EQ(panel->tear().events()[0].text, "torn");
     EXPECT_EQ(panel->tear().events()[2].text, "bleeding");
     EXPECT_TRUE(panel->tear().isVisible());
     simulation_->show_tear(std::nullopt);
-    ASSERT_TRUE(wait_for([&] { return !panel->tear().isVisible(); }));
+    ASSERT_TRUE(testing::wait_for([&] { return !panel->tear().isVisible(); }));
 }
 
 }  // namespace

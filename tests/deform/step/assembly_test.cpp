@@ -18,7 +18,7 @@ using test::random_field;
 
 using small::Tangent;
 
-struct Choice : test::ElementChoice {
+struct AssemblyChoice : test::ElementChoice {
     Tangent tangent;
 };
 
@@ -69,10 +69,10 @@ Sum sum_over_elements(const Body& body, const std::vector<Vec3>& x) {
     return sum;
 }
 
-class GatheredElements : public testing::TestWithParam<Choice> {};
+class GatheredElements : public testing::TestWithParam<AssemblyChoice> {};
 
 TEST_P(GatheredElements, AreTheSumOverTheElements) {
-    const Choice& choice = GetParam();
+    const AssemblyChoice& choice = GetParam();
     const Body body = build_body(brick(choice.hexahedra), choice.model, choice.order);
     std::vector<Vec3> x = body.rest_positions_mm;
     const auto noise = random_field(x.size(), 0.1, 3);
@@ -107,21 +107,22 @@ TEST_P(GatheredElements, AreTheSumOverTheElements) {
               0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GatheredElements,
-                         testing::Values(Choice{"spring", ElementModel::spring,
-                                                ElementOrder::linear, false, Tangent::rotated},
-                                         Choice{"corotated", ElementModel::corotated,
-                                                ElementOrder::linear, false, Tangent::rotated},
-                                         Choice{"corotated, projected", ElementModel::corotated,
-                                                ElementOrder::linear, false, Tangent::projected},
-                                         Choice{"neohookean", ElementModel::neohookean,
-                                                ElementOrder::linear, false, Tangent::projected},
-                                         Choice{"corotated-10", ElementModel::corotated,
-                                                ElementOrder::quadratic, false, Tangent::rotated},
-                                         Choice{"neohookean-10", ElementModel::neohookean,
-                                                ElementOrder::quadratic, false, Tangent::projected},
-                                         Choice{"hexahedron", ElementModel::corotated,
-                                                ElementOrder::linear, true, Tangent::rotated}));
+INSTANTIATE_TEST_SUITE_P(
+    All, GatheredElements,
+    testing::Values(AssemblyChoice{"spring", ElementModel::spring, ElementOrder::linear, false,
+                                   Tangent::rotated},
+                    AssemblyChoice{"corotated", ElementModel::corotated, ElementOrder::linear,
+                                   false, Tangent::rotated},
+                    AssemblyChoice{"corotated, projected", ElementModel::corotated,
+                                   ElementOrder::linear, false, Tangent::projected},
+                    AssemblyChoice{"neohookean", ElementModel::neohookean, ElementOrder::linear,
+                                   false, Tangent::projected},
+                    AssemblyChoice{"corotated-10", ElementModel::corotated, ElementOrder::quadratic,
+                                   false, Tangent::rotated},
+                    AssemblyChoice{"neohookean-10", ElementModel::neohookean,
+                                   ElementOrder::quadratic, false, Tangent::projected},
+                    AssemblyChoice{"hexahedron", ElementModel::corotated, ElementOrder::linear,
+                                   true, Tangent::rotated}));
 
 }  // namespace
 }  // namespace hepatica

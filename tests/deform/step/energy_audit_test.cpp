@@ -20,12 +20,12 @@ using test::random_field;
 
 constexpr double allowed = 1e-5;  // of the energies handled, beside the quadrature's own error
 
-struct Choice : test::ElementChoice {
+struct AuditedChoice : test::ElementChoice {
     int newton_iterations;       // 1: rotated stiffness, else projected
     bool two_materials = false;  // of two Poisson's ratios: no factors
 };
 
-Body brick(const Choice& choice, double tether = 0.0) {
+Body brick(const AuditedChoice& choice, double tether = 0.0) {
     BodyDescription d;
     const Vec3 size(30, 20, 20);
     if (choice.hexahedra) {
@@ -69,10 +69,10 @@ double largest_change(BackwardEuler& integrator, BodyState& state, const Potenti
     return largest;
 }
 
-class AuditedElement : public testing::TestWithParam<Choice> {};
+class AuditedElement : public testing::TestWithParam<AuditedChoice> {};
 
 TEST_P(AuditedElement, ForcesAreTheGradientOfWhatIsBooked) {
-    const Choice& choice = GetParam();
+    const AuditedChoice& choice = GetParam();
     const Body body = brick(choice);
     struct Shape {
         const char* name;
@@ -100,19 +100,23 @@ TEST_P(AuditedElement, ForcesAreTheGradientOfWhatIsBooked) {
 INSTANTIATE_TEST_SUITE_P(
     All, AuditedElement,
     testing::Values(
-        Choice{{"spring", ElementModel::spring, ElementOrder::linear, false}, 1},
-        Choice{{"corotated_in_factors", ElementModel::corotated, ElementOrder::linear, false}, 1},
-        Choice{
+        AuditedChoice{{"spring", ElementModel::spring, ElementOrder::linear, false}, 1},
+        AuditedChoice{
+            {"corotated_in_factors", ElementModel::corotated, ElementOrder::linear, false}, 1},
+        AuditedChoice{
             {"corotated_in_lanes", ElementModel::corotated, ElementOrder::linear, false}, 1, true},
-        Choice{{"corotated_projected", ElementModel::corotated, ElementOrder::linear, false}, 4},
-        Choice{{"corotated10_in_lanes", ElementModel::corotated, ElementOrder::quadratic, false},
-               1},
-        Choice{{"corotated10_projected", ElementModel::corotated, ElementOrder::quadratic, false},
-               4},
-        Choice{{"neohookean", ElementModel::neohookean, ElementOrder::linear, false}, 4},
-        Choice{{"neohookean10", ElementModel::neohookean, ElementOrder::quadratic, false}, 4},
-        Choice{{"hexahedron", ElementModel::corotated, ElementOrder::linear, true}, 1},
-        Choice{{"hexahedron_newton", ElementModel::corotated, ElementOrder::linear, true}, 4}),
+        AuditedChoice{{"corotated_projected", ElementModel::corotated, ElementOrder::linear, false},
+                      4},
+        AuditedChoice{
+            {"corotated10_in_lanes", ElementModel::corotated, ElementOrder::quadratic, false}, 1},
+        AuditedChoice{
+            {"corotated10_projected", ElementModel::corotated, ElementOrder::quadratic, false}, 4},
+        AuditedChoice{{"neohookean", ElementModel::neohookean, ElementOrder::linear, false}, 4},
+        AuditedChoice{{"neohookean10", ElementModel::neohookean, ElementOrder::quadratic, false},
+                      4},
+        AuditedChoice{{"hexahedron", ElementModel::corotated, ElementOrder::linear, true}, 1},
+        AuditedChoice{{"hexahedron_newton", ElementModel::corotated, ElementOrder::linear, true},
+                      4}),
     [](const auto& test) { return std::string(test.param.name); });
 
 struct Pull {
@@ -127,7 +131,7 @@ struct Pull {
 // One potential at a time, in charge of a soft body: weight, tissue, a grab within its limit and
 // one beyond it.
 TEST(AuditedPotential, ForcesAreTheGradientOfWhatIsBooked) {
-    const Choice choice{{"", ElementModel::corotated, ElementOrder::linear, false}, 1};
+    const AuditedChoice choice{{"", ElementModel::corotated, ElementOrder::linear, false}, 1};
     const Vec3 none = Vec3::Zero();
     for (const Pull& pull :
          {Pull{"weight", &EnergyLedger::gravity_work, 0.0, none, Vec3(1e4, -2e4, 3e4), 0.0},
