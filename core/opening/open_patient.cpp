@@ -68,6 +68,8 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     }
     const TemporaryFolder scan;
     opened = opened_from(reconstruct_built_in(scan.path(), job));
+    // Nobody can improve the scan of a patient that was made up, or give it seeds.
+    opened.warnings.clear();
     keep(cache, *opened.patient, opened.warnings);
     return opened;
 }
