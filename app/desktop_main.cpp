@@ -2,6 +2,7 @@
 // hepatica: the window. Opens what it is given, or waits for a drop.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
@@ -42,6 +43,8 @@ Options parse(const QCoreApplication& application) {
     const QCommandLineOption json("json", "Print the report as JSON.");
     parser.addOptions({built_in, safe, report, quit, json});
     parser.process(application);
+    for (const QString& more : parser.positionalArguments().mid(1))
+        std::fprintf(stderr, "hepatica: opens one at a time, not %s as well\n", qPrintable(more));
     return {parser.positionalArguments().value(0),
             parser.isSet(built_in),
             parser.isSet(safe),
@@ -86,6 +89,9 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     QApplication::setApplicationVersion(HEPATICA_VERSION);
+    // By these the desktop knows which of its entries the window belongs to.
+    QGuiApplication::setDesktopFileName("org.hepatica.Hepatica");
+    QApplication::setWindowIcon(QIcon::fromTheme("hepatica"));
     // Qt takes the user's locale; with a decimal comma in it, numbers in files and shaders break.
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);

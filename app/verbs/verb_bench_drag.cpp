@@ -12,6 +12,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/program_files.h"
 #include "core/deform/body/element_name.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/setting_json.h"
@@ -26,7 +27,7 @@ constexpr int reference_substeps = 8;
 struct Options {
     std::filesystem::path patient;
     std::vector<std::string> motions;
-    std::filesystem::path script = "assets/scripts/drag.json";
+    std::filesystem::path script;  // empty: the program's own drag.json
     double quality = -1.0;
     std::string setting;
     bool whole = false;
@@ -112,7 +113,8 @@ struct Study {
 void measure(const Options& options, const std::string& name,
              const std::shared_ptr<const PatientCase>& patient, Study& study, Job& job) {
     std::optional<Script> script;
-    if (name == "script") script = read_script(options.script);
+    if (name == "script")
+        script = read_script(options.script.empty() ? asset("scripts/drag.json") : options.script);
     const HandMotion motion = script ? motion_of(*script) : hand_motion(name);
     const auto region = options.whole ? PlayedRegion::whole_body : PlayedRegion::as_in_scenes;
     job.begin_stage("Playing " + name);
@@ -180,8 +182,8 @@ void add_bench_drag(CommandLine& line) {
     verb.add_option("CASE", options->patient, "Case to play on")->required();
     verb.add_option("--motion", options->motions, "Which motions; else all of them")
         ->check(CLI::IsMember(all_motions()));
-    verb.add_option("--script", options->script, "What the motion \"script\" plays")
-        ->capture_default_str();
+    verb.add_option("--script", options->script,
+                    "What the motion \"script\" plays; else the program's own drag.json");
     CLI::Option* quality =
         verb.add_option("--quality", options->quality, "The dial, 0 fastest to 1 most accurate")
             ->check(CLI::Range(0.0, 1.0));

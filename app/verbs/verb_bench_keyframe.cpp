@@ -6,6 +6,7 @@
 
 #include "app/step_times.h"
 #include "app/verbs/verbs.h"
+#include "core/base/program_files.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/world.h"
 #include "core/session/script.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct Options {
     std::filesystem::path patient;
-    std::filesystem::path script = "assets/scripts/drag.json";
+    std::filesystem::path script;  // empty: the program's own drag.json
     int steps = 600;
 };
 
@@ -38,7 +39,8 @@ Json run(const Options& options, Job& job) {
     job.begin_stage("Reading the case");
     const auto patient =
         std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
-    const Script script = read_script(options.script);
+    const Script script =
+        read_script(options.script.empty() ? asset("scripts/drag.json") : options.script);
     Session session(patient, script.scene.value_or(default_scene()), job);
     job.begin_stage("Simulating");
     StepTimes without, with, alone;
@@ -75,7 +77,8 @@ void add_bench_keyframe(CommandLine& line) {
         "What a keyframe adds to a step: a played script, each step without and with one",
         [options](Job& job) { return run(*options, job); });
     verb.add_option("case", options->patient, "Case to play on")->required();
-    verb.add_option("--script", options->script, "Script to play")->capture_default_str();
+    verb.add_option("--script", options->script,
+                    "Script to play; else the program's own drag.json");
     verb.add_option("--steps", options->steps, "How many steps")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();

@@ -4,6 +4,8 @@
 #include <thread>
 
 #include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/base/program_files.h"
 #include "gpu/machine/device_machine.h"
 
 namespace hepatica {
@@ -46,8 +48,18 @@ Json cuda() {
             {"reason", text_or_null(info.reason)}};
 }
 
+// Where the program's own files are.
+Json own_files() {
+    try {
+        return asset("scripts").parent_path().string();
+    } catch (const InputError&) {
+        return nullptr;
+    }
+}
+
 Json diagnose() {
     return {{"version", HEPATICA_VERSION},
+            {"files", own_files()},
             {"cpu", {{"name", processor_name()}, {"threads", std::thread::hardware_concurrency()}}},
             {"cuda", cuda()},
             {"libraries", library_versions()}};

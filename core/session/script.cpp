@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/program_files.h"
 #include "core/base/text_file.h"
 
 namespace hepatica {
@@ -16,8 +17,18 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+// Where a script that works can be read.
+std::string with_example(const std::string& advice) {
+    std::string example = "assets/scripts/drag.json";
+    try {
+        example = asset("scripts/drag.json").string();
+    } catch (const InputError&) {  // the program stands alone; what is wrong is another thing
+    }
+    return advice + " such as " + example;
+}
+
 [[noreturn]] void refuse(const std::string& problem) {
-    throw InputError(problem, "", "See assets/scripts for scripts that work");
+    throw InputError(problem, "", with_example("See a script that works,"));
 }
 
 double number(const Json& json, const char* key, double otherwise) {
@@ -171,15 +182,14 @@ Vec3 point_on_longest_path(const VesselTree& tree, double share) {
 }
 
 Script read_script(const std::filesystem::path& file) {
-    return script_of(read_text_file(file, "Give a script such as assets/scripts/drag.json"), file);
+    return script_of(read_text_file(file, with_example("Give a script")), file);
 }
 
 Script script_of(const std::string& text, const std::filesystem::path& file) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded() || !json.is_object() || !json.contains("actions") ||
         !json["actions"].is_array())
-        throw InputError("is not a script", file.string(),
-                         "Give a script such as assets/scripts/drag.json");
+        throw InputError("is not a script", file.string(), with_example("Give a script"));
     Script script;
     std::size_t number = 0;
     try {
@@ -194,8 +204,7 @@ Script script_of(const std::string& text, const std::filesystem::path& file) {
         const std::string what = error.place().empty() ? "" : error.place() + " ";
         throw InputError(what + error.problem(), file.string() + where, error.remedy());
     } catch (const Json::exception& error) {  // a value has the wrong type
-        throw InputError(error.what(), file.string(),
-                         "Give a script such as assets/scripts/drag.json");
+        throw InputError(error.what(), file.string(), with_example("Give a script"));
     }
     std::ranges::stable_sort(script.actions, {}, &ScriptAction::at_s);
     return script;

@@ -22,7 +22,7 @@ std::string text_of(const fs::path& file) {
 
 std::set<fs::path> documents() {
     std::set<fs::path> found;
-    for (const fs::path& folder : {source_root, source_root / "docs"})
+    for (const fs::path& folder : {source_root, source_root / "docs", source_root / "packaging"})
         for (const auto& entry : fs::directory_iterator(folder))
             if (entry.path().extension() == ".md") found.insert(entry.path());
     return found;
@@ -31,7 +31,7 @@ std::set<fs::path> documents() {
 // Paths of this tree between backquotes; `core/deform/stepper.*` names all that begin like this.
 std::set<std::string> paths_named_in(const std::string& text) {
     static const std::regex pattern(
-        "`((?:core|render|ui|app|tests|scripts|cmake|assets|bench)/[A-Za-z0-9_./*-]*)`");
+        "`((?:core|render|ui|app|tests|scripts|cmake|assets|bench|packaging)/[A-Za-z0-9_./*-]*)`");
     std::set<std::string> paths;
     for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
         paths.insert((*match)[1]);
