@@ -246,7 +246,8 @@ void add_simulate(CommandLine& line) {
     CLI::App& verb = line.add_verb("simulate", "Play a script on a case and measure",
                                    [options](Job& job) { return run(*options, job); });
     verb.add_option("case", options->patient, "Case to play on")->required();
-    verb.add_option("--script", options->script, "Script, such as the program's own scripts/drag.json")
+    verb.add_option("--script", options->script,
+                    "Script, such as the program's own scripts/drag.json")
         ->required();
     verb.add_option("--steps", options->steps, "How many steps")
         ->check(CLI::Range(1, 10'000'000))

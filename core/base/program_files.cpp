@@ -13,8 +13,9 @@ fs::path asset_of(const fs::path& program, const fs::path& name) {
     const fs::path bin = program.parent_path();
     // Installed as CMake was told; built as build/PRESET/bin.
     for (const fs::path& assets : {bin / HEPATICA_ASSETS_FROM_BIN, bin / "../../../assets"}) {
+        const fs::path place = (assets / name).lexically_normal();
         std::error_code ignored;
-        if (fs::exists(assets / name, ignored)) return (assets / name).lexically_normal();
+        if (fs::exists(place, ignored)) return place;
     }
     throw InputError("a file of the program itself is missing", name.string(),
                      "Install Hepatica again, or run it where it was built");
