@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/patient_image.h"
+
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/image/volume_reader.h"
+#include "core/patient/image_digest.h"
+#include "core/reconstruction/built_in_patient.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_image_of(const PatientCase& patient, const Volume& ct) {
+    const std::string& wanted = patient.source.image_sha256;
+    return wanted.empty() || digest_of(ct) == wanted;
+}
+
+// Nothing where the patient is not the built-in one.
+std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
+    const PhantomOptions made;
+    const Grid& grid = patient.source.image_grid;
+    if (grid.dims != made.dims || grid.spacing_mm != made.spacing_mm) return std::nullopt;
+    Volume ct = built_in_truth(job).ct;
+    if (!is_image_of(patient, ct)) return std::nullopt;
+    return ct;
+}
+
+}  // namespace
+
+Volume image_of(const PatientCase& patient, const fs::path& place, Job& job) {
+    if (place.empty()) {
+        if (std::optional<Volume> ct = built_in_image(patient, job)) return std::move(*ct);
+        throw InputError("it is not known where this patient's CT lies", patient.source.name,
+                         "choose its folder or file");
+    }
+    Volume first = read_volume(place, job);
+    if (is_image_of(patient, first)) return first;
+    first = {};
+    std::error_code ignored;
+    const std::size_t series =
+        fs::is_directory(place, ignored) ? list_series(place, job).size() : 0;
+    for (std::size_t i = 2; i <= series; ++i) {
+        Volume next = read_volume(place, job, nullptr, static_cast<int>(i));
+        if (is_image_of(patient, next)) return next;
+    }
+    throw InputError("this is not the CT that the patient was reconstructed from", place.string(),
+                     "choose the one that was opened when the case was made; its files may have "
+                     "other names, but the voxels must be the same");
+}
+
+Mask system_voxels(const PatientCase& patient, const fs::path& folder) {
+    if (!patient.mask.voxels.empty() || folder.empty()) return patient.mask;
+    PatientCase voxels;
+    add_voxels(folder, voxels);
+    return std::move(voxels.mask);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The CT behind a case that is open: a case keeps a digest of it, never a path. It is read from
+// where the person says, or made anew for the built-in patient, and taken only if it is the one.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/job.h"
+#include "core/image/volume.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+// The CT that `patient` was reconstructed from. `place` is what read_volume() reads, and in a
+// folder of several series each is tried; where it is empty the built-in patient's CT is made anew,
+// if it is his. Throws InputError where it is another one, saying so, or cannot be found or read;
+// Cancelled. A case that does not know its CT (a tree that was opened alone) takes any. Never holds
+// two volumes.
+Volume image_of(const PatientCase& patient, const std::filesystem::path& place, Job& job);
+
+// The numbers of systems by voxel: the patient's own, or those of the case in `folder` where he was
+// read without them; empty where there are none. Throws InputError as read_case() does.
+Mask system_voxels(const PatientCase& patient, const std::filesystem::path& folder);
+
+}  // namespace hepatica
