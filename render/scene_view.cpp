@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "render/annotations.h"
+#include "render/crosshair_actor.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
 #include "render/orientation_marker.h"
@@ -87,6 +88,7 @@ struct SceneView::Parts {
     GhostActor liver;
     GrabActor grab;
     GrabActor stroke;
+    CrosshairActor crosshair;
     ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
     Annotations annotations;
@@ -94,7 +96,8 @@ struct SceneView::Parts {
     DrugView drug;
     double pixel_ratio = 1.0;
     bool annotated = true;
-    bool looked = false;  // a camera was chosen for the present tree
+    bool looked = false;        // a camera was chosen for the present tree
+    double shown_aspect = 0.0;  // of the picture for which the camera was chosen or kept; 0: none
 };
 
 SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
@@ -117,6 +120,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.AddActor(parts_->grab.point());
     renderer.AddActor(parts_->stroke.line());
     renderer.AddActor(parts_->stroke.point());
+    renderer.AddActor(parts_->crosshair.actor());
     window.AddRenderer(&renderer);
     hepatica::look_from(*renderer.GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-50),
                         Vec3::Constant(50), 1.0);
@@ -140,6 +144,7 @@ bool SceneView::show(const Frame& frame) {
 
 void SceneView::render(double pixel_ratio) {
     parts_->pixel_ratio = pixel_ratio;
+    keep_in_sight();
     vtkRenderer& renderer = *parts_->renderer;
     vtkCamera& eye = camera();
     const SurfaceGeometry& surface = parts_->tree.surface();
@@ -182,6 +187,10 @@ void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
     parts_->stroke.update(line);
 }
 
+bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
+    return parts_->crosshair.show(position_mm);
+}
+
 void SceneView::set_bridges(std::vector<BridgeView> bridges) {
     parts_->bridges.set_bridges(std::move(bridges));
 }
@@ -210,10 +219,25 @@ void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->tree.set_rounded(smoothing != Smoothing::none);
 }
 
+// What was in sight stays in sight when the picture gets narrower, and comes back when it gets
+// wider again.
+void SceneView::keep_in_sight() {
+    const SurfaceGeometry& surface = parts_->tree.surface();
+    const double aspect = parts_->aspect();
+    if (surface.triangles().empty() || aspect == parts_->shown_aspect) return;
+    const Vec3 size = surface.upper_mm() - surface.lower_mm();
+    const ViewAxes view = axes();
+    const double wanted = size.dot(view.right.cwiseAbs()) / size.dot(view.up.cwiseAbs());
+    if (parts_->shown_aspect > 0.0)
+        zoom_by(std::max(1.0, wanted / parts_->shown_aspect) / std::max(1.0, wanted / aspect));
+    parts_->shown_aspect = aspect;
+}
+
 void SceneView::look_from(ViewDirection direction) {
     const SurfaceGeometry& surface = parts_->tree.surface();
     const bool empty = surface.triangles().empty();
     parts_->looked = !empty;
+    parts_->shown_aspect = empty ? 0.0 : parts_->aspect();
     hepatica::look_from(camera(), direction, empty ? Vec3::Constant(-50) : surface.lower_mm(),
                         empty ? Vec3::Constant(50) : surface.upper_mm(), parts_->aspect());
 }

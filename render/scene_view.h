@@ -71,6 +71,8 @@ class SceneView {
     void set_highlight(std::vector<std::uint8_t> vertices);
     // What is being drawn on the vessels, from one point to another; none removes it.
     void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);
+    // Where slices of the CT cross; none removes it. True if the picture is another now.
+    bool set_crosshair(const std::optional<Vec3>& position_mm);
     // Gaps that might be bridged; drawn as dashed lines.
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
@@ -103,6 +105,8 @@ class SceneView {
     void zoom_by(double factor);
 
   private:
+    void keep_in_sight();
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -83,16 +83,20 @@ constexpr std::array table{
     ActionSpec{view_inferior, "&View", "&Inferior", "I", "Look from the feet"},
     ActionSpec{toggle_annotations, "&View", "Le&gend and scale", "G",
                "Show legend, scale bar and orientation", true},
+    ActionSpec{toggle_slices, "&View", "Slices of the C&T", "F7",
+               "Axial, coronal and sagittal slices of the CT beside the vessels", true},
     ActionSpec{toggle_plots, "&View", "&Curves", "F8", "Show the curves of the last injection",
                true},
     ActionSpec{toggle_panels, "&View", "Pa&nels", "F9", "Show the panels beside the view", true},
+    ActionSpec{full_screen, "&View", "&Full screen", "F11", "The window fills the screen, and back",
+               true},
     ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
     ActionSpec{messages, "&Help", "&Messages", "F2",
                "What was warned of and what failed since the program began"},
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 12> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 16> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
@@ -104,6 +108,10 @@ constexpr std::array<std::pair<const char*, const char*>, 12> gestures{{
     {"Left drag with blade or cut line", "across a vessel: cut it, or let it tear there"},
     {"Click on a dashed line", "bridge that gap"},
     {"Hover", "show what lies downstream, and its share of the flow"},
+    {"Shift + hover with slices beside", "the slices go there"},
+    {"Left drag on a slice", "move the crosshair; wheel: the slice, with Shift ten of them"},
+    {"Right drag on a slice", "grey window: its width to the right, its level down"},
+    {"Double-click on a slice", "enlarge it, and back; Ctrl + wheel zooms, middle drag pans"},
     {"Drop a file or folder", "open it"},
 }};
 

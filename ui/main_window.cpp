@@ -32,6 +32,7 @@
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
 #include "ui/recent_menu.h"
+#include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
@@ -137,11 +138,22 @@ void MainWindow::build_view() {
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
-    column->addWidget(view_, 1);
+    build_slices(centre);
+    column->addWidget(view_layout_, 1);
     column->addWidget(progress_);
     setCentralWidget(centre);
     welcome_ = new Welcome(*actions_, view_);
     log_ = new MessageLog(this);
+}
+
+void MainWindow::build_slices(QWidget* parent) {
+    ViewLayout::Callbacks callbacks;
+    callbacks.ask_for_ct = [this] { return ask_where_ct_lies(); };
+    callbacks.crosshair = [this](const std::optional<Vec3>& place) {
+        if (view_->scene().set_crosshair(place)) view_->draw_again();
+    };
+    callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
+    view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
 }
 
 void MainWindow::build_panels() {
@@ -305,6 +317,11 @@ void MainWindow::connect_views() {
         view_->scene().set_annotations_visible(annotations.isChecked());
         view_->draw_again();
     });
+    QAction& slices = (*actions_)[ActionId::toggle_slices];
+    actions_->on(ActionId::toggle_slices,
+                 [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
+    actions_->on(ActionId::full_screen,
+                 [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     QAction& plots = (*actions_)[ActionId::toggle_plots];
     actions_->on(ActionId::toggle_plots,
                  [this, &plots] { curves_->setVisible(plots.isChecked()); });

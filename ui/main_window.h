@@ -30,6 +30,7 @@ class ProgressStrip;
 class QualityPanel;
 class StatusLine;
 class ToolPanel;
+class ViewLayout;
 class VtkWidget;
 class Welcome;
 struct PictureTime;
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
     const Frame& frame() const { return patient_->simulation->frame(); }
     const Workspace& workspace() const { return keeper_->workspace(); }
     VtkWidget& view() { return *view_; }
+    ViewLayout& view_layout() { return *view_layout_; }
     MessageBar& messages() { return *messages_; }
     MessageLog& log() { return *log_; }
     Actions& actions() { return *actions_; }
@@ -81,9 +83,11 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_tools();
     void connect_views();
+    void build_slices(QWidget* parent);
 
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
+    std::optional<std::filesystem::path> ask_where_ct_lies();
     void ask_for_ct(bool folder);
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
@@ -119,6 +123,7 @@ class MainWindow : public QMainWindow {
     Settings& settings_;
     std::unique_ptr<Actions> actions_;
     VtkWidget* view_ = nullptr;
+    ViewLayout* view_layout_ = nullptr;  // holds view_ and the slices of the CT
     Welcome* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     MessageLog* log_ = nullptr;

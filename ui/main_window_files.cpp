@@ -69,6 +69,14 @@ void MainWindow::ask_for_case() {
     if (!folder.isEmpty()) open(folder);
 }
 
+std::optional<std::filesystem::path> MainWindow::ask_where_ct_lies() {
+    const QString file = QFileDialog::getOpenFileName(
+        this, "The CT of this patient: a volume, or any one file of its DICOM folder",
+        settings_.last_folder(), "All files (*)");
+    if (file.isEmpty()) return std::nullopt;
+    return to_path(file);
+}
+
 void MainWindow::ask_for_reconstruction() {
     PatientWizard wizard(settings_.last_folder(), this);
     wizard.set_ct(to_text(keeper_->workspace().image()));
@@ -146,6 +154,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!may_close_) return event->ignore();
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();
+    view_layout_->clear();
     curves_->clear();
     patient_.reset();
     QMainWindow::closeEvent(event);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window shows of the patient, and what the user does with him.
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QStatusBar>
 #include <QTimer>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/quality_panel.h"
+#include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
@@ -37,6 +39,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     tool_panel_->forget_tear();
     follow_simulation();
     editing_->show_body();
+    corrected ? view_layout_->show_corrected(patient_->patient)
+              : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
     if (!corrected) show_warnings();
 }
 
@@ -133,7 +137,11 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     if (!patient_) return;
     if (pick.nearest_vertex == hovered_vertex_) return;
     hovered_vertex_ = pick.nearest_vertex;
-    const TreePoint point = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
+    const int vertex = frame().origin_of(pick.nearest_vertex);
+    if (vertex >= 0 && QGuiApplication::keyboardModifiers() & Qt::ShiftModifier)
+        view_layout_->slices().set_crosshair(
+            patient_->patient->mesh.vertices_mm[static_cast<std::size_t>(vertex)]);
+    const TreePoint point = patient_->anatomy.tree_point(vertex);
     inject_->show_hover(
         QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));

@@ -13,6 +13,7 @@ const char* const recent_key = "recent_files";
 // The layout's version: state of other dock widgets is not restored.
 const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
+const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
 
 }  // namespace
@@ -69,6 +70,18 @@ void Settings::set_window(const QByteArray& geometry, const QByteArray& layout) 
     if (!store_) return;
     store_->setValue(geometry_key, geometry);
     store_->setValue(layout_key, layout);
+}
+
+QString Settings::place_of_image(const std::string& sha256) const {
+    return store_ && !sha256.empty()
+               ? store_->value(images_key + QString::fromStdString(sha256)).toString()
+               : QString();
+}
+
+void Settings::remember_image(const std::string& sha256, const QString& path) {
+    if (store_ && !sha256.empty())
+        store_->setValue(images_key + QString::fromStdString(sha256),
+                         QDir::cleanPath(QFileInfo(path).absoluteFilePath()));
 }
 
 QString Settings::last_folder() const {

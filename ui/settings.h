@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <string>
 
 class QSettings;
 
@@ -30,6 +31,11 @@ class Settings {
     QByteArray window_geometry() const;
     QByteArray window_layout() const;
     void set_window(const QByteArray& geometry, const QByteArray& layout);
+
+    // Where the CT with this digest lay when it was last read; empty where that is not known.
+    // Paths name patients often: they stay here, and are never written into a case.
+    QString place_of_image(const std::string& sha256) const;
+    void remember_image(const std::string& sha256, const QString& path);
 
     QString last_folder() const;
     void set_last_folder(const QString& folder);

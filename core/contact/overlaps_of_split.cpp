@@ -17,7 +17,7 @@ std::array<int, 3> ascending(std::array<int, 3> corners) {
 
 void each_once(std::vector<int>& numbers) {
     std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 bool in_common(const std::vector<int>& a, const std::vector<int>& b) {

@@ -25,7 +25,9 @@ bool is_image_of(const PatientCase& patient, const Volume& ct) {
 std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     const PhantomOptions made;
     const Grid& grid = patient.source.image_grid;
-    if (grid.dims != made.dims || grid.spacing_mm != made.spacing_mm) return std::nullopt;
+    // A file keeps its spacing in single precision.
+    if (grid.dims != made.dims || !grid.spacing_mm.isApprox(made.spacing_mm, 1e-6))
+        return std::nullopt;
     Volume ct = built_in_truth(job).ct;
     if (!is_image_of(patient, ct)) return std::nullopt;
     return ct;

@@ -68,7 +68,7 @@ std::array<int, 3> sorted(int a, int b, int c) {
 std::vector<std::array<int, 3>> in_order(std::vector<std::array<int, 3>> triangles) {
     // The smallest corner first, turned and not mirrored.
     for (auto& triangle : triangles)
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     std::ranges::sort(triangles);
     return triangles;
 }

@@ -166,7 +166,7 @@ void Tearing::add_neighbours(std::vector<int>& parting) const {
                 for (const int other : topology_.joints_at(v))
                     if (load_[other] >= share_of_neighbour) all.push_back(other);
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     parting = std::move(all);
 }
 
@@ -227,7 +227,7 @@ std::vector<std::array<int, 2>> Tearing::parted_pairs() const {
             if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
         }
     std::ranges::sort(pairs);
-    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 

@@ -72,7 +72,7 @@ std::vector<int> TornTopology::joints_at(int vertex) const {
             if (j >= 0 && tetrahedra_[t][i] != vertex && !parted_[j]) found.push_back(j);
         }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
@@ -85,7 +85,7 @@ void TornTopology::part(std::span<const int> joints, std::span<const double> vol
             for (const int v : sides((*joints_)[j], k)) touched.push_back(v);
     }
     std::ranges::sort(touched);
-    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (const int v : touched) split(v, volume_mm3);
 }
 

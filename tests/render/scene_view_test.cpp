@@ -163,5 +163,59 @@ TEST_F(SceneViewPicture, pans_with_the_mouse_and_zooms_about_the_focus) {
     EXPECT_GT(view_.camera().GetDistance(), 1.0);
 }
 
+// Its lines' colour is found where the point appears, and nowhere once it is taken away.
+TEST_F(SceneViewPicture, of_the_place_where_slices_cross) {
+    view_.show(fake_frame());
+    view_.set_annotations_visible(false);
+    const Vec3 place(30, -40, 20);
+    const auto yellow_at = [&](const Picture& shown) {
+        std::vector<Pixel> found;
+        for (int y = 0; y < shown.height; ++y)
+            for (int x = 0; x < shown.width; ++x) {
+                const auto* rgb = &shown.rgb[3 * static_cast<std::size_t>(y * shown.width + x)];
+                if (rgb[0] > 150 && rgb[0] > rgb[2] + 60) found.push_back({x + 0.5, y + 0.5});
+            }
+        return found;
+    };
+    EXPECT_TRUE(yellow_at(picture()).empty());
+    EXPECT_TRUE(view_.set_crosshair(place));
+    EXPECT_FALSE(view_.set_crosshair(place)) << "nothing is to be drawn again";
+    const std::vector<Pixel> lines = yellow_at(picture());
+    ASSERT_GT(lines.size(), 30u);
+    const Pixel expected = view_.pixel_of(place);
+    double x = 0.0, y = 0.0;
+    for (const Pixel& pixel : lines) {
+        x += pixel.x / static_cast<double>(lines.size());
+        y += pixel.y / static_cast<double>(lines.size());
+    }
+    EXPECT_NEAR(x, expected.x, 2.0);
+    EXPECT_NEAR(y, expected.y, 2.0);
+    EXPECT_TRUE(view_.set_crosshair(std::nullopt));
+    EXPECT_TRUE(yellow_at(picture()).empty());
+}
+
+// The window's view is halved when slices come beside it.
+TEST_F(SceneViewPicture, keeps_the_tree_in_sight_when_it_gets_narrow_and_comes_back) {
+    const Frame frame = fake_frame();
+    view_.show(frame);
+    view_.render();
+    const auto all_in_sight = [&](int width, int height) {
+        for (std::size_t i = 0; i < frame.positions_mm.size(); i += 3) {
+            const Pixel at = view_.pixel_of(
+                Vec3(frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]));
+            if (at.x < 0 || at.x > width || at.y < 0 || at.y > height) return false;
+        }
+        return true;
+    };
+    ASSERT_TRUE(all_in_sight(320, 240));
+    const double before = view_.camera().GetDistance();
+    context_.window().SetSize(90, 240);
+    view_.render();
+    EXPECT_TRUE(all_in_sight(90, 240));
+    context_.window().SetSize(320, 240);
+    view_.render();
+    EXPECT_NEAR(view_.camera().GetDistance(), before, 1e-9 * before);
+}
+
 }  // namespace
 }  // namespace hepatica

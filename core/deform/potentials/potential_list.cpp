@@ -96,7 +96,7 @@ ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm) const {
     }
     if (pressed_un > 0.0) load.at_mm /= pressed_un;
     std::ranges::sort(load.touched);
-    load.touched.erase(std::ranges::unique(load.touched).begin(), load.touched.end());
+    load.touched.erase(std::unique(load.touched.begin(), load.touched.end()), load.touched.end());
     load.least_gap_mm = contact_->least_gap_mm(positions_mm);
     for (const auto& point : friction_->point_forces(positions_mm))
         add(point.at_mm, point.force_un);

@@ -77,7 +77,7 @@ class RowPlan {
             columns_.insert(columns_.end(), parted_with_[row].begin(), parted_with_[row].end());
         for_each_neighbour(row, [&](const Neighbour& other) { columns_.push_back(other.node); });
         std::ranges::sort(columns_);
-        columns_.erase(std::ranges::unique(columns_).begin(), columns_.end());
+        columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
     }
     const std::vector<int>& columns() const { return columns_; }
 

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Slices of the CT beside the vessels, in a window with a fake simulation and a CT of a few voxels.
+#include "core/image/volume_writer.h"
+#include "core/patient/image_digest.h"
+#include "tests/ui/fake_window_test.h"
+#include "ui/paths.h"
+#include "ui/slices/slice_view.h"
+#include "ui/slices/view_layout.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSlider>
+
+namespace hepatica {
+namespace {
+
+// Each voxel's value tells its index.
+Volume numbered_ct() {
+    Grid grid;
+    grid.dims = {40, 50, 60};
+    grid.spacing_mm = Vec3(3, 3, 3);
+    grid.origin_mm = Vec3(-60, -75, -90);
+    Volume ct(grid);
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i)
+        ct.voxels[i] = static_cast<std::int16_t>(i % 900);
+    return ct;
+}
+
+constexpr std::array directions{SliceDirection::axial, SliceDirection::coronal,
+                                SliceDirection::sagittal};
+
+class Slices : public testing::FakeWindowTest {
+  protected:
+    Slices() : file_(to_path(folder_.filePath("ct.nii.gz"))) {
+        write_nifti(file_, ct_);
+        open_built_in();
+        auto patient = std::make_shared<PatientCase>();
+        patient->source.image_sha256 = digest_of(ct_);
+        patient->source.image_grid = ct_.grid;
+        VesselSegment vessel;
+        vessel.system = VascularSystem::portal;
+        vessel.points_mm = {Vec3(0, 0, -30), Vec3(0, 0, 30)};
+        vessel.radii_mm = {4.0, 5.0};
+        patient->tree.segments = {vessel};
+        patient->mask = Mask(ct_.grid);
+        patient->mask.voxels[ct_.grid.offset(20, 25, 30)] = 1;
+        patient_ = patient;
+    }
+    ViewLayout& views() { return window_.view_layout(); }
+    SliceScene& scene() { return views().slices(); }
+    SliceView& view(SliceDirection direction) { return views().slice_view(direction); }
+    // With the CT where the patient was reconstructed from just now.
+    void show_slices() {
+        views().show_patient(patient_, {}, file_);
+        QTest::keyClick(&window_, Qt::Key_F7);
+        ASSERT_TRUE(testing::wait_for([this] { return !scene().empty(); }));
+    }
+    void turn_wheel(SliceView& slice, int notches, Qt::KeyboardModifiers keys = {}) {
+        const QPointF place(slice.rect().center());
+        QWheelEvent wheel(place, slice.mapToGlobal(place), {}, QPoint(0, 120 * notches),
+                          Qt::NoButton, keys, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&slice, &wheel);
+    }
+
+    const Volume ct_ = numbered_ct();
+    const std::filesystem::path file_;
+    std::shared_ptr<const PatientCase> patient_;
+};
+
+TEST_F(Slices, AreReadWhenSomebodyWantsToSeeThem) {
+    views().show_patient(patient_, {}, file_);
+    QTest::qWait(0);
+    EXPECT_TRUE(scene().empty());
+    for (const SliceDirection direction : directions) EXPECT_FALSE(view(direction).isVisible());
+    QTest::keyClick(&window_, Qt::Key_F7);
+    ASSERT_TRUE(testing::wait_for([this] { return !scene().empty(); }));
+    EXPECT_EQ(scene().ct().voxels, ct_.voxels);
+    for (const SliceDirection direction : directions) EXPECT_TRUE(view(direction).isVisible());
+    EXPECT_TRUE(window_.view().isVisible());
+    QTest::keyClick(&window_, Qt::Key_F7);
+    for (const SliceDirection direction : directions) EXPECT_FALSE(view(direction).isVisible());
+}
+
+TEST_F(Slices, BeginWhereTheWidestVesselIs) {
+    show_slices();
+    EXPECT_EQ(scene().crosshair_mm(), Vec3(0, 0, 30));
+    EXPECT_NE(scene().describe(Vec3(0, 0, 30)).find("portal vein, radius 5.0 mm"),
+              std::string::npos);
+    EXPECT_EQ(scene().describe(Vec3(500, 0, 0)), "") << "outside of the CT";
+}
+
+TEST_F(Slices, AClickTakesTheCrosshairThereInAllOfThem) {
+    show_slices();
+    for (const SliceDirection direction : directions) {
+        SliceView& slice = view(direction);
+        const Vec3 wanted = slice.to_mm(QPointF(slice.rect().center()) + QPointF(9, -7));
+        QTest::mouseClick(&slice, Qt::LeftButton, {}, slice.rect().center() + QPoint(9, -7));
+        EXPECT_LT((scene().crosshair_mm() - wanted).norm(), 0.5 * std::sqrt(2.0) * 3.0);
+        for (const SliceDirection other : directions) {
+            const QPointF there = view(other).place_of(scene().crosshair_mm());
+            EXPECT_TRUE(QRectF(view(other).rect()).contains(there));
+        }
+    }
+}
+
+// The value of a voxel tells which one is painted.
+TEST_F(Slices, PaintTheVoxelsThroughTheCrosshair) {
+    show_slices();
+    scene().set_opacity(0.0);
+    scene().set_window({450.0, 900.0});
+    const Vec3 place = ct_.grid.to_mm(12, 33, 41);
+    scene().set_crosshair(place);
+    const double value = ct_.at(12, 33, 41);
+    for (const SliceDirection direction : directions) {
+        const SliceStack stack(ct_.grid, direction);
+        const Vec3 at = stack.place_of(place);
+        const QRgb pixel = view(direction).picture().pixel(static_cast<int>(std::lround(at.x())),
+                                                           static_cast<int>(std::lround(at.y())));
+        EXPECT_NEAR(qRed(pixel), 255.0 * value / 900.0, 1.0);
+        EXPECT_EQ(view(direction).slice(), std::lround(at.z()));
+    }
+}
+
+TEST_F(Slices, ShowTheVesselsVoxelsAsOpaqueAsAskedFor) {
+    show_slices();
+    scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
+    const auto pixel = [&] { return view(SliceDirection::axial).picture().pixel(20, 25); };
+    auto* opacity = window_.findChild<QSlider*>("vesselOpacity");
+    opacity->setValue(0);
+    EXPECT_EQ(qRed(pixel()), qBlue(pixel()));
+    opacity->setValue(100);
+    EXPECT_GT(qBlue(pixel()), qRed(pixel())) << "the portal vein is violet-blue";
+}
+
+TEST_F(Slices, WheelAndKeysGoFromSliceToSlice) {
+    show_slices();
+    scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
+    SliceView& axial = view(SliceDirection::axial);
+    turn_wheel(axial, 2);
+    EXPECT_EQ(axial.slice(), 32);
+    turn_wheel(axial, -1, Qt::ShiftModifier);
+    EXPECT_EQ(axial.slice(), 22);
+    QTest::keyClick(&axial, Qt::Key_PageUp);
+    EXPECT_EQ(axial.slice(), 23);
+    turn_wheel(axial, 1000);
+    EXPECT_EQ(axial.slice(), 59) << "the last one";
+    QTest::keyClick(&axial, Qt::Key_Right);
+    EXPECT_EQ(view(SliceDirection::sagittal).slice(), 21);
+    QTest::keyClick(&axial, Qt::Key_Up);
+    EXPECT_EQ(view(SliceDirection::coronal).slice(), 24);
+}
+
+TEST_F(Slices, ARightDragSetsTheGreyWindowAndPresetsFollow) {
+    show_slices();
+    auto* presets = window_.findChild<QComboBox*>("greyWindow");
+    EXPECT_EQ(presets->currentIndex(), 0);
+    const GreyWindow before = scene().window();
+    SliceView& axial = view(SliceDirection::axial);
+    const QPoint from = axial.rect().center();
+    QTest::mousePress(&axial, Qt::RightButton, {}, from);
+    const QPointF to(from + QPoint(10, -5));
+    QMouseEvent move(QEvent::MouseMove, to, axial.mapToGlobal(to), Qt::NoButton, Qt::RightButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(&axial, &move);
+    EXPECT_EQ(scene().window().width_hu, before.width_hu + 20.0);
+    EXPECT_EQ(scene().window().level_hu, before.level_hu - 10.0);
+    EXPECT_EQ(presets->currentText(), "Own");
+    emit presets->activated(4);
+    EXPECT_EQ(scene().window().width_hu, 1800.0);
+}
+
+TEST_F(Slices, ADoubleClickEnlargesOneAndComesBack) {
+    show_slices();
+    SliceView& sagittal = view(SliceDirection::sagittal);
+    const int before = sagittal.width();
+    QTest::mouseDClick(&sagittal, Qt::LeftButton);
+    EXPECT_FALSE(view(SliceDirection::axial).isVisible());
+    EXPECT_FALSE(window_.view().isVisible());
+    ASSERT_TRUE(testing::wait_for([&] { return sagittal.width() > 1.5 * before; }));
+    QTest::mouseDClick(&sagittal, Qt::LeftButton);
+    EXPECT_TRUE(view(SliceDirection::axial).isVisible());
+    EXPECT_TRUE(window_.view().isVisible());
+}
+
+TEST_F(Slices, ZoomAndPanKeepThePlaceUnderTheMouse) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    const QPointF middle(axial.rect().center());
+    const Vec3 there = axial.to_mm(middle);
+    turn_wheel(axial, 4, Qt::ControlModifier);
+    EXPECT_LT((axial.to_mm(middle) - there).norm(), 1e-9);
+    EXPECT_EQ(axial.slice(), view(SliceDirection::axial).slice());
+    const Vec3 near = axial.to_mm(middle + QPointF(10, 0));
+    turn_wheel(axial, 4, Qt::ControlModifier);
+    EXPECT_LT((axial.to_mm(middle + QPointF(10, 0)) - there).norm(), (near - there).norm());
+}
+
+// A case keeps no path; the window's own settings know it, and nobody else.
+TEST_F(Slices, OfACaseThatIsOpenedAgainAreFound) {
+    show_slices();
+    views().clear();
+    EXPECT_TRUE(scene().empty());
+    views().show_patient(patient_, {}, {});
+    EXPECT_TRUE(testing::wait_for([this] { return !scene().empty(); }));
+}
+
+TEST_F(Slices, SayWhatIsMissingWhereNobodyKnowsTheCt) {
+    views().show_patient(patient_, {}, {});
+    QTest::keyClick(&window_, Qt::Key_F7);
+    auto* choose = window_.findChild<QPushButton*>("chooseCt");
+    ASSERT_TRUE(testing::wait_for([&] { return choose->isVisible(); }));
+    EXPECT_TRUE(scene().empty());
+    EXPECT_TRUE(window_.view().isVisible()) << "the vessels stay";
+}
+
+TEST_F(Slices, SayWhenThereIsNoPatientYet) {
+    views().clear();
+    QTest::keyClick(&window_, Qt::Key_F7);
+    bool said = false;
+    for (const QLabel* label : window_.findChildren<QLabel*>())
+        said |= label->isVisible() && label->text().contains("Open a patient");
+    EXPECT_TRUE(said);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/slice_bar.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <array>
+
+namespace hepatica {
+namespace {
+
+struct Preset {
+    const char* name;
+    GreyWindow window;
+};
+
+constexpr std::array presets{
+    Preset{"Vessels", {100.0, 300.0}}, Preset{"Liver", {100.0, 150.0}},
+    Preset{"Abdomen", {40.0, 400.0}},  Preset{"Lung", {-600.0, 1500.0}},
+    Preset{"Bone", {400.0, 1800.0}},
+};
+
+bool same(const GreyWindow& a, const GreyWindow& b) {
+    return a.level_hu == b.level_hu && a.width_hu == b.width_hu;
+}
+
+}  // namespace
+
+SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
+    : QWidget(parent), scene_(scene), presets_(new QComboBox), place_(new QLabel) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 4, 8, 4);
+    presets_->setObjectName("greyWindow");
+    presets_->setAccessibleName("Grey window");
+    for (const Preset& preset : presets)
+        presets_->addItem(QString("%1 (L %2, W %3)")
+                              .arg(preset.name)
+                              .arg(preset.window.level_hu)
+                              .arg(preset.window.width_hu));
+    presets_->addItem("Own");
+    presets_->setToolTip("Which Hounsfield units are grey; right drag on a slice sets your own");
+    auto* opacity = new QSlider(Qt::Horizontal);
+    opacity->setObjectName("vesselOpacity");
+    opacity->setAccessibleName("Opacity of the vessels over the CT");
+    opacity->setToolTip("How strongly the vessels' voxels are drawn over the CT");
+    opacity->setRange(0, 100);
+    opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
+    opacity->setMaximumWidth(110);
+    auto* centrelines = new QCheckBox("Centrelines");
+    centrelines->setObjectName("centrelines");
+    centrelines->setChecked(scene_.shows_centrelines());
+    place_->setObjectName("slicePlace");
+    row->addWidget(presets_);
+    row->addWidget(new QLabel("Vessels"));
+    row->addWidget(opacity);
+    row->addWidget(centrelines);
+    row->addStretch();
+    row->addWidget(place_);
+    connect(presets_, &QComboBox::activated, this, [this](int index) {
+        if (index < static_cast<int>(presets.size()))
+            scene_.set_window(presets[static_cast<std::size_t>(index)].window);
+    });
+    connect(opacity, &QSlider::valueChanged, this,
+            [this](int value) { scene_.set_opacity(0.01 * value); });
+    connect(centrelines, &QCheckBox::toggled, this,
+            [this](bool visible) { scene_.set_centrelines_visible(visible); });
+    scene_.on_change([this] {
+        follow_window();
+        show_place(scene_.crosshair_mm());
+    });
+    follow_window();
+}
+
+void SliceBar::show_place(const Vec3& position_mm) {
+    place_->setText(QString::fromStdString(scene_.describe(position_mm)));
+}
+
+void SliceBar::follow_window() {
+    int index = 0;
+    while (index < static_cast<int>(presets.size()) &&
+           !same(presets[static_cast<std::size_t>(index)].window, scene_.window()))
+        ++index;
+    presets_->setCurrentIndex(index);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/slice_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
+    std::vector<CentrelinePoint> points;
+    for (const VesselSegment& segment : tree.segments)
+        for (std::size_t i = 0; i < segment.points_mm.size(); ++i)
+            points.push_back({segment.points_mm[i], segment.radii_mm[i], segment.system});
+    return points;
+}
+
+// "L 12.0" for 12 mm to the patient's left.
+std::string along(double mm, char positive, char negative) {
+    std::string text(1, mm < 0.0 ? negative : positive);
+    char number[32];
+    std::snprintf(number, sizeof number, " %.1f", std::abs(mm));
+    return text + number;
+}
+
+}  // namespace
+
+void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems,
+                      std::shared_ptr<const PatientCase> patient) {
+    ct_ = std::move(ct);
+    systems_ = std::move(systems);
+    centrelines_ = centrelines_of(patient->tree);
+    Vec3 middle = ct_->grid.to_mm(
+        0.5 * Vec3(ct_->grid.dims[0] - 1, ct_->grid.dims[1] - 1, ct_->grid.dims[2] - 1));
+    if (!centrelines_.empty()) {
+        // A vessel is always met there, which a mean of all places would miss.
+        const auto thickest =
+            std::ranges::max_element(centrelines_, {}, &CentrelinePoint::radius_mm);
+        middle = thickest->position_mm;
+    }
+    set_crosshair(middle);
+}
+
+void SliceScene::show_tree(std::shared_ptr<const PatientCase> patient) {
+    centrelines_ = centrelines_of(patient->tree);
+    tell();
+}
+
+void SliceScene::clear() {
+    ct_.reset();
+    systems_ = {};
+    centrelines_.clear();
+    tell();
+}
+
+void SliceScene::set_crosshair(const Vec3& position_mm) {
+    if (empty()) return;
+    Vec3 index = ct_->grid.to_index(position_mm);
+    for (int i = 0; i < 3; ++i)
+        index[i] = std::clamp(index[i], 0.0,
+                              static_cast<double>(ct_->grid.dims[static_cast<std::size_t>(i)] - 1));
+    crosshair_mm_ = ct_->grid.to_mm(index);
+    tell();
+}
+
+void SliceScene::set_window(const GreyWindow& window) {
+    window_ = {window.level_hu, std::max(1.0, window.width_hu)};
+    tell();
+}
+
+void SliceScene::set_opacity(double opacity) {
+    opacity_ = std::clamp(opacity, 0.0, 1.0);
+    tell();
+}
+
+void SliceScene::set_centrelines_visible(bool visible) {
+    shows_centrelines_ = visible;
+    tell();
+}
+
+std::string SliceScene::describe(const Vec3& position_mm) const {
+    if (empty()) return {};
+    const Vec3 index = ct_->grid.to_index(position_mm);
+    const auto [x, y, z] = std::array{static_cast<int>(std::lround(index.x())),
+                                      static_cast<int>(std::lround(index.y())),
+                                      static_cast<int>(std::lround(index.z()))};
+    if (!ct_->grid.contains(x, y, z)) return {};
+    std::string text = along(position_mm.x(), 'L', 'R') + "  " + along(position_mm.y(), 'P', 'A') +
+                       "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
+                       std::to_string(ct_->at(x, y, z)) + " HU";
+    const CentrelinePoint* vessel = nullptr;
+    double nearest = 1.0;  // in radii
+    for (const CentrelinePoint& point : centrelines_) {
+        const double radii = (point.position_mm - position_mm).norm() / point.radius_mm;
+        if (radii > nearest) continue;
+        nearest = radii;
+        vessel = &point;
+    }
+    if (!vessel) return text;
+    char radius[48];
+    std::snprintf(radius, sizeof radius, ", radius %.1f mm", vessel->radius_mm);
+    return text + "   " + title_of(vessel->system) + radius;
+}
+
+void SliceScene::tell() const {
+    for (const auto& watcher : watchers_) watcher();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all slices show at once: the CT, the vessels' voxels and centrelines in it, the place of the
+// crosshair, and how grey and how opaque. No widget.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/image/slice.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+// How a piece of the centrelines crosses a slice.
+struct CentrelinePoint {
+    Vec3 position_mm = Vec3::Zero();
+    double radius_mm = 0.0;
+    VascularSystem system = VascularSystem::unknown;
+};
+
+// UI thread.
+class SliceScene {
+  public:
+    // Whenever anything below was changed.
+    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+
+    // The crosshair comes to the middle of the tree.
+    void show(std::shared_ptr<const Volume> ct, Mask systems,
+              std::shared_ptr<const PatientCase> patient);
+    // The same CT with other corrections.
+    void show_tree(std::shared_ptr<const PatientCase> patient);
+    void clear();
+
+    bool empty() const { return ct_ == nullptr; }
+    const Volume& ct() const { return *ct_; }  // unless empty
+    const Mask& systems() const { return systems_; }
+    std::vector<CentrelinePoint> const& centrelines() const { return centrelines_; }
+
+    const Vec3& crosshair_mm() const { return crosshair_mm_; }
+    // Outside of the CT it stays at its border.
+    void set_crosshair(const Vec3& position_mm);
+    const GreyWindow& window() const { return window_; }
+    void set_window(const GreyWindow& window);   // a width below 1 HU counts as 1
+    double opacity() const { return opacity_; }  // of the vessels' voxels, 0 to 1
+    void set_opacity(double opacity);
+    bool shows_centrelines() const { return shows_centrelines_; }
+    void set_centrelines_visible(bool visible);
+
+    // Of a place: its coordinates, its Hounsfield units and the vessel there; empty outside.
+    std::string describe(const Vec3& position_mm) const;
+
+  private:
+    void tell() const;
+
+    std::shared_ptr<const Volume> ct_;
+    Mask systems_;
+    std::vector<CentrelinePoint> centrelines_;
+    Vec3 crosshair_mm_ = Vec3::Zero();
+    GreyWindow window_{};
+    double opacity_ = 0.6;
+    bool shows_centrelines_ = true;
+    std::vector<std::function<void()>> watchers_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/slice_view.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "render/palette.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double hu_per_point = 2.0;
+constexpr double most_zoom = 20.0;
+
+QColor colour_of(const Colour& colour) {
+    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                            static_cast<float>(colour[2]));
+}
+
+QString title_of(SliceDirection direction) {
+    constexpr std::array titles{"Axial", "Coronal", "Sagittal"};
+    return titles[static_cast<std::size_t>(direction)];
+}
+
+// Grey with the systems' colours over it.
+QImage blend(const std::vector<std::uint8_t>& grey, const std::vector<std::uint8_t>& labels,
+             int columns, int rows, double opacity) {
+    std::array<std::array<double, 3>, 256> tint{};
+    for (const VascularSystem system : vascular_systems)
+        tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
+    QImage picture(columns, rows, QImage::Format_RGB32);
+    std::size_t i = 0;
+    for (int row = 0; row < rows; ++row) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
+        for (int column = 0; column < columns; ++column, ++i) {
+            const int plain = grey[i];
+            line[column] = qRgb(plain, plain, plain);
+            if (labels.empty() || labels[i] == 0) continue;
+            const auto mixed = [&](std::size_t channel) {
+                return static_cast<int>((1.0 - opacity) * plain +
+                                        opacity * 255.0 * tint[labels[i]][channel]);
+            };
+            line[column] = qRgb(mixed(0), mixed(1), mixed(2));
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent)
+    : QWidget(parent), scene_(scene), direction_(direction) {
+    setObjectName(title_of(direction));
+    setAccessibleName(title_of(direction) + " slice");
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(120, 90);
+    setCursor(Qt::CrossCursor);
+    scene_.on_change([this] {
+        picture_is_old_ = true;
+        update();
+    });
+}
+
+int SliceView::slice() const {
+    if (scene_.empty()) return -1;
+    const double along = stack().place_of(scene_.crosshair_mm()).z();
+    return std::clamp(static_cast<int>(std::lround(along)), 0, stack().count() - 1);
+}
+
+double SliceView::points_per_mm() const {
+    const SliceStack slices = stack();
+    const double wide_mm = slices.columns() * slices.column_mm();
+    const double high_mm = slices.rows() * slices.row_mm();
+    return zoom_ * std::min(width() / wide_mm, height() / high_mm);
+}
+
+QPointF SliceView::place_of(const Vec3& position_mm) const {
+    const SliceStack slices = stack();
+    const Vec3 place = slices.place_of(position_mm);
+    const double scale = points_per_mm();
+    return {0.5 * width() + shift_.x() +
+                scale * slices.column_mm() * (place.x() - 0.5 * (slices.columns() - 1)),
+            0.5 * height() + shift_.y() +
+                scale * slices.row_mm() * (place.y() - 0.5 * (slices.rows() - 1))};
+}
+
+Vec3 SliceView::to_mm(const QPointF& place) const {
+    const SliceStack slices = stack();
+    const double scale = points_per_mm();
+    const double column = 0.5 * (slices.columns() - 1) +
+                          (place.x() - 0.5 * width() - shift_.x()) / (scale * slices.column_mm());
+    const double row = 0.5 * (slices.rows() - 1) +
+                       (place.y() - 0.5 * height() - shift_.y()) / (scale * slices.row_mm());
+    return slices.to_mm(Vec3(column, row, slices.place_of(scene_.crosshair_mm()).z()));
+}
+
+const QImage& SliceView::picture() {
+    if (scene_.empty()) {
+        picture_ = {};
+    } else if (picture_is_old_) {
+        const SliceStack slices = stack();
+        const bool shows_labels = scene_.opacity() > 0.0 && !scene_.systems().voxels.empty();
+        picture_ = blend(grey_slice(scene_.ct(), slices, slice(), scene_.window()),
+                         shows_labels ? label_slice(scene_.systems(), slices, slice())
+                                      : std::vector<std::uint8_t>{},
+                         slices.columns(), slices.rows(), scene_.opacity());
+    }
+    picture_is_old_ = false;
+    return picture_;
+}
+
+void SliceView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    if (scene_.empty()) return;
+    const SliceStack slices = stack();
+    const double scale = points_per_mm();
+    const QSizeF size(scale * slices.columns() * slices.column_mm(),
+                      scale * slices.rows() * slices.row_mm());
+    const QPointF corner(0.5 * (width() - size.width()) + shift_.x(),
+                         0.5 * (height() - size.height()) + shift_.y());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(corner, size), picture());
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (scene_.shows_centrelines()) paint_centrelines(painter);
+    paint_crosshair(painter);
+    paint_words(painter);
+    if (hasFocus()) paint_focus(painter);
+}
+
+void SliceView::paint_centrelines(QPainter& painter) const {
+    const SliceStack slices = stack();
+    const double half = std::max(0.5, 0.5 / slices.slice_mm());  // at least a millimetre in all
+    const double here = slices.place_of(scene_.crosshair_mm()).z();
+    for (const CentrelinePoint& point : scene_.centrelines()) {
+        if (std::abs(slices.place_of(point.position_mm).z() - here) > half) continue;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour_of(palette::vessel_system(point.system)).lighter(150));
+        painter.drawEllipse(place_of(point.position_mm), 1.8, 1.8);
+    }
+}
+
+void SliceView::paint_crosshair(QPainter& painter) const {
+    constexpr double gap = 7.0;  // what it points at stays to be seen
+    const QPointF at = place_of(scene_.crosshair_mm());
+    QColor colour = colour_of(palette::bridge);
+    colour.setAlphaF(0.8f);
+    painter.setPen(QPen(colour, 1.0));
+    painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
+    painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
+    painter.drawLine(QPointF(at.x(), 0), QPointF(at.x(), at.y() - gap));
+    painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
+}
+
+void SliceView::paint_words(QPainter& painter) const {
+    const auto [left, right, top, bottom] = stack().edges();
+    const QRectF inside = QRectF(rect()).adjusted(8, 6, -8, -6);
+    const auto write = [&](Qt::Alignment where, const QString& text) {
+        painter.setPen(Qt::black);
+        painter.drawText(inside.translated(1, 1), static_cast<int>(where), text);
+        painter.setPen(colour_of(palette::text));
+        painter.drawText(inside, static_cast<int>(where), text);
+    };
+    write(Qt::AlignLeft | Qt::AlignVCenter, QChar(left));
+    write(Qt::AlignRight | Qt::AlignVCenter, QChar(right));
+    write(Qt::AlignTop | Qt::AlignHCenter, QChar(top));
+    write(Qt::AlignBottom | Qt::AlignHCenter, QChar(bottom));
+    write(Qt::AlignTop | Qt::AlignLeft, title_of(direction_));
+    write(Qt::AlignTop | Qt::AlignRight, QString("%1 / %2").arg(slice() + 1).arg(stack().count()));
+    write(Qt::AlignBottom | Qt::AlignLeft, QString("L %1  W %2")
+                                               .arg(scene_.window().level_hu, 0, 'f', 0)
+                                               .arg(scene_.window().width_hu, 0, 'f', 0));
+}
+
+void SliceView::paint_focus(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+    if (scene_.empty()) return;
+    last_ = event->position();
+    if (event->button() == Qt::LeftButton) scene_.set_crosshair(to_mm(last_));
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+    if (scene_.empty()) return;
+    const QPointF at = event->position();
+    const QPointF moved = at - std::exchange(last_, at);
+    if (event->buttons() & Qt::LeftButton) {
+        scene_.set_crosshair(to_mm(at));
+    } else if (event->buttons() & Qt::RightButton) {
+        const GreyWindow& window = scene_.window();
+        scene_.set_window({window.level_hu + hu_per_point * moved.y(),
+                           window.width_hu + hu_per_point * moved.x()});
+    } else if (event->buttons() & Qt::MiddleButton) {
+        shift_ += moved;
+        update();
+    }
+    if (hover_) hover_(to_mm(at));
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && double_click_) double_click_();
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+    if (scene_.empty()) return;
+    // With Alt or Shift some systems turn the wheel sideways.
+    const QPoint turned = event->angleDelta();
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if (event->modifiers() & Qt::ControlModifier) {
+        const Vec3 kept = to_mm(event->position());
+        zoom_ = std::clamp(zoom_ * std::pow(1.15, notches), 1.0, most_zoom);
+        if (zoom_ == 1.0)
+            shift_ = {};
+        else
+            shift_ += event->position() - place_of(kept);
+        update();
+        return;
+    }
+    wheel_rest_ += notches;
+    const int whole = static_cast<int>(wheel_rest_);
+    wheel_rest_ -= whole;
+    step((event->modifiers() & Qt::ShiftModifier) ? 10 * whole : whole);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+    if (scene_.empty()) return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+        case Qt::Key_PageUp:
+            return step(1);
+        case Qt::Key_PageDown:
+            return step(-1);
+        case Qt::Key_Left:
+            return nudge(-1, 0);
+        case Qt::Key_Right:
+            return nudge(1, 0);
+        case Qt::Key_Up:
+            return nudge(0, -1);
+        case Qt::Key_Down:
+            return nudge(0, 1);
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void SliceView::step(int slices) {
+    if (slices == 0) return;
+    Vec3 place = stack().place_of(scene_.crosshair_mm());
+    place.z() = slice() + slices;
+    scene_.set_crosshair(stack().to_mm(place));
+}
+
+void SliceView::nudge(int columns, int rows) {
+    const Vec3 place = stack().place_of(scene_.crosshair_mm());
+    scene_.set_crosshair(stack().to_mm(place + Vec3(columns, rows, 0)));
+}
+
+}  // namespace hepatica

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One slice of the patient's CT with his vessels over it.
+//
+//   left click or drag    the crosshair      wheel                the slice (Shift: ten)
+//   right drag            grey: width, level middle drag          pan
+//   Ctrl + wheel          zoom               double-click         enlarge, and back
+//   arrow keys            the crosshair      Page up, Page down   the slice
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "ui/slices/slice_scene.h"
+
+namespace hepatica {
+
+// UI thread; the scene must outlive it.
+class SliceView : public QWidget {
+  public:
+    SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent = nullptr);
+
+    SliceDirection direction() const { return direction_; }
+    // The slice through the crosshair; -1 while there is no CT.
+    int slice() const;
+    // Of a point of the patient in that slice, in the widget's points, and back.
+    QPointF place_of(const Vec3& position_mm) const;
+    Vec3 to_mm(const QPointF& place) const;
+    // What is painted under crosshair and letters, one pixel a voxel; null while there is no CT.
+    const QImage& picture();
+
+    void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
+    void on_double_click(std::function<void()> tell) { double_click_ = std::move(tell); }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    SliceStack stack() const { return {scene_.ct().grid, direction_}; }
+    // The crosshair's slice by so many.
+    void step(int slices);
+    // The crosshair within its slice, by voxels.
+    void nudge(int columns, int rows);
+    double points_per_mm() const;
+    void paint_centrelines(QPainter& painter) const;
+    void paint_crosshair(QPainter& painter) const;
+    void paint_words(QPainter& painter) const;
+    void paint_focus(QPainter& painter) const;
+
+    SliceScene& scene_;
+    SliceDirection direction_;
+    std::function<void(const Vec3&)> hover_;
+    std::function<void()> double_click_;
+    QImage picture_;
+    bool picture_is_old_ = true;
+    double zoom_ = 1.0;      // against the slice that fits
+    QPointF shift_;          // of the slice's middle from the widget's
+    QPointF last_;           // of the mouse, while a button is down
+    double wheel_rest_ = 0;  // of a notch
+};
+
+}  // namespace hepatica

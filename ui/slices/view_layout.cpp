@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/view_layout.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "ui/slices/slice_bar.h"
+#include "ui/slices/slice_view.h"
+
+namespace hepatica {
+
+ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent)
+    : QWidget(parent),
+      callbacks_(std::move(callbacks)),
+      keeper_(
+          settings,
+          {[this](std::shared_ptr<const Volume> ct, Mask systems) {
+               scene_.show(std::move(ct), std::move(systems), patient_);
+               arrange();
+           },
+           [this](const JobProgress& now) { say(QString::fromStdString(now.stage) + "…", false); },
+           [this](const Failure& failure) {
+               say(QString::fromStdString(failure.problem + ": " + failure.remedy), true);
+               if (!failure.place.empty()) callbacks_.failed(failure);
+           }}),
+      view_(view) {
+    build(view);
+    scene_.on_change([this] { mark_crosshair(); });
+    arrange();
+}
+
+ViewLayout::~ViewLayout() = default;
+
+void ViewLayout::build(QWidget* view) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    bar_ = new SliceBar(scene_, this);
+    column->addWidget(bar_);
+    auto* area = new QWidget(this);
+    column->addWidget(area, 1);
+    grid_ = new QGridLayout(area);
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setSpacing(2);
+    for (const SliceDirection direction :
+         {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal}) {
+        auto* slice = new SliceView(scene_, direction, area);
+        slice->on_hover([this](const Vec3& place) { bar_->show_place(place); });
+        slice->on_double_click([this, slice] { enlarge(enlarged_ ? nullptr : slice); });
+        views_[static_cast<std::size_t>(direction)] = slice;
+    }
+    notice_ = new QWidget(area);
+    notice_->setObjectName("sliceNotice");
+    auto* words = new QVBoxLayout(notice_);
+    notice_text_ = new QLabel(notice_);
+    notice_text_->setWordWrap(true);
+    notice_text_->setAlignment(Qt::AlignCenter);
+    notice_text_->setObjectName("quiet");
+    choose_ = new QPushButton("Choose the CT…", notice_);
+    choose_->setObjectName("chooseCt");
+    connect(choose_, &QPushButton::clicked, this, [this] { ask(); });
+    words->addStretch();
+    words->addWidget(notice_text_);
+    words->addWidget(choose_, 0, Qt::AlignHCenter);
+    words->addStretch();
+    // As other viewers have it: axial and the view above, coronal and sagittal below. The notice
+    // stands beside the view.
+    grid_->addWidget(views_[0], 0, 0);
+    grid_->addWidget(view, 0, 1);
+    grid_->addWidget(views_[1], 1, 0);
+    grid_->addWidget(views_[2], 1, 1);
+    grid_->addWidget(notice_, 0, 2, 2, 1);
+}
+
+void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
+                              const std::filesystem::path& folder,
+                              const std::filesystem::path& image) {
+    clear();
+    patient_ = patient;
+    keeper_.show(std::move(patient), folder, image);
+    if (slices_visible_) set_slices_visible(true);
+}
+
+void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
+    patient_ = std::move(patient);
+    if (!scene_.empty()) scene_.show_tree(patient_);
+}
+
+void ViewLayout::clear() {
+    keeper_.show(nullptr, {}, {});
+    patient_.reset();
+    scene_.clear();
+    enlarged_ = nullptr;
+    arrange();
+}
+
+void ViewLayout::set_slices_visible(bool visible) {
+    slices_visible_ = visible;
+    if (visible && patient_) {
+        if (scene_.empty() && !keeper_.reading()) say("Reading the CT…", false);
+        keeper_.want();
+    } else if (visible) {
+        say("Open a patient to see slices of the CT.", false);
+    }
+    arrange();
+    mark_crosshair();
+}
+
+void ViewLayout::enlarge(SliceView* view) {
+    enlarged_ = view;
+    arrange();
+}
+
+void ViewLayout::arrange() {
+    const bool slices = slices_visible_ && !scene_.empty();
+    bar_->setVisible(slices);
+    notice_->setVisible(slices_visible_ && !slices);
+    for (SliceView* slice : views_) slice->setVisible(slices && (!enlarged_ || enlarged_ == slice));
+    view_->setVisible(!slices || !enlarged_);
+    const auto there = [this](const QWidget* widget) { return widget->isVisibleTo(this) ? 1 : 0; };
+    grid_->setColumnStretch(0, there(views_[0]) | there(views_[1]));
+    grid_->setColumnStretch(1, there(view_) | there(views_[2]));
+    grid_->setColumnStretch(2, there(notice_));
+    grid_->setRowStretch(0, there(views_[0]) | there(view_));
+    grid_->setRowStretch(1, there(views_[1]) | there(views_[2]));
+}
+
+void ViewLayout::mark_crosshair() {
+    const bool shown = slices_visible_ && !scene_.empty();
+    callbacks_.crosshair(shown ? std::optional(scene_.crosshair_mm()) : std::nullopt);
+}
+
+void ViewLayout::say(const QString& text, bool can_choose) {
+    notice_text_->setText(text);
+    choose_->setVisible(can_choose);
+}
+
+void ViewLayout::ask() {
+    if (const auto place = callbacks_.ask_for_ct()) {
+        say("Reading the CT…", false);
+        keeper_.read_from(*place);
+    }
+}
+
+}  // namespace hepatica

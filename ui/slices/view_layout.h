@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The middle of the window: the three-dimensional view alone, or with three slices of the CT beside
+// it, of which one may be enlarged. While there are no slices it says why, and what would help.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ui/slices/ct_keeper.h"
+#include "ui/slices/slice_scene.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace hepatica {
+
+class SliceBar;
+class SliceView;
+
+class ViewLayout : public QWidget {
+  public:
+    struct Callbacks {
+        // Where a person's CT lies; none: not after all.
+        std::function<std::optional<std::filesystem::path>()> ask_for_ct;
+        // To be marked in the three-dimensional view; none: nothing is.
+        std::function<void(const std::optional<Vec3>&)> crosshair;
+        std::function<void(const Failure&)> failed;
+    };
+    // Takes over the view.
+    ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
+    ~ViewLayout() override;
+
+    // See CtKeeper::show().
+    void show_patient(std::shared_ptr<const PatientCase> patient,
+                      const std::filesystem::path& folder, const std::filesystem::path& image);
+    // The same patient with other corrections.
+    void show_corrected(std::shared_ptr<const PatientCase> patient);
+    // Forgets him; nothing is read any more.
+    void clear();
+
+    // The CT is read when slices are to be seen, and not before.
+    void set_slices_visible(bool visible);
+    bool slices_visible() const { return slices_visible_; }
+    SliceScene& slices() { return scene_; }
+    SliceView& slice_view(SliceDirection direction) {
+        return *views_[static_cast<std::size_t>(direction)];
+    }
+
+  private:
+    void build(QWidget* view);
+    void arrange();
+    void mark_crosshair();
+    void enlarge(SliceView* view);
+    void say(const QString& text, bool can_choose);
+    void ask();
+
+    Callbacks callbacks_;
+    SliceScene scene_;
+    CtKeeper keeper_;
+    std::shared_ptr<const PatientCase> patient_;
+    QWidget* view_;
+    std::array<SliceView*, 3> views_{};
+    SliceBar* bar_ = nullptr;
+    QWidget* notice_ = nullptr;  // in the place of the slices
+    QLabel* notice_text_ = nullptr;
+    QPushButton* choose_ = nullptr;
+    QGridLayout* grid_ = nullptr;
+    SliceView* enlarged_ = nullptr;
+    bool slices_visible_ = false;
+};
+
+}  // namespace hepatica
