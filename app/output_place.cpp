@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/patient/patient_case.h"
 
 namespace hepatica {
 
@@ -65,9 +66,16 @@ void require_empty_or_new(const fs::path& folder) {
 
 void require_case_name(const fs::path& place) {
     const std::string extension = extension_of(place);
-    if (extension.empty() || extension == ".hep") return;
+    if (extension.empty() || extension == ".hep" || extension == ".hepz") return;
+    const std::string name = without_trailing_slash(place).stem().string();
     throw UsageError("a case is a folder and not a \"" + extension + "\" file", place.string(),
-                     "Name it " + without_trailing_slash(place).stem().string() + ".hep");
+                     "Name it " + name + ".hep, or " + name + ".hepz for one file");
+}
+
+void require_case_place(const fs::path& place) {
+    require_case_name(place);
+    require_writable(place);
+    if (!is_replaceable_case(place)) require_own_or_new(place, "case.json");
 }
 
 void require_png_name(const fs::path& file) {

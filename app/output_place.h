@@ -18,9 +18,14 @@ void require_writable_folder(const std::filesystem::path& folder);
 // Throws InputError where `folder` exists and is anything but an empty folder.
 void require_empty_or_new(const std::filesystem::path& folder);
 
-// Throws UsageError where `place` is named like a file: a case is a folder, NAME.hep or without an
-// extension.
+// Throws UsageError where `place` is named like another file: a case is a folder, NAME.hep or
+// without an extension, or one file, NAME.hepz.
 void require_case_name(const std::filesystem::path& place);
+
+// All that a verb asks before it makes a case: its name, that it can be written, and that nothing
+// but an older case stands there. Throws as require_case_name(), require_writable() and
+// require_own_or_new().
+void require_case_place(const std::filesystem::path& place);
 
 // Throws UsageError where `file` does not end in .png, in capitals or not.
 void require_png_name(const std::filesystem::path& file);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/patient/case_archive.h"
 #include "core/scene/measured_dial.h"
 #include "core/study/dial_worker.h"
 
@@ -63,9 +64,10 @@ void DialKeeper::keep_in(const std::filesystem::path& folder, const PatientCase*
 }
 
 // A case that cannot be written to (on a medium that is read only, say) has no dial of its own; it
-// is measured again the next time.
+// is measured again the next time. A case in one file would have to be packed anew: it gets its
+// dial when it is saved.
 void DialKeeper::write() const {
-    if (folder_.empty() || points_.empty()) return;
+    if (folder_.empty() || points_.empty() || is_case_archive(folder_)) return;
     try {
         write_dial(folder_, dial_json(points_, *patient_));
     } catch (const InputError&) {

@@ -101,11 +101,11 @@ void MainWindow::save_plots(bool picture) {
 }
 
 void MainWindow::ask_for_ct(bool folder) {
-    const QString path = folder
-                             ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
-                                                                 settings_.last_folder())
-                             : QFileDialog::getOpenFileName(
-                                   this, "Open CT file", settings_.last_folder(), volume_filter());
+    const QString path =
+        folder ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
+                                                   settings_.last_folder())
+               : QFileDialog::getOpenFileName(this, "Open CT file", settings_.last_folder(),
+                                              openable_filter());
     if (!path.isEmpty()) open(path);
 }
 

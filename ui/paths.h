@@ -21,4 +21,10 @@ inline QString volume_filter() {
     return "Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)";
 }
 
+// What "Open CT file" offers: a case in one file is no folder, as cases are else.
+inline QString openable_filter() {
+    return "Volumes and cases in one file (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr *.hepz);;"
+           "All files (*)";
+}
+
 }  // namespace hepatica

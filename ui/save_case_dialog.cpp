@@ -13,13 +13,14 @@ namespace hepatica {
 
 std::filesystem::path case_folder(const QString& typed) {
     QString name = QDir::cleanPath(typed);
-    if (!name.endsWith(".hep", Qt::CaseInsensitive)) name += ".hep";
+    if (!name.endsWith(".hep", Qt::CaseInsensitive) && !name.endsWith(".hepz", Qt::CaseInsensitive))
+        name += ".hep";
     return to_path(QFileInfo(name).absoluteFilePath());
 }
 
 SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
                                std::function<bool(const QString&)> may_replace, QWidget* parent)
-    : QFileDialog(parent, "Save case as", folder, "Cases (*.hep)"),
+    : QFileDialog(parent, "Save case as", folder, "Cases (*.hep *.hepz)"),
       may_replace_(std::move(may_replace)) {
     // The desktop's own dialog would enter the folder, too, and cannot be told otherwise.
     setOption(QFileDialog::DontUseNativeDialog);
@@ -43,7 +44,7 @@ void SaveCaseDialog::accept() {
     const QStringList files = selectedFiles();
     if (files.isEmpty()) return;
     const std::filesystem::path folder = chosen();
-    if (is_case(folder)) {
+    if (is_replaceable_case(folder)) {
         if (may_replace_(to_text(folder.filename()))) done(QDialog::Accepted);
     } else if (QFileInfo(files.front()).isDir()) {
         setDirectory(files.front());

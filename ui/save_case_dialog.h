@@ -10,7 +10,8 @@
 
 namespace hepatica {
 
-// The folder that a case of this name gets: NAME.hep, whether ".hep" was typed or not.
+// The place that a case of this name gets: the folder NAME.hep, whether ".hep" was typed or not, or
+// the one file NAME.hepz where that was typed.
 std::filesystem::path case_folder(const QString& typed);
 
 class SaveCaseDialog : public QFileDialog {

@@ -76,7 +76,8 @@ VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptio
     if (!std::filesystem::exists(place))
         throw InputError("does not exist", place.string(),
                          "Name a case's folder, or a tree in a .vtp, .swc or .json file");
-    if (std::filesystem::is_directory(place)) return read_case_without_voxels(place).tree;
+    if (std::filesystem::is_directory(place) || is_case(place))
+        return read_case_without_voxels(place).tree;
     return read_tree(place, options.facts());
 }
 

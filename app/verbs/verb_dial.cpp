@@ -5,6 +5,7 @@
 
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/patient/case_archive.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
@@ -29,7 +30,8 @@ Json json_of(const QualityPoint& point) {
 
 // The dial that is left in the case is never without what was measured last.
 Json run(const Options& options, Job& job) {
-    const std::filesystem::path file = options.patient / "dial.json";
+    const std::filesystem::path file =
+        is_case_archive(options.patient) ? options.patient : options.patient / "dial.json";
     require_writable(file);
     job.expect_stages(2);
     job.begin_stage("Reading the case");

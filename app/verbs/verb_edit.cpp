@@ -113,11 +113,7 @@ Json bridges_of(const PatientCase& patient) {
 }
 
 Json run(const Options& options, Job& job) {
-    if (!options.out.empty()) {
-        require_case_name(options.out);
-        require_writable(options.out);
-        require_own_or_new(options.out, "case.json");
-    }
+    if (!options.out.empty()) require_case_place(options.out);
     job.expect_stages(options.list ? 1 : 4);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
@@ -164,7 +160,7 @@ void add_edit(CommandLine& line) {
     verb.add_option("--offer", options->offered, "Offer these again, which were refused")
         ->delimiter(',');
     verb.add_option("--out", options->out,
-                    "Write another case, NAME.hep, instead of changing this one");
+                    "Write another case, NAME.hep or NAME.hepz, instead of changing this one");
     verb.add_flag("--list", options->list, "Change nothing: print edits and bridges");
 }
 

@@ -128,9 +128,7 @@ Json run(Options options, Job& job) {
     if (!options.batch.folder.empty()) return run_many(options, job);
     if (options.reconstruct.ct.empty())
         throw UsageError("no CT is given", "ct", "Name one, or a folder of CTs with --batch");
-    require_case_name(options.out);
-    require_writable(options.out);
-    require_own_or_new(options.out, "case.json");
+    require_case_place(options.out);
     job.expect_stages(stage_count(options.reconstruct) + 1);
     const Reconstruction made = reconstruct(options.reconstruct, job);
     job.begin_stage("Writing the case");
@@ -188,7 +186,9 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--series", reconstruct.series,
                     "Which series of a DICOM folder, as the warnings number them; 1 is the best")
         ->check(CLI::Range(1, 10000));
-    verb.add_option("--out", options->out, "Case to make, NAME.hep (a folder)")->required();
+    verb.add_option("--out", options->out,
+                    "Case to make: NAME.hep, a folder, or NAME.hepz, one file")
+        ->required();
     verb.add_option("--name", reconstruct.name,
                     "What pictures and reports call the patient; nothing else names them");
     verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");

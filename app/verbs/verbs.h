@@ -8,6 +8,7 @@ namespace hepatica {
 
 void add_phantom(CommandLine& line);
 void add_reconstruct(CommandLine& line);
+void add_copy(CommandLine& line);
 void add_edit(CommandLine& line);
 void add_feeders(CommandLine& line);
 void add_compare(CommandLine& line);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/opening/open_patient.h"
 
-#include <stdlib.h>
-
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/temporary_folder.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/reconstruction/built_in_patient.h"
@@ -26,27 +25,6 @@ PatientCase patient_of(VesselTree tree, Job& job) {
     patient.tree = std::move(tree);
     return patient;
 }
-
-// Removed with all that is in it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "hepatica-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw InputError("no temporary folder can be made", name, "Free some space there");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 OpenedPatient opened_from(Reconstruction made) {
     OpenedPatient opened;

@@ -7,10 +7,12 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/mesh/mesh_io.h"
+#include "core/patient/case_archive.h"
 #include "core/patient/case_header.h"
 #include "core/patient/format_1.h"
 #include "core/tree/files/tree_io.h"
@@ -110,46 +112,79 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     return patient;
 }
 
+// Calls use(folder) with the case's folder: `place` itself, or what a case in one file unpacks to,
+// whose name then stands in errors.
+template <typename Use>
+auto in_folder(const fs::path& place, const Use& use) {
+    if (!is_case_archive(place)) return use(place);
+    const TemporaryFolder unpacked;
+    unpack_case(place, unpacked.path());
+    try {
+        return use(unpacked.path());
+    } catch (const InputError& error) {
+        std::string where = error.place();
+        const std::string folder = unpacked.path().string();
+        if (where.starts_with(folder)) where.replace(0, folder.size(), place.string());
+        throw InputError(error.problem(), where, error.remedy());
+    }
+}
+
+void write_files(const fs::path& folder, const PatientCase& patient) {
+    write_voxels(folder / case_file::mask, patient.mask);
+    write_voxels(folder / case_file::skeleton, patient.skeleton);
+    write_voxels(folder / case_file::organs, patient.organs);
+    write_voxels(folder / case_file::couinaud, patient.couinaud);
+    write_tree_vtp(folder / case_file::tree, patient.tree);
+    write_tree_swc(folder / case_file::swc, patient.tree);
+    write_vtp(folder / case_file::surface, patient.surface);
+    write_vtu(folder / case_file::mesh, patient.mesh);
+    write_corrections(folder, patient.corrections);
+    if (!patient.dial_json.empty())
+        write_text_atomically(folder / case_file::dial, patient.dial_json);
+    write_case_header(folder, patient);
+}
+
 }  // namespace
 
 bool is_case(const fs::path& path) {
-    return fs::is_regular_file(path / case_file::header);
+    return fs::is_regular_file(path / case_file::header) || is_case_archive(path);
 }
 
-void write_case(const fs::path& folder, const PatientCase& patient) {
-    if (fs::exists(folder) && !is_case(folder))
-        throw InputError("is there already and is not a patient's case", folder.string(),
+bool is_replaceable_case(const fs::path& place) {
+    return is_case_archive(place) ? archive_holds(place, case_file::header) : is_case(place);
+}
+
+void write_case(const fs::path& place, const PatientCase& patient) {
+    if (fs::exists(place) && !is_replaceable_case(place))
+        throw InputError("is there already and is not a patient's case", place.string(),
                          "Give --out another name; only an older case is replaced");
-    write_folder_atomically(folder, [&](const fs::path& temporary) {
-        write_voxels(temporary / case_file::mask, patient.mask);
-        write_voxels(temporary / case_file::skeleton, patient.skeleton);
-        write_voxels(temporary / case_file::organs, patient.organs);
-        write_voxels(temporary / case_file::couinaud, patient.couinaud);
-        write_tree_vtp(temporary / case_file::tree, patient.tree);
-        write_tree_swc(temporary / case_file::swc, patient.tree);
-        write_vtp(temporary / case_file::surface, patient.surface);
-        write_vtu(temporary / case_file::mesh, patient.mesh);
-        write_corrections(temporary, patient.corrections);
-        if (!patient.dial_json.empty())
-            write_text_atomically(temporary / case_file::dial, patient.dial_json);
-        write_case_header(temporary, patient);
+    if (!is_archive_name(place) || fs::is_directory(place))
+        return write_folder_atomically(
+            place, [&](const fs::path& temporary) { write_files(temporary, patient); });
+    const TemporaryFolder folder;
+    write_files(folder.path(), patient);
+    pack_case(folder.path(), place);
+}
+
+void add_voxels(const fs::path& place, PatientCase& patient) {
+    in_folder(place, [&](const fs::path& folder) {
+        read_all_voxels(folder, read_case_header(folder), patient);
     });
 }
 
-void add_voxels(const fs::path& folder, PatientCase& patient) {
-    read_all_voxels(folder, read_case_header(folder), patient);
+void write_dial(const fs::path& place, const std::string& dial_json) {
+    in_folder(place, [&](const fs::path& folder) {
+        write_text_atomically(folder / case_file::dial, dial_json);
+        if (folder != place) pack_case(folder, place);
+    });
 }
 
-void write_dial(const fs::path& folder, const std::string& dial_json) {
-    write_text_atomically(folder / case_file::dial, dial_json);
+PatientCase read_case(const fs::path& place) {
+    return in_folder(place, [](const fs::path& folder) { return read(folder, true); });
 }
 
-PatientCase read_case(const fs::path& folder) {
-    return read(folder, true);
-}
-
-PatientCase read_case_without_voxels(const fs::path& folder) {
-    return read(folder, false);
+PatientCase read_case_without_voxels(const fs::path& place) {
+    return in_folder(place, [](const fs::path& folder) { return read(folder, false); });
 }
 
 }  // namespace hepatica

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One patient on disk: NAME.hep, a folder of open formats.
+// One patient on disk: NAME.hep, a folder of open formats, or NAME.hepz, the same in one file
+// (case_archive.h), which is unpacked among the temporary files whenever it is read.
 //   case.json (version, digest of the CT, parameters, the tree in numbers, SHA-256 of the rest),
 //   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, couinaud.nii.gz, tree.vtp,
 //   tree.swc, surface.vtp, mesh.vtu, and where the tree was corrected by hand corrections.json
@@ -64,28 +65,32 @@ struct PatientCase {
     std::string dial_json;
 };
 
-// A folder that holds a case.json. Says nothing about whether it can be read.
+// A folder that holds a case.json, or a file NAME.hepz. Says nothing about whether it can be read.
 bool is_case(const std::filesystem::path& path);
 
-// Writes the whole case or nothing; a case that stood there is replaced.
+// A case that write_case() would replace: a folder or an archive that holds a case.json.
+bool is_replaceable_case(const std::filesystem::path& place);
+
+// Writes the whole case or nothing, in one file where the place is called NAME.hepz; a case that
+// stood there is replaced.
 // Throws InputError where the place cannot be written or the disk is full.
-void write_case(const std::filesystem::path& folder, const PatientCase& patient);
+void write_case(const std::filesystem::path& place, const PatientCase& patient);
 
 // Reads and checks a case of this format or an older one. Throws InputError that says why where the
 // version is not known, a file is missing, or a file's digest is not the one that case.json holds.
-PatientCase read_case(const std::filesystem::path& folder);
+PatientCase read_case(const std::filesystem::path& place);
 
 // The same without the voxels (mask, skeleton, organs, couinaud stay empty): simulation needs none
 // of them.
-PatientCase read_case_without_voxels(const std::filesystem::path& folder);
+PatientCase read_case_without_voxels(const std::filesystem::path& place);
 
 // Reads a case's voxels into a patient that was read without them.
 // Throws InputError as above.
-void add_voxels(const std::filesystem::path& folder, PatientCase& patient);
+void add_voxels(const std::filesystem::path& place, PatientCase& patient);
 
 // Leaves a measured dial in a case that is there already, and nothing else of it changed. Throws
 // InputError where it cannot be written.
-void write_dial(const std::filesystem::path& folder, const std::string& dial_json);
+void write_dial(const std::filesystem::path& place, const std::string& dial_json);
 
 // Hash of what the simulation reads (tree and mesh): a recording names the case that it belongs to.
 std::uint64_t hash_of(const PatientCase& patient);

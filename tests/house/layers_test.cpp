@@ -57,7 +57,7 @@ const std::map<std::string, std::regex> forbidden_libraries{
 };
 
 // Libraries that compile slowly or leak their types: only inside .cpp files of core.
-const std::regex source_only_libraries("^(itk|opencv|CGAL|vtk|bt[A-Z]|bullet|gdcm)");
+const std::regex source_only_libraries("^(itk|opencv|CGAL|vtk|bt[A-Z]|bullet|gdcm|minizip)");
 
 std::string layer_of(const std::string& path) {
     return path.substr(0, path.find('/'));

@@ -32,9 +32,10 @@ class Opening : public ::testing::Test {
 TEST_F(Opening, a_case_is_where_it_lies_and_nothing_of_it_is_lost_by_leaving) {
     const PatientCase patient = test::patient_with_bridges();
     write_case(folder_ / "p.hep", patient);
-    for (const fs::path& path : {folder_ / "p.hep", folder_ / "p.hep" / ""}) {
+    write_case(folder_ / "p.hepz", patient);
+    for (const fs::path& path : {folder_ / "p.hep", folder_ / "p.hep" / "", folder_ / "p.hepz"}) {
         const OpenedPatient opened = open(path);
-        EXPECT_EQ(opened.title, "p.hep");
+        EXPECT_EQ(opened.title, path == folder_ / "p.hepz" ? "p.hepz" : "p.hep");
         EXPECT_EQ(opened.folder, path);
         EXPECT_EQ(hash_of(*opened.patient), hash_of(patient));
         EXPECT_FALSE(opened.worth_saving);

@@ -204,6 +204,7 @@ TEST_F(SavingCase, adds_the_ending_where_it_is_missing) {
     EXPECT_EQ(typed("a", false), path("a.hep"));
     EXPECT_EQ(typed("b.hep", false), path("b.hep"));
     EXPECT_EQ(typed("c.tar", false), path("c.tar.hep"));
+    EXPECT_EQ(typed("d.hepz", false), path("d.hepz")) << "one file";
     EXPECT_EQ(asked_, "");
 }
 
@@ -223,6 +224,8 @@ TEST_F(SavingCase, never_replaces_what_is_no_case) {
     EXPECT_EQ(typed("photos.hep", true), std::nullopt);
     std::ofstream(path("letter.hep")) << "Dear ...";
     EXPECT_EQ(typed("letter.hep", true), std::nullopt);
+    std::ofstream(path("letter.hepz")) << "Dear ...";
+    EXPECT_EQ(typed("letter.hepz", true), std::nullopt);
 }
 
 class Layout : public testing::FakeWindowTest {};
