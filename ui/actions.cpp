@@ -32,7 +32,9 @@ constexpr std::array table{
     ActionSpec{save_case, "&File", "&Save case", "Ctrl+S",
                "Keep the patient with all corrections where the case lies", false, true},
     ActionSpec{save_case_as, "&File", "Save case &as…", "Ctrl+Shift+S",
-               "Keep the patient as another case: a folder of open formats", false, true},
+               "Keep the patient as another case: NAME.hep, a folder of open formats, or "
+               "NAME.hepz, one file",
+               false, true},
     ActionSpec{save_picture, "&File", "Save &picture…", "Ctrl+P",
                "Save the three-dimensional view as PNG"},
     ActionSpec{quit, "&File", "&Quit", "Ctrl+Q", "Leave the program"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "core/base/temporary_folder.h"
+#include "core/patient/case_archive.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/recording_file.h"
@@ -52,10 +54,18 @@ void read_bridges(Bytes bytes) {
     refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
 }
 
+void read_archive(Bytes bytes) {
+    const auto file = file_of(bytes, "case.hepz");
+    const TemporaryFolder folder;
+    refuse_or([&] { unpack_case(file, folder.path()); });
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        promise(entry.is_regular_file(), "files and no folders");
+}
+
 constexpr Reader all[] = {{"tree_json", read_json_tree}, {"recording", read_recording_file},
                           {"scene", read_scene_file},    {"script", read_script_file},
-                          {"case", read_case_file},      {"edits", read_edits},
-                          {"bridges", read_bridges}};
+                          {"case", read_case_file},      {"case_archive", read_archive},
+                          {"edits", read_edits},         {"bridges", read_bridges}};
 
 }  // namespace
 
