@@ -2,8 +2,9 @@
 #include "app/processor_check.h"
 
 #include <cpuid.h>
-#include <string.h>
 #include <unistd.h>
+
+#include <cstring>
 
 namespace hepatica {
 namespace {
@@ -32,8 +33,8 @@ const Feature needed[] = {
 constexpr unsigned osxsave = 1U << 27U;
 
 void append(char* text, std::size_t size, const char* more) {
-    const std::size_t used = strlen(text);
-    strncat(text, more, size - used - 1);
+    const std::size_t used = std::strlen(text);
+    std::strncat(text, more, size - used - 1);
 }
 
 // In .preinit_array: neither C++'s library nor streams are set up yet; only system calls are.
@@ -49,7 +50,7 @@ void check_processor(int /*argc*/, char** argv, char** /*environment*/) {
     append(message, sizeof message, names);
     append(message, sizeof message,
            ".\nBuilt with cmake -D HEPATICA_CPU=x86-64 it runs here, more slowly.\n");
-    const ssize_t written = write(STDERR_FILENO, message, strlen(message));
+    const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
     _exit(written < 0 ? 3 : 1);
 }
 

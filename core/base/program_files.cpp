@@ -13,7 +13,7 @@ fs::path asset_of(const fs::path& program, const fs::path& name) {
     const fs::path bin = program.parent_path();
     // Installed as CMake was told; built as build/PRESET/bin.
     for (const fs::path& assets : {bin / HEPATICA_ASSETS_FROM_BIN, bin / "../../../assets"}) {
-        const fs::path place = (assets / name).lexically_normal();
+        fs::path place = (assets / name).lexically_normal();
         std::error_code ignored;
         if (fs::exists(place, ignored)) return place;
     }

@@ -101,7 +101,7 @@ class Unpacking {
         if (unzGetCurrentFileInfo64(zip_.get(), &info, text.data(), text.size() - 1, nullptr, 0,
                                     nullptr, 0) != UNZ_OK)
             refuse(archive_, "is damaged");
-        const std::string name(text.data(), std::min<std::size_t>(info.size_filename, 255));
+        std::string name(text.data(), std::min<std::size_t>(info.size_filename, 255));
         if (!is_plain_name(name))
             refuse(archive_, "holds a file whose name no file of a case has: \"" + name + "\"");
         if ((info.flag & 1U) != 0) refuse(archive_, "is encrypted");
