@@ -87,6 +87,8 @@ constexpr std::array table{
                "Show legend, scale bar and orientation", true},
     ActionSpec{toggle_slices, "&View", "Slices of the C&T", "F7",
                "Axial, coronal and sagittal slices of the CT beside the vessels", true},
+    ActionSpec{toggle_branches, "&View", "Table of &branches", "F6",
+               "Length, radius, generation, system, liver segment and flow of every branch", true},
     ActionSpec{toggle_plots, "&View", "&Curves", "F8", "Show the curves of the last injection",
                true},
     ActionSpec{toggle_panels, "&View", "Pa&nels", "F9", "Show the panels beside the view", true},

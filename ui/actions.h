@@ -53,6 +53,7 @@ enum class ActionId {
     view_inferior,
     toggle_annotations,
     toggle_slices,
+    toggle_branches,
     toggle_plots,
     toggle_panels,
     full_screen,

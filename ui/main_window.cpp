@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "core/scene/vessel_direction.h"
+#include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
@@ -179,6 +180,24 @@ void MainWindow::build_panels() {
     curves_->plots().on_save = [this](bool picture) { save_plots(picture); };
     addDockWidget(Qt::BottomDockWidgetArea, curves_);
     curves_->hide();
+    build_branches();
+}
+
+void MainWindow::build_branches() {
+    BranchDock::Callbacks callbacks;
+    callbacks.choose = [this](const BranchRow& row) {
+        view_->scene().set_highlight(patient_->anatomy.vertices_of(row.branch));
+        view_->draw_again();
+        view_layout_->slices().set_crosshair(row.middle_mm);
+    };
+    callbacks.colour = [this](const std::vector<std::uint8_t>& of_branches) {
+        colour_by_segments(of_branches);
+    };
+    callbacks.save = [this](const std::string& csv) { save_branches(csv); };
+    callbacks.failed = [this](const Failure& failure) { fail("Liver segments", failure); };
+    branches_ = new BranchDock(std::move(callbacks), this);
+    addDockWidget(Qt::BottomDockWidgetArea, branches_);
+    branches_->hide();
 }
 
 void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questions) {
@@ -322,6 +341,10 @@ void MainWindow::connect_views() {
                  [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
     actions_->on(ActionId::full_screen,
                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    QAction& branches = (*actions_)[ActionId::toggle_branches];
+    actions_->on(ActionId::toggle_branches,
+                 [this, &branches] { branches_->setVisible(branches.isChecked()); });
+    connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
     QAction& plots = (*actions_)[ActionId::toggle_plots];
     actions_->on(ActionId::toggle_plots,
                  [this, &plots] { curves_->setVisible(plots.isChecked()); });
@@ -330,7 +353,7 @@ void MainWindow::connect_views() {
     panels.setChecked(true);
     actions_->on(ActionId::toggle_panels, [this, &panels] {
         for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-            if (dock != curves_) dock->setVisible(panels.isChecked());
+            if (dock != curves_ && dock != branches_) dock->setVisible(panels.isChecked());
         }
     });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });

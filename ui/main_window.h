@@ -19,6 +19,7 @@ class QTimer;
 
 namespace hepatica {
 
+class BranchDock;
 class CaseEditing;
 class CurvesDock;
 class DialKeeper;
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
     // main_window.cpp: places and connects.
     void build_view();
     void build_panels();
+    void build_branches();
     void build_tool_bar();
     void make_keeper(Patients patients, PatientKeeper::Questions questions);
     void connect_files();
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
     void ask_for_ct(bool folder);
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
+    void save_branches(const std::string& csv);
     void save_plots(bool picture);
     void remember(const std::filesystem::path& path);
     void fail(const std::string& doing, const Failure& failure);
@@ -112,6 +115,7 @@ class MainWindow : public QMainWindow {
     void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
+    void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void inject(const SurfacePick& pick);
     void tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke);
@@ -133,6 +137,7 @@ class MainWindow : public QMainWindow {
     QualityPanel* quality_ = nullptr;
     ToolPanel* tool_panel_ = nullptr;
     CurvesDock* curves_ = nullptr;
+    BranchDock* branches_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way

@@ -100,6 +100,14 @@ void MainWindow::save_plots(bool picture) {
     });
 }
 
+void MainWindow::save_branches(const std::string& csv) {
+    const QString file =
+        QFileDialog::getSaveFileName(this, "Save the table of branches",
+                                     settings_.last_folder() + "/branches.csv", "Tables (*.csv)");
+    if (!file.isEmpty())
+        attempt("Save branches", [&] { write_text_atomically(to_path(file), csv); });
+}
+
 void MainWindow::ask_for_ct(bool folder) {
     const QString path =
         folder ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
@@ -155,6 +163,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();
     view_layout_->clear();
+    branches_->clear();
     curves_->clear();
     patient_.reset();
     QMainWindow::closeEvent(event);

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <utility>
 
+#include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
@@ -41,7 +42,20 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     editing_->show_body();
     corrected ? view_layout_->show_corrected(patient_->patient)
               : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    branches_->show_patient(patient_->patient, patient_->flow_shares,
+                            keeper_->workspace().folder());
     if (!corrected) show_warnings();
+}
+
+void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches) {
+    std::vector<std::uint8_t> of_vertices;
+    if (patient_ && !of_branches.empty())
+        for (std::size_t v = 0; v < patient_->patient->mesh.vertices_mm.size(); ++v) {
+            const int branch = patient_->anatomy.tree_point(static_cast<int>(v)).segment;
+            of_vertices.push_back(branch < 0 ? 0 : of_branches[static_cast<std::size_t>(branch)]);
+        }
+    view_->scene().set_vertex_segments(std::move(of_vertices));
+    view_->draw_again();
 }
 
 void MainWindow::show_warnings() {
@@ -142,6 +156,7 @@ void MainWindow::show_hover(const SurfacePick& pick) {
         view_layout_->slices().set_crosshair(
             patient_->patient->mesh.vertices_mm[static_cast<std::size_t>(vertex)]);
     const TreePoint point = patient_->anatomy.tree_point(vertex);
+    if (QGuiApplication::keyboardModifiers() & Qt::ShiftModifier) branches_->select(point.segment);
     inject_->show_hover(
         QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));

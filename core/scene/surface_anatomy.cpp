@@ -55,6 +55,13 @@ std::vector<VascularSystem> SurfaceAnatomy::vertex_systems() const {
     return systems;
 }
 
+std::vector<std::uint8_t> SurfaceAnatomy::vertices_of(int segment) const {
+    std::vector<std::uint8_t> vertices;
+    vertices.reserve(points_.size());
+    for (const TreePoint& point : points_) vertices.push_back(point.segment == segment);
+    return vertices;
+}
+
 std::vector<std::uint8_t> SurfaceAnatomy::downstream_of(const TreePoint& from) const {
     if (from.segment < 0) return {};
     std::vector<std::uint8_t> below(parent_.size(), 0);

@@ -29,6 +29,8 @@ class SurfaceAnatomy {
     // 1 for the vertices downstream of `from` (its own segment from there on, and all that branches
     // off later), else 0.
     std::vector<std::uint8_t> downstream_of(const TreePoint& from) const;
+    // 1 for the vertices of this segment of the tree, else 0.
+    std::vector<std::uint8_t> vertices_of(int segment) const;
     // Terminal branches in that territory, and in the whole system.
     int ends_downstream_of(int segment) const;
     int ends_in_system_of(int segment) const;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of branches, on a patient whose liver has a portal vein.
+#include "ui/branch_dock.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "tests/ui/window_test.h"
+
+namespace hepatica {
+namespace {
+
+// A trunk that divides, in a liver of 12 cm.
+std::shared_ptr<PatientCase> forked_patient() {
+    auto patient = std::make_shared<PatientCase>();
+    VesselSegment trunk;
+    trunk.system = VascularSystem::portal;
+    trunk.points_mm = {Vec3(0, 0, -50), Vec3(0, 0, -20)};
+    trunk.radii_mm = {6.0, 6.0};
+    VesselSegment right = trunk, left = trunk;
+    right.parent = left.parent = 0;
+    right.points_mm = {Vec3(0, 0, -20), Vec3(-50, 5, 10)};
+    left.points_mm = {Vec3(0, 0, -20), Vec3(45, -5, 10)};
+    right.radii_mm = {4.0, 3.0};
+    left.radii_mm = {2.0, 2.0};
+    patient->tree.segments = {trunk, right, left};
+    Grid grid;
+    grid.dims = {60, 60, 60};
+    grid.spacing_mm = Vec3::Constant(2.0);
+    grid.origin_mm = Vec3::Constant(-59.0);
+    patient->organs = Mask(grid, organ_label::liver);
+    return patient;
+}
+
+class Branches : public ::testing::Test {
+  protected:
+    Branches()
+        : dock_({[this](const BranchRow& row) { chosen_.push_back(row.branch); },
+                 [this](const std::vector<std::uint8_t>& segments) { colours_ = segments; },
+                 [this](const std::string& csv) { saved_ = csv; },
+                 [this](const Failure& failure) { failure_ = failure.problem; }},
+                nullptr) {}
+    void show(std::shared_ptr<const PatientCase> patient) {
+        dock_.show_patient(std::move(patient), {1.0, 0.7, 0.3}, {});
+        dock_.show();
+        ASSERT_TRUE(testing::wait_for([this] { return !dock_.rows().empty(); }));
+    }
+    QTableWidget& table() { return *dock_.findChild<QTableWidget*>("branches"); }
+    double value(int row, int column) {
+        return table().item(row, column)->data(Qt::DisplayRole).toDouble();
+    }
+
+    std::vector<int> chosen_;
+    std::vector<std::uint8_t> colours_{9};
+    std::string saved_, failure_;
+    BranchDock dock_;
+};
+
+TEST_F(Branches, AreReadWhenTheTableIsShown) {
+    dock_.show_patient(forked_patient(), {}, {});
+    QTest::qWait(0);
+    EXPECT_TRUE(dock_.rows().empty());
+    show(forked_patient());
+    ASSERT_EQ(table().rowCount(), 3);
+    EXPECT_EQ(value(0, 3), 30.0);
+    EXPECT_EQ(value(1, 2), 2.0);
+    EXPECT_EQ(value(1, 6), 70.0);
+    EXPECT_EQ(table().item(0, 1)->text(), "portal vein");
+}
+
+TEST_F(Branches, AreSortedAsNumbersAndChosenByARow) {
+    show(forked_patient());
+    table().sortByColumn(4, Qt::AscendingOrder);
+    EXPECT_EQ(value(0, 0), 3.0) << "the thinnest is the left one";
+    EXPECT_EQ(value(2, 0), 1.0);
+    table().selectRow(0);
+    EXPECT_EQ(chosen_, std::vector<int>{2});
+    dock_.select(1);
+    EXPECT_EQ(chosen_.size(), 1u) << "what the view has chosen is not told back";
+    EXPECT_EQ(value(table().currentRow(), 0), 2.0);
+}
+
+TEST_F(Branches, AreColouredByTheSegmentsOfTheLiver) {
+    show(forked_patient());
+    EXPECT_TRUE(colours_.empty());
+    auto* box = dock_.findChild<QCheckBox*>("segmentColours");
+    ASSERT_TRUE(box->isEnabled());
+    box->click();
+    ASSERT_EQ(colours_.size(), 3u);
+    EXPECT_EQ(colours_[0], 0) << "the trunk supplies all of them";
+    EXPECT_GE(colours_[1], 5) << "right of the middle vein lie 5 to 8";
+    EXPECT_LE(colours_[2], 4);
+    box->click();
+    EXPECT_TRUE(colours_.empty());
+}
+
+TEST_F(Branches, HaveNoSegmentsWithoutALiver) {
+    auto patient = forked_patient();
+    patient->organs = {};
+    show(patient);
+    EXPECT_FALSE(dock_.findChild<QCheckBox*>("segmentColours")->isEnabled());
+    EXPECT_EQ(table().rowCount(), 3);
+    EXPECT_EQ(failure_, "");
+}
+
+TEST_F(Branches, OfACaseThatCannotBeReadKeepTheirLengths) {
+    auto patient = forked_patient();
+    patient->organs = {};
+    dock_.show_patient(patient, {}, "/nowhere/p.hep");
+    dock_.show();
+    ASSERT_TRUE(testing::wait_for([this] { return !failure_.empty(); }));
+    EXPECT_EQ(table().rowCount(), 3);
+}
+
+TEST_F(Branches, AreSavedAsTheTableOfTheTree) {
+    show(forked_patient());
+    table().sortByColumn(4, Qt::DescendingOrder);
+    dock_.findChild<QPushButton*>("saveBranches")->click();
+    EXPECT_EQ(saved_, branch_table_csv(dock_.rows()));
+    dock_.clear();
+    EXPECT_EQ(table().rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/branch_dock.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "core/patient/liver_segments.h"
+#include "core/tree/territories/couinaud_segments.h"
+
+namespace hepatica {
+namespace {
+
+const QStringList columns{"Branch",      "System",  "Generation",       "Length (mm)",
+                          "Radius (mm)", "Segment", "Share of flow (%)"};
+
+// Sorts as a number and shows so many decimals.
+QTableWidgetItem* number(double value, int decimals) {
+    auto* item = new QTableWidgetItem;
+    const double scale = std::pow(10.0, decimals);
+    item->setData(Qt::DisplayRole, std::round(value * scale) / scale);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+}
+
+// The labels of the portal vein's branches; none where no liver or no portal vein is known.
+std::vector<BranchLabel> labels_of(const PatientCase& patient,
+                                   const std::filesystem::path& folder) {
+    PatientCase voxels;
+    const Mask* organs = &patient.organs;
+    if (organs->voxels.empty() && !folder.empty()) {
+        add_voxels(folder, voxels);
+        organs = &voxels.organs;
+    }
+    if (organs->voxels.empty()) return {};
+    const auto portal = label_portal_vein(patient.tree, liver_of(*organs));
+    return portal ? portal->branches : std::vector<BranchLabel>{};
+}
+
+}  // namespace
+
+BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
+    : QDockWidget("Branches", parent),
+      callbacks_(std::move(callbacks)),
+      table_(new QTableWidget),
+      colours_(new QCheckBox("Colour by liver segment")),
+      note_(new QLabel) {
+    setObjectName("Branches");
+    setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
+    auto* row = new QHBoxLayout;
+    colours_->setObjectName("segmentColours");
+    colours_->setToolTip("Branches of the portal vein in the colours of Couinaud's segments");
+    note_->setObjectName("quiet");
+    auto* save = new QPushButton("Save as CSV…");
+    save->setObjectName("saveBranches");
+    row->addWidget(colours_);
+    row->addWidget(note_, 1);
+    row->addWidget(save);
+    column->addLayout(row);
+    table_->setObjectName("branches");
+    table_->setAccessibleName("Branches of the vessels");
+    table_->setColumnCount(static_cast<int>(columns.size()));
+    table_->setHorizontalHeaderLabels(columns);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    column->addWidget(table_);
+    setWidget(content);
+    connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
+        const int current = table_->currentRow();
+        if (current < 0 || table_->selectedItems().isEmpty()) return;
+        const int branch = table_->item(current, 0)->data(Qt::DisplayRole).toInt() - 1;
+        callbacks_.choose(rows_[static_cast<std::size_t>(branch)]);
+    });
+    connect(colours_, &QCheckBox::toggled, this, [this] { colour_vessels(); });
+    connect(save, &QPushButton::clicked, this, [this] {
+        if (!rows_.empty()) callbacks_.save(branch_table_csv(rows_));
+    });
+}
+
+BranchDock::~BranchDock() = default;
+
+void BranchDock::show_patient(std::shared_ptr<const PatientCase> patient,
+                              std::vector<double> flow_shares,
+                              const std::filesystem::path& folder) {
+    clear();
+    patient_ = std::move(patient);
+    flow_shares_ = std::move(flow_shares);
+    folder_ = folder;
+    if (isVisible()) read_labels();
+}
+
+void BranchDock::clear() {
+    job_.reset();
+    asked_ = false;
+    patient_.reset();
+    rows_.clear();
+    table_->setRowCount(0);
+    note_->clear();
+    colours_->setEnabled(false);
+}
+
+void BranchDock::showEvent(QShowEvent* event) {
+    QDockWidget::showEvent(event);
+    read_labels();
+}
+
+void BranchDock::read_labels() {
+    if (!patient_ || asked_) return;
+    asked_ = true;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [](const JobProgress&) {};
+    callbacks.failed = [this](const Failure& failure) {
+        show_rows({});
+        callbacks_.failed(failure);
+    };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] { job_.reset(); };
+    job_ = std::make_unique<BackgroundJob>(
+        [this, patient = patient_, folder = folder_](Job&) -> std::function<void()> {
+            return [this, labels = labels_of(*patient, folder)] { show_rows(labels); };
+        },
+        std::move(callbacks));
+}
+
+void BranchDock::show_rows(std::vector<BranchLabel> labels) {
+    rows_ = branch_rows(patient_->tree, labels, flow_shares_);
+    fill_table();
+    colours_->setEnabled(!labels.empty());
+    note_->setText(labels.empty() ? "No liver segments: they need a liver mask and a portal vein"
+                                  : QString("%1 branches").arg(static_cast<int>(rows_.size())));
+    colour_vessels();
+}
+
+void BranchDock::fill_table() {
+    const QSignalBlocker quiet(table_);
+    table_->setSortingEnabled(false);
+    table_->setRowCount(static_cast<int>(rows_.size()));
+    for (int i = 0; i < table_->rowCount(); ++i) {
+        const BranchRow& row = rows_[static_cast<std::size_t>(i)];
+        table_->setItem(i, 0, number(row.branch + 1, 0));
+        table_->setItem(i, 1, new QTableWidgetItem(QString::fromStdString(title_of(row.system))));
+        table_->setItem(i, 2, number(row.generation, 0));
+        table_->setItem(i, 3, number(row.length_mm, 1));
+        table_->setItem(i, 4, number(row.radius_mm, 2));
+        table_->setItem(i, 5, row.couinaud > 0 ? number(row.couinaud, 0) : new QTableWidgetItem);
+        table_->setItem(i, 6,
+                        row.flow_share ? number(100.0 * *row.flow_share, 2) : new QTableWidgetItem);
+    }
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(0, Qt::AscendingOrder);
+}
+
+void BranchDock::select(int branch) {
+    const QSignalBlocker quiet(table_);
+    for (int i = 0; i < table_->rowCount(); ++i)
+        if (table_->item(i, 0)->data(Qt::DisplayRole).toInt() == branch + 1) table_->selectRow(i);
+}
+
+void BranchDock::colour_vessels() {
+    std::vector<std::uint8_t> segments;
+    if (colours_->isChecked() && colours_->isEnabled())
+        for (const BranchRow& row : rows_)
+            segments.push_back(static_cast<std::uint8_t>(row.couinaud));
+    callbacks_.colour(segments);
+}
+
+}  // namespace hepatica
