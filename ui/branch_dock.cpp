@@ -36,6 +36,7 @@ std::vector<BranchLabel> labels_of(const PatientCase& patient,
     PatientCase voxels;
     const Mask* organs = &patient.organs;
     if (organs->voxels.empty() && !folder.empty()) {
+        voxels.source = patient.source;
         add_voxels(folder, voxels);
         organs = &voxels.organs;
     }

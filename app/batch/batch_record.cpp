@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/tree/territories/couinaud_segments.h"
 
 namespace hepatica {
@@ -55,11 +56,16 @@ std::optional<BatchRecord> read_record(const fs::path& out, const std::string& p
 }
 
 void write_record(const fs::path& out, const BatchRecord& record) {
-    const Json json{{"patient", record.patient},       {"state", record.done ? "done" : "failed"},
-                    {"seconds", record.seconds},       {"reason", record.reason},
-                    {"vessels_mm", record.vessels_mm}, {"liver_ml", record.liver_ml},
-                    {"doubts", record.doubts},         {"picture", record.has_picture}};
-    write_text_atomically(file_of(out, record.patient), json.dump(2) + "\n");
+    const Json json{{"patient", as_utf8(record.patient)},
+                    {"state", record.done ? "done" : "failed"},
+                    {"seconds", record.seconds},
+                    {"reason", record.reason},
+                    {"vessels_mm", record.vessels_mm},
+                    {"liver_ml", record.liver_ml},
+                    {"doubts", record.doubts},
+                    {"picture", record.has_picture}};
+    write_text_atomically(file_of(out, record.patient),
+                          json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 BatchRecord record_of(const std::string& name, const PatientCase& patient,
@@ -70,7 +76,7 @@ BatchRecord record_of(const std::string& name, const PatientCase& patient,
     record.seconds = seconds;
     record.vessels_mm = length_mm(patient.tree);
     for (const double volume : segment_volumes_ml(patient.couinaud)) record.liver_ml += volume;
-    record.doubts = warnings;
+    for (const std::string& warning : warnings) record.doubts.push_back(without_names(warning));
     return record;
 }
 

@@ -14,6 +14,7 @@
 #include "app/case_picture.h"
 #include "app/output_place.h"
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 
 namespace hepatica {
@@ -25,7 +26,7 @@ namespace {
 
 std::string in_words(const Error& error) {
     const std::string where = error.place().empty() ? "" : error.place() + ": ";
-    return where + error.problem() + ". " + error.remedy();
+    return without_names(where + error.problem() + ". " + error.remedy());
 }
 
 BatchRecord made(const BatchOptions& batch, const BatchInput& input, Job& job) {
@@ -43,7 +44,8 @@ BatchRecord made(const BatchOptions& batch, const BatchInput& input, Job& job) {
     return record;
 }
 
-// Whatever goes wrong with one patient is his record. Throws Cancelled alone.
+// A failure becomes the patient's record, so that the batch goes on with the others. Throws
+// Cancelled alone.
 BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, Job& job) {
     BatchRecord failed;
     failed.patient = input.patient;
@@ -64,9 +66,11 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
     return failed;
 }
 
-// What a batch must be gone on with: the same folder need not be, as it may have moved.
+// The options that a later call must repeat. The folder of scans is not among them: it may have
+// moved.
 Json beginning(const BatchOptions& options) {
     return {{"format", "hepatica-batch"},
+            {"liver_masks", !options.liver_masks.empty()},
             {"parameters", Json::parse(parameters_json(options.reconstruct))}};
 }
 

@@ -12,6 +12,7 @@
 #include "app/verbs/verbs.h"
 #include "core/accuracy/accuracy.h"
 #include "core/base/atomic_write.h"
+#include "core/base/quoted_name.h"
 #include "core/opening/open_patient.h"
 #include "core/patient/patient_case.h"
 #include "core/reconstruction/built_in_patient.h"
@@ -84,7 +85,7 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
     HtmlReport report("Hepatica: a session on " + title);
     report.add_paragraph(
         "A session played without a window. The pictures are what the window would have shown.");
-    for (const std::string& warning : opened.warnings) report.add_paragraph(warning);
+    for (const std::string& warning : opened.warnings) report.add_paragraph(without_names(warning));
     for (const AlbumPicture& picture : played.pictures)
         report.add_picture(picture.file, picture.caption);
     report.add_heading("The tree and its body");

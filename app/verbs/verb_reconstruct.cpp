@@ -12,6 +12,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/reconstruct.h"
@@ -100,6 +101,8 @@ void parse(Options& options) {
     reconstruct.vessel_labels = parse_vessel_labels(options.vessel_labels);
     reconstruct.method = methods.at(options.method);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
+    if (!is_utf8(reconstruct.name))
+        throw UsageError("is no text in UTF-8", "--name", "Write it in letters of UTF-8");
     if (options.as_published) use_as_published(reconstruct);
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 
 namespace hepatica {
 
@@ -184,8 +185,9 @@ class FileScan {
             entry.increment(error);
         }
         if (error)
-            remarks_.push_back("The folder " + folder.string() + " could not be listed (" +
-                               error.message() + "): files in it may be left out");
+            remarks_.push_back("The folder " + quoted_name(folder.string()) +
+                               " could not be listed (" + error.message() +
+                               "): files in it may be left out");
     }
 
     void look_at(const fs::directory_entry& entry) {
@@ -194,11 +196,13 @@ class FileScan {
         if (!fs::exists(status)) {
             const std::string reason =
                 status.type() == fs::file_type::not_found ? "a link to nothing" : error.message();
-            remarks_.push_back(entry.path().string() + " was passed over (" + reason + ")");
+            remarks_.push_back(quoted_name(entry.path().string()) + " was passed over (" + reason +
+                               ")");
         } else if (fs::is_regular_file(status)) {
             files_.push_back(entry.path());
         } else if (fs::is_directory(status) && entry.is_symlink(error)) {
-            remarks_.push_back("The linked folder " + entry.path().string() + " was not entered");
+            remarks_.push_back("The linked folder " + quoted_name(entry.path().string()) +
+                               " was not entered");
         } else if (fs::is_directory(status)) {
             folders_.push_back(entry.path());
         }
@@ -228,7 +232,7 @@ std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, Read
     for (std::size_t i = 0; i < files.size(); ++i) {
         job.advance(0.5 * static_cast<double>(i) / static_cast<double>(files.size()));
         if (!can_be_opened(files[i]))
-            remarks.push_back(files[i].string() + " was passed over (" +
+            remarks.push_back(quoted_name(files[i].string()) + " was passed over (" +
                               std::generic_category().message(errno) + ")");
         if (!is_dicom_file(files[i])) continue;
         const std::optional<DicomHeader> header = read_dicom_header(files[i]);
@@ -243,7 +247,7 @@ std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, Read
         remarks.push_back(std::to_string(passed.without_image) +
                           " DICOM files hold no image and were passed over");
     for (const std::string& name : passed.damaged)
-        remarks.push_back(name + " is a damaged DICOM file and was passed over");
+        remarks.push_back(quoted_name(name) + " is a damaged DICOM file and was passed over");
     if (slices.empty())
         throw InputError("holds " + std::to_string(files.size()) + " files, but no DICOM images",
                          folder.string(), "Choose the folder that holds the CT slices");

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/image/header_text.h"
 
 namespace hepatica {
@@ -184,13 +185,17 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
 std::string text_of(const Series& series) {
     const DicomSlice& first = series.first();
     std::ostringstream text;
-    text << first.description << " (" << (first.modality.empty() ? "no modality" : first.modality)
+    const bool is_ct = first.modality == "CT";
+    text << quoted_name(first.description) << " ("
+         << (first.modality.empty() ? "no modality"
+             : is_ct                ? "CT"
+                                    : quoted_name(first.modality))
          << ", " << series.slices.size() << " images";
     if (series.spacing_mm > 0.0) {
         text.precision(3);
         text << ", " << series.spacing_mm << " mm apart";
     }
-    if (!first.kernel.empty()) text << ", kernel " << first.kernel;
+    if (!first.kernel.empty()) text << ", kernel " << quoted_name(first.kernel);
     if (series.phase() != Phase::unknown) text << ", " << name_of(series.phase());
     text << ")";
     return text.str();

@@ -15,7 +15,9 @@
 namespace hepatica {
 
 // What the reader decided on its own, in sentences for the user: the series it left out, slices
-// that stood twice, values it clamped. Empty where nothing was out of the ordinary.
+// that stood twice, values it clamped. Empty where nothing was out of the ordinary. Names of files
+// and what was typed at the scanner are quoted names (quoted_name.h): for the screen, not for what
+// is passed on.
 using ReadRemarks = std::vector<std::string>;
 
 // Reads a CT. `file_or_folder` is a DICOM folder (with subfolders; names and extensions do not

@@ -59,6 +59,7 @@ Volume image_of(const PatientCase& patient, const fs::path& place, Job& job) {
 Mask system_voxels(const PatientCase& patient, const fs::path& folder) {
     if (!patient.mask.voxels.empty() || folder.empty()) return patient.mask;
     PatientCase voxels;
+    voxels.source = patient.source;
     add_voxels(folder, voxels);
     return std::move(voxels.mask);
 }

@@ -168,7 +168,12 @@ void write_case(const fs::path& place, const PatientCase& patient) {
 
 void add_voxels(const fs::path& place, PatientCase& patient) {
     in_folder(place, [&](const fs::path& folder) {
-        read_all_voxels(folder, read_case_header(folder), patient);
+        const CaseHeader header = read_case_header(folder);
+        if (header.source.image_sha256 != patient.source.image_sha256 ||
+            header.source.parameters_json != patient.source.parameters_json)
+            throw InputError("holds another patient than when it was opened", place.string(),
+                             "Put the case back that was there, or open this one anew");
+        read_all_voxels(folder, header, patient);
     });
 }
 

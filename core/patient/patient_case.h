@@ -84,8 +84,9 @@ PatientCase read_case(const std::filesystem::path& place);
 // of them.
 PatientCase read_case_without_voxels(const std::filesystem::path& place);
 
-// Reads a case's voxels into a patient that was read without them.
-// Throws InputError as above.
+// Reads a case's voxels into a patient that was read without them. Throws InputError as above, and
+// where the place holds a case of another CT or other parameters by now: of `patient` only
+// `source` is compared.
 void add_voxels(const std::filesystem::path& place, PatientCase& patient);
 
 // Leaves a measured dial in a case that is there already, and nothing else of it changed. Throws

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/number_text.h"
 #include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
@@ -297,7 +298,7 @@ void DeformPart::set_gravity(const Vec3& gravity_mm_per_s2) {
 
 void DeformPart::set_tether(double pa_per_mm2) {
     if (!(pa_per_mm2 >= 0.0) || !std::isfinite(pa_per_mm2))
-        throw InputError("is " + std::to_string(pa_per_mm2), "tether", "Give 0 or more");
+        throw InputError("is " + number_text(pa_per_mm2), "tether", "Give 0 or more");
     BodyDescription body = body_;
     body.tether_pa_per_mm2 = pa_per_mm2;
     rebuild(std::move(body), setting_);

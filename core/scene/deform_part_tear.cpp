@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/deform/body/torn_body.h"
 #include "core/scene/cut_line.h"
 #include "core/scene/deform_part.h"
@@ -160,7 +161,7 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
                           double strength) {
     require_tear();
     if (!(strength >= 0.0 && strength <= 1.0))
-        throw InputError("is " + std::to_string(strength), "strength along a cut line",
+        throw InputError("is " + number_text(strength), "strength along a cut line",
                          "Choose a value from 0 (nothing holds) to 1 (as before)");
     const TreePoint from = places_[vertex_near(from_mm)].on_tree;
     const TreePoint to = places_[vertex_near(to_mm)].on_tree;

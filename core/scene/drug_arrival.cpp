@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/median.h"
+#include "core/base/number_text.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/flow_solution.h"
 
@@ -70,7 +71,7 @@ TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
 
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
     if (!(injection.mass_flow_g_s > 0.0))
-        throw InputError("is " + std::to_string(injection.mass_flow_g_s), "mass flow",
+        throw InputError("is " + number_text(injection.mass_flow_g_s), "mass flow",
                          "Give more than 0 g/s");
     InjectionOptions options;
     options.tip = at_supply_where_near(injection.at, tree);

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/number_text.h"
 
 namespace hepatica {
 
@@ -106,13 +107,13 @@ void FlowPart::remove_drug() {
 
 void FlowPart::set_time(double time_s) {
     if (!(time_s >= 0.0) || !std::isfinite(time_s))
-        throw InputError("is " + std::to_string(time_s), "time of the drug", "Give 0 s or more");
+        throw InputError("is " + number_text(time_s), "time of the drug", "Give 0 s or more");
     drug_.time_s = time_s;
 }
 
 void FlowPart::set_speed(double factor) {
     if (!(factor > 0.0) || !std::isfinite(factor))
-        throw InputError("is " + std::to_string(factor), "speed of the drug", "Give more than 0");
+        throw InputError("is " + number_text(factor), "speed of the drug", "Give more than 0");
     speed_ = factor;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/text_file.h"
 #include "core/scene/setting_json.h"
 
@@ -39,8 +40,8 @@ class Fields {
     void read_number(const char* key, double& value, double low, double high) {
         read(key, value);
         if (!(value >= low && value <= high))
-            refuse("is " + std::to_string(value) + "; it must lie from " + std::to_string(low) +
-                       " to " + std::to_string(high),
+            refuse("is " + number_text(value) + "; it must lie from " + number_text(low) + " to " +
+                       number_text(high),
                    key);
     }
     void read_vector(const char* key, Vec3& value) {
@@ -161,7 +162,7 @@ Json to_json(const TearSpec& spec) {
 
 void validate_wall(double wall_mm) {
     if (wall_mm == 0.0 || (wall_mm >= thinnest_wall_mm && wall_mm <= thickest_wall_mm)) return;
-    throw InputError("is " + std::to_string(wall_mm), "wall_mm",
+    throw InputError("is " + number_text(wall_mm), "wall_mm",
                      "Give a wall from 0.01 to 100 mm, or 0 for solid vessels");
 }
 

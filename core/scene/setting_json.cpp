@@ -18,6 +18,18 @@ namespace {
     throw InputError(problem, "setting: " + key, "Correct the scene or recording");
 }
 
+// More of either would keep a step busy for longer than anybody waits: no step looks up before it
+// is done.
+constexpr int most_linear_iterations = 20000;
+constexpr int most_newton_iterations = 100;
+constexpr int most_substeps = 64;
+
+void require_count(const std::string& key, int value, int most) {
+    if (value < 1 || value > most)
+        refuse(key,
+               "is " + std::to_string(value) + "; it must lie from 1 to " + std::to_string(most));
+}
+
 void read_into(StepperOptions& options, const std::string& key, const Json& value) {
     if (key == "element") {
         const auto [model, order] = element_of(value.get<std::string>());
@@ -66,9 +78,9 @@ StepperOptions setting_from_json(const Json& json) {
         }
     }
     if (!(options.linear.energy_tolerance >= 0.0)) refuse("energy_tolerance", "is below 0");
-    if (options.linear.max_iterations < 1) refuse("max_iterations", "is below 1");
-    if (options.newton_iterations < 1) refuse("newton_iterations", "is below 1");
-    if (options.substeps < 1) refuse("substeps", "is below 1");
+    require_count("max_iterations", options.linear.max_iterations, most_linear_iterations);
+    require_count("newton_iterations", options.newton_iterations, most_newton_iterations);
+    require_count("substeps", options.substeps, most_substeps);
     return options;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/base/atomic_write.h"
 #include "tests/app/tour.h"
 
 namespace hepatica::test {
@@ -64,6 +65,20 @@ TEST_F(AsPublished, RefusesWhatWouldContradictIt) {
         EXPECT_EQ(run.exit_code, 2) << run.errors;
         EXPECT_NE(run.errors.find("--as-published"), std::string::npos) << run.errors;
         EXPECT_NE(run.errors.find(also[also.size() - 2]), std::string::npos) << run.errors;
+    }
+}
+
+// A script, too, may ask for what the switch excludes.
+TEST_F(AsPublished, RefusesAScriptThatLeavesIt) {
+    for (const std::string action : {"set_quality", "set_automatic_quality", "use_tear"}) {
+        write_text_atomically(path("leaves.json"),
+                              R"({"name": "s", "scene": {"name": "s", "deform": {}}, "actions": [)"
+                              R"({"at_s": 0.1, "do": ")" +
+                                  action + R"("}]})");
+        const Outcome run = run_cli({"simulate", path("p.hep"), "--script", path("leaves.json"),
+                                     "--steps", "20", "--as-published"});
+        EXPECT_EQ(run.exit_code, 1) << run.errors;
+        EXPECT_NE(run.errors.find(action), std::string::npos) << run.errors;
     }
 }
 

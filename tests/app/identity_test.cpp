@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/atomic_write.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "tests/app/hidden_text.h"
@@ -141,6 +142,13 @@ class Identity : public testing::Test {
             plant(entry.path());
             ASSERT_NE(found_name(bytes_of(entry.path())), "");
         }
+        // A second series, of which the reader speaks when it takes the first, and a slice that it
+        // cannot read.
+        write_dicom_series(patient() / (planted + " second"), Volume(Grid{{96, 96, 4}}, 40), info,
+                           job);
+        const fs::path whole = fs::directory_iterator(patient() / planted)->path();
+        write_text_atomically(patient() / planted / (planted + " damaged.dcm"),
+                              bytes_of(whole).substr(0, 400));
         for (const char* mask : {"truth_mask.nii.gz", "liver.nii.gz"})
             fs::rename(root() / "phantom" / mask, patient() / (planted + mask));
         fs::rename(root() / "phantom" / "truth_tree.vtp", patient() / (planted + ".vtp"));
@@ -190,6 +198,7 @@ TEST_F(Identity, IsInNothingThatTheProgramWrites) {
     answer({"simulate", case_folder(), "--script", HEPATICA_ASSETS "/scripts/drag.json", "--steps",
             "20", "--record", written("drag.hrec")});
     answer({"play", case_folder(), "--out", written("played")});
+    answer({"play", given(""), "--out", written("played from CT")});
     answer({"render", case_folder(), "--size", "320,240", "--out", written("picture.png")});
     answer({"compare", case_folder(), "--truth-tree", given(planted + ".vtp"), "--truth-mask",
             given(planted + "truth_mask.nii.gz")});

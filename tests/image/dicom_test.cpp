@@ -64,7 +64,7 @@ TEST(Dicom, PassesOverFilesThatAreNoImages) {
     ReadRemarks remarks;
     EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
     ASSERT_EQ(remarks.size(), 2u);  // the preamble without data, and the link
-    EXPECT_NE((remarks[0] + remarks[1]).find("broken link was passed over (a link to nothing)"),
+    EXPECT_NE((remarks[0] + remarks[1]).find("broken link” was passed over (a link to nothing)"),
               std::string::npos);
 }
 
@@ -102,10 +102,10 @@ TEST(Dicom, NamesFoldersAndFilesThatMayNotBeRead) {
     fs::permissions(folder.path() / "a locked", fs::perms::owner_all);
     EXPECT_EQ(read.voxels, folder.volume().voxels);
     ASSERT_EQ(remarks.size(), 2u);
-    EXPECT_NE(remarks[0].find("a locked could not be listed (Permission denied)"),
+    EXPECT_NE(remarks[0].find("a locked” could not be listed (Permission denied)"),
               std::string::npos)
         << remarks[0];
-    EXPECT_NE(remarks[1].find("b locked.dcm was passed over (Permission denied)"),
+    EXPECT_NE(remarks[1].find("b locked.dcm” was passed over (Permission denied)"),
               std::string::npos)
         << remarks[1];
 }

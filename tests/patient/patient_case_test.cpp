@@ -65,6 +65,20 @@ TEST_F(PatientCaseTest, ReadsBackWhatItWrote) {
         EXPECT_TRUE(fs::exists(case_ / name)) << name;
 }
 
+// Another program may have put another patient in its place since it was opened.
+TEST_F(PatientCaseTest, GivesItsVoxelsToNoOtherPatient) {
+    write_case(case_, some_patient());
+    PatientCase opened = read_case_without_voxels(case_);
+    PatientCase other = some_patient();
+    other.source.image_sha256 = std::string(64, '7');
+    write_case(case_, other);
+    EXPECT_THROW(add_voxels(case_, opened), InputError);
+    EXPECT_TRUE(opened.mask.voxels.empty());
+    write_case(case_, some_patient());
+    add_voxels(case_, opened);
+    EXPECT_EQ(opened.mask.voxels, some_patient().mask.voxels);
+}
+
 TEST_F(PatientCaseTest, WritesTheSameBytesEveryTime) {
     write_case(case_, some_patient());
     write_case(folder_ / "again.hep", some_patient());

@@ -109,7 +109,9 @@ TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {
     using Json = nlohmann::ordered_json;
     for (const Json& wrong :
          {Json({{"element", "spring-10"}}), Json({{"solver", "magic"}}), Json({{"substeps", 0}}),
-          Json({{"substeps", "two"}}), Json({{"nonsense", 1}}), Json::array()})
+          Json({{"substeps", 1000000000}}), Json({{"newton_iterations", 2000000000}}),
+          Json({{"max_iterations", 2000000000}}), Json({{"substeps", "two"}}),
+          Json({{"nonsense", 1}}), Json::array()})
         EXPECT_THROW(static_cast<void>(setting_from_json(wrong)), InputError) << wrong.dump();
 }
 

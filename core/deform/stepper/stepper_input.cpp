@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
@@ -23,13 +24,13 @@ void validate_grab(const Grab& grab, std::size_t nodes, std::size_t index) {
         if (node >= 0) sum += grab.weights[a];
     }
     if (!(std::abs(sum - 1.0) < 1e-6))
-        reject("has weights that sum to " + std::to_string(sum), "Make them sum to 1");
+        reject("has weights that sum to " + number_text(sum), "Make them sum to 1");
     if (!grab.target_mm.allFinite()) reject("has a target that is not finite", "Give a finite one");
     if (!(grab.stiffness_un_per_mm > 0.0) || !std::isfinite(grab.stiffness_un_per_mm))
-        reject("has a stiffness of " + std::to_string(grab.stiffness_un_per_mm) + " uN/mm",
+        reject("has a stiffness of " + number_text(grab.stiffness_un_per_mm) + " uN/mm",
                "Give a finite value greater than 0");
     if (!(grab.force_limit_un > 0.0) || !std::isfinite(grab.force_limit_un))
-        reject("has a force limit of " + std::to_string(grab.force_limit_un) + " uN",
+        reject("has a force limit of " + number_text(grab.force_limit_un) + " uN",
                "Give a finite value greater than 0");
 }
 
@@ -38,7 +39,7 @@ void validate_grab(const Grab& grab, std::size_t nodes, std::size_t index) {
 void validate(const StepperOptions& options) {
     const auto check = [](bool good, const std::string& name, double value) {
         if (!good)
-            throw InputError(name + " is " + std::to_string(value), "the step's options",
+            throw InputError(name + " is " + number_text(value), "the step's options",
                              "Choose another value");
     };
     const auto check_tolerance = [&](const std::string& name, double value) {
@@ -63,7 +64,7 @@ void validate(const StepperOptions& options) {
 
 void validate_time_step(double dt_s) {
     if (!(dt_s > 0.0) || !std::isfinite(dt_s))
-        throw InputError("a step of " + std::to_string(dt_s) + " s", "the clock",
+        throw InputError("a step of " + number_text(dt_s) + " s", "the clock",
                          "Give a finite time greater than 0");
 }
 
@@ -92,19 +93,19 @@ void validate_tool(const Tool& tool, bool touchable) {
         require(part.led_by_mm.allFinite() && part.led_half_axis_mm.allFinite(),
                 "was led by what is not finite");
         require(positive(part.shape.radius_mm),
-                "has a radius of " + std::to_string(part.shape.radius_mm) + " mm");
+                "has a radius of " + number_text(part.shape.radius_mm) + " mm");
     }
     require(tool.target_mm.allFinite() && tool.turn_rad.allFinite() && tool.led_over_s > 0.0,
             "has a target that is not finite");
     for (const double opening : {tool.opening_mm, tool.opening_target_mm})
         require(opening >= 0.0 && std::isfinite(opening),
-                "is open by " + std::to_string(opening) + " mm");
-    require(positive(tool.pad_mm), "has a pad of " + std::to_string(tool.pad_mm) + " mm");
-    require(positive(tool.pressure_pa), "has a pad of " + std::to_string(tool.pressure_pa) + " Pa");
+                "is open by " + number_text(opening) + " mm");
+    require(positive(tool.pad_mm), "has a pad of " + number_text(tool.pad_mm) + " mm");
+    require(positive(tool.pressure_pa), "has a pad of " + number_text(tool.pressure_pa) + " Pa");
     require(tool.friction >= 0.0 && std::isfinite(tool.friction),
-            "has a friction of " + std::to_string(tool.friction));
+            "has a friction of " + number_text(tool.friction));
     require(positive(tool.force_limit_un),
-            "has a force limit of " + std::to_string(tool.force_limit_un) + " uN");
+            "has a force limit of " + number_text(tool.force_limit_un) + " uN");
 }
 
 void validate_state(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/scene/tools/tool_kinds.h"
 
 namespace hepatica {
@@ -49,9 +50,9 @@ Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa,
     for (const auto& entry : kinds) names += (names.empty() ? "" : ", ") + std::string(entry.first);
     require(kind != kinds.end(), "is a \"" + choice.kind + "\"", "Choose one of: " + names);
     require(choice.radius_mm >= 0.1 && choice.radius_mm <= 100.0,
-            "has a radius of " + std::to_string(choice.radius_mm) + " mm", "Give 0.1 to 100 mm");
+            "has a radius of " + number_text(choice.radius_mm) + " mm", "Give 0.1 to 100 mm");
     require(choice.length_mm >= 0.0 && choice.length_mm <= 1000.0,
-            "has a length of " + std::to_string(choice.length_mm) + " mm", "Give 0 to 1000 mm");
+            "has a length of " + number_text(choice.length_mm) + " mm", "Give 0 to 1000 mm");
     require(choice.direction.allFinite() && choice.direction.norm() > 0.0, "has no direction",
             "Give three finite numbers that are not all 0");
     if (!point_mm.allFinite())

@@ -84,6 +84,29 @@ std::vector<Sample> parse_samples(const std::string& text, const std::filesystem
     return samples;
 }
 
+// A sample that is its own ancestor has no root, and blood would have nowhere to come from.
+// `index_of` holds every sample and every parent that is named.
+void refuse_cycles(const std::vector<Sample>& samples, const std::map<long long, int>& index_of,
+                   const std::filesystem::path& file) {
+    enum class Visit { none, under_way, done };
+    std::vector<Visit> visits(samples.size(), Visit::none);
+    for (std::size_t first = 0; first < samples.size(); ++first) {
+        std::vector<std::size_t> way;
+        std::size_t at = first;
+        while (visits[at] == Visit::none) {
+            visits[at] = Visit::under_way;
+            way.push_back(at);
+            if (samples[at].parent < 0) break;
+            at = static_cast<std::size_t>(index_of.at(samples[at].parent));
+        }
+        if (visits[at] == Visit::under_way && samples[at].parent >= 0)
+            throw InputError(
+                "sample " + std::to_string(samples[at].number) + " is its own ancestor",
+                file.string(), "Give a tree: each vessel must lead back to a root");
+        for (const std::size_t sample : way) visits[sample] = Visit::done;
+    }
+}
+
 }  // namespace
 
 void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree) {
@@ -139,6 +162,7 @@ VesselTree read_tree_swc(const std::filesystem::path& file, const TreeFileFacts&
         edges.push_back({parent->second, static_cast<int>(i), samples[parent->second].radius_mm,
                          s.radius_mm, s.system});
     }
+    refuse_cycles(samples, index_of, file);
     if (edges.empty())
         throw InputError("holds no vessel", file.string(),
                          "Give an SWC file with two samples or more");

@@ -371,4 +371,21 @@ TEST(TreeSwc, BadFilesAreRefused) {
     EXPECT_THROW(read_tree(scratch("none.swc")), InputError);
 }
 
+// Each sample has a parent, and none of them has a root.
+TEST(TreeSwc, RefusesSamplesThatAreTheirOwnAncestors) {
+    const std::filesystem::path file = scratch("ring.swc");
+    for (const char* ring : {"1 0 0 0 0 1 2\n2 0 5 0 0 1 1\n", "1 0 0 0 0 1 1\n2 0 5 0 0 1 1\n",
+                             "1 0 0 0 0 1 -1\n2 0 5 0 0 1 1\n3 0 9 0 0 1 5\n4 0 9 9 0 1 3\n"
+                             "5 0 9 9 9 1 4\n"}) {
+        write_text(file, ring);
+        try {
+            read_tree_swc(file);
+            ADD_FAILURE() << ring;
+        } catch (const InputError& error) {
+            EXPECT_NE(error.problem().find("its own ancestor"), std::string::npos)
+                << error.problem();
+        }
+    }
+}
+
 }  // namespace hepatica

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A number as a message shows it: six significant digits, a dot in every locale.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace hepatica {
+
+inline std::string number_text(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                   std::chars_format::general, 6);
+    return {digits.data(), end.ptr};
+}
+
+}  // namespace hepatica
