@@ -13,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-// A setting changed back and forth makes back ends anew, which need not repeat themselves.
+// Warns once in the same words: each change of the setting makes a new back end, which warns again.
 std::function<void(const std::string&)> warn_once() {
     return [said = std::make_shared<std::set<std::string>>()](const std::string& what) {
         if (said->insert(what).second) spdlog::warn("{}", what);

@@ -25,16 +25,16 @@ class ToolPanel : public QWidget {
     explicit ToolPanel(Callbacks callbacks, QWidget* parent = nullptr);
 
     ToolSize size() const;
-    // As chosen, switched on.
+    // The tear factor that is chosen, with tearing switched on.
     UseTear tear() const;
     double cut_line_strength() const;
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);
-    // A simulation has begun that has not been told.
+    // A new simulation has begun: the panel goes back to what that begins with, no tearing.
     void forget_tear();
     // Empty where no tool is in the hand.
     void show_kind(const std::string& kind);
-    // Of the tool, or else of the hand that pulls.
+    // The force on the tool; without a tool, that of the hand that pulls.
     void show_force(const std::optional<ToolView>& tool, const std::optional<GrabView>& hand);
 
   private:

@@ -64,12 +64,13 @@ class Overlaps {
 
     const SurfaceFeatures& features_;
     Pairs touching_, buried_;
-    // What showed it last, of a pair: two triangles that are near, a vertex within. Asked first.
+    // The witness that last showed a pair of patches to overlap (two near triangles, or a vertex
+    // inside); it is tried first the next time.
     mutable std::map<std::array<int, 2>, std::array<int, 2>> near_;
     mutable std::map<std::array<int, 2>, int> within_;
 };
 
-// What overlapped on a surface that is no more.
+// The overlaps of the surface before a split, with its features.
 struct OverlapsBefore {
     SurfaceFeatures features;
     Overlaps::Pairs touching, buried;

@@ -55,7 +55,7 @@ class Fields {
             if (std::ranges::find(known_, key) == known_.end()) refuse("is not known", key);
     }
     [[noreturn]] void refuse(const std::string& problem, const std::string& key) const {
-        throw InputError(problem, where_ + ": " + key, "See docs of scenes in ARCHITECTURE.md");
+        throw InputError(problem, where_ + ": " + key, "docs/scenes.md lists the keys of a scene");
     }
 
   private:

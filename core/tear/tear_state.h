@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tear has come to: what it goes on from, and what is shown of it. Plain data.
+// The state of tearing: what a checkpoint must hold to continue it, and what a frame shows. Plain
+// data.
 #pragma once
 
 #include <vector>
 
 namespace hepatica {
 
-// All that determines how it goes on, apart from mesh and law.
+// Everything but mesh and law that determines the next steps.
 struct TearState {
     std::vector<int> parents;      // of the vertices that were split off, in their order
     std::vector<int> tetrahedra;   // whose corners changed, ascending,

@@ -31,7 +31,8 @@ std::set<fs::path> documents() {
 // Paths of this tree between backquotes; `core/deform/stepper.*` names all that begin like this.
 std::set<std::string> paths_named_in(const std::string& text) {
     static const std::regex pattern(
-        "`((?:core|render|ui|app|tests|scripts|cmake|assets|bench|packaging)/[A-Za-z0-9_./*-]*)`");
+        "`((?:core|gpu|render|ui|app|tests|scripts|cmake|assets|bench|packaging)/[A-Za-z0-9_./"
+        "*-]*)`");
     std::set<std::string> paths;
     for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
         paths.insert((*match)[1]);

@@ -43,10 +43,10 @@ struct Faulty {
     std::unique_ptr<Session> session;
     std::shared_ptr<Recording> recording;
 
-    Faulty() {
+    explicit Faulty(const SceneSpec& scene = default_scene()) {
         Job job;
-        session = std::make_unique<Session>(small_patient(), default_scene(), job,
-                                            test::failing_back_end(fault));
+        session =
+            std::make_unique<Session>(small_patient(), scene, job, test::failing_back_end(fault));
         recording = test::keep_recording(*session);
         session->post(GrabPoint{middle_of(small_patient()->tree, 0)});
         session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(5, 0, 0)});
@@ -170,6 +170,28 @@ TEST(Barrier, AFrameThatCannotBeMadeIsMadeAsSoonAsItCan) {
         EXPECT_FALSE(play.frame().statistics.diverged);
         EXPECT_FALSE(play.frame().statistics.paused);
     }
+}
+
+// The way back opens the hand and puts the tool away; a replay, which meets no fault, has to be
+// told.
+TEST(Barrier, AToolInTheHandIsPutAwayAndTheRecordingSaysSo) {
+    SceneSpec touchable = default_scene();
+    touchable.contact = ContactSpec{};
+    Faulty play(touchable);
+    play.session->post(AddTool{.radius_mm = 2.0,
+                               .direction = Vec3(0, 0, -1),
+                               .point_mm = middle_of(small_patient()->tree, 1)});
+    for (int i = 0; i < 60; ++i) {
+        play.session->post(ShiftTool{Vec3(0, 0, -0.1)});
+        play.session->step();
+    }
+    ASSERT_TRUE(play.frame().tool.has_value());
+    play.arm("step", errors().front());
+    play.session->step();
+    play.mend();
+    expect_stopped(play, errors().front());
+    EXPECT_FALSE(play.frame().tool.has_value());
+    expect_to_go_on(play);
 }
 
 TEST(Barrier, AResetEndsIt) {

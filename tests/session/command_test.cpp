@@ -6,8 +6,13 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/session/recording_file.h"
@@ -100,6 +105,21 @@ TEST(Recording, SurvivesTheDisk) {
     std::ofstream(file, std::ios::trunc).close();
     EXPECT_THROW(read_recording(file), InputError);
     EXPECT_THROW(read_recording(file.string() + ".missing"), InputError);
+}
+
+template <std::size_t... alternative>
+std::vector<std::string> names_of_all(std::index_sequence<alternative...> /*of the variant*/) {
+    return {to_json(Command(std::in_place_index<alternative>))["command"].get<std::string>()...};
+}
+
+TEST(Command, IsDocumentedWithItsKeys) {
+    std::ifstream file(std::string(HEPATICA_SOURCE_DIR) + "/docs/scenes.md");
+    const std::string document{std::istreambuf_iterator<char>(file), {}};
+    const std::vector<std::string> names =
+        names_of_all(std::make_index_sequence<std::variant_size_v<Command>>());
+    EXPECT_GT(names.size(), 25u);
+    for (const std::string& name : names)
+        EXPECT_NE(document.find("| `" + name + "`"), std::string::npos) << name;
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ void GovernedStepper::open_tool(double opening_mm) {
     change_tool_goal([&](Tool& tool) { tool.opening_target_mm = opening_mm; });
 }
 
-// What lies still does not stop what comes against it: it is woken.
+// Wakes frozen nodes that a moving surface touches: a frozen node could not give way.
 void GovernedStepper::wake_touched() {
     if (!region_) return;
     std::vector<int> touched;

@@ -24,7 +24,7 @@ void GovernedStepper::follow_tear(StepBackEnd& back_end) const {
     back_end.tear(description_, torn_body_of(*tearing_));
 }
 
-// What was split begins to move, whatever slept.
+// Makes the back end follow the split, and wakes the nodes around it.
 void GovernedStepper::follow_tear() {
     const auto before = nodes();
     follow_tear(*back_end_);

@@ -33,7 +33,7 @@ struct MatrixOrigin {
     RayleighDamping velocity_error;  // E of eq. (11)
 };
 
-// What a tool had to do with that matrix.
+// The tool whose contacts are part of that matrix.
 struct ToolOrigin {
     Tool tool;
     std::vector<Vec3> start_mm;  // where the step began
