@@ -14,6 +14,7 @@
 
 #include "core/patient/liver_segments.h"
 #include "core/tree/territories/couinaud_segments.h"
+#include "render/palette.h"
 
 namespace hepatica {
 namespace {
@@ -27,6 +28,16 @@ QTableWidgetItem* number(double value, int decimals) {
     const double scale = std::pow(10.0, decimals);
     item->setData(Qt::DisplayRole, std::round(value * scale) / scale);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+}
+
+// With the colour that it has in the view.
+QTableWidgetItem* segment(int couinaud) {
+    QTableWidgetItem* item = number(couinaud, 0);
+    const Colour colour = palette::liver_segment(couinaud);
+    item->setData(Qt::DecorationRole,
+                  QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                                   static_cast<float>(colour[2])));
     return item;
 }
 
@@ -155,7 +166,7 @@ void BranchDock::fill_table() {
         table_->setItem(i, 2, number(row.generation, 0));
         table_->setItem(i, 3, number(row.length_mm, 1));
         table_->setItem(i, 4, number(row.radius_mm, 2));
-        table_->setItem(i, 5, row.couinaud > 0 ? number(row.couinaud, 0) : new QTableWidgetItem);
+        table_->setItem(i, 5, row.couinaud > 0 ? segment(row.couinaud) : new QTableWidgetItem);
         table_->setItem(i, 6,
                         row.flow_share ? number(100.0 * *row.flow_share, 2) : new QTableWidgetItem);
     }

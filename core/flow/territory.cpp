@@ -6,6 +6,58 @@
 #include <numeric>
 
 namespace hepatica {
+namespace {
+
+// Nodes by falling total pressure: flow falls in it, so that every inflow of a node comes before
+// its outflows.
+std::vector<int> downstream_order(const FlowNetwork& network, const FlowSolution& solution) {
+    std::vector<int> falling(network.node_count);
+    std::iota(falling.begin(), falling.end(), 0);
+    std::ranges::stable_sort(falling, [&](int a, int b) {
+        return solution.total_pressure_pa[a] > solution.total_pressure_pa[b];
+    });
+    return falling;
+}
+
+double entering_flow(const FlowSolution& solution) {
+    double entering = 0.0;
+    for (const double q : solution.inlet_flow_mm3_s) entering += std::max(q, 0.0);
+    for (const double q : solution.outlet_flow_mm3_s) entering += std::max(-q, 0.0);
+    return entering;
+}
+
+// Carries the share that has passed the point from `passed_share` of its segment downstream to all
+// others, and returns the share at each node.
+std::vector<double> carry_downstream(const FlowNetwork& network, const FlowSolution& solution,
+                                     int start, std::vector<double>& passed_share) {
+    const std::vector<double>& flow = solution.volume_flow_mm3_s;
+    const NodeSegments at = segments_at_nodes(network);
+    std::vector<double> share_at_node(network.node_count, 0.0);
+    for (const int node : downstream_order(network, solution)) {
+        double in = 0.0, passed = 0.0, out = 0.0;
+        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
+            const int id = at.segments[i];
+            const bool inwards = (network.segments[id].distal_node == node) == (flow[id] > 0.0);
+            if (inwards) {
+                in += std::abs(flow[id]);
+                passed += std::abs(flow[id]) * passed_share[id];
+            } else {
+                out += std::abs(flow[id]);
+            }
+        }
+        // Fluid that an inlet adds at this node has not passed the point.
+        const double through = std::max(in, out);
+        share_at_node[node] = through > 0.0 ? passed / through : 0.0;
+        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
+            const int id = at.segments[i];
+            const bool outwards = (network.segments[id].proximal_node == node) == (flow[id] > 0.0);
+            if (outwards && id != start && flow[id] != 0.0) passed_share[id] = share_at_node[node];
+        }
+    }
+    return share_at_node;
+}
+
+}  // namespace
 
 Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
                        const TreePoint& point) {
@@ -18,42 +70,8 @@ Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
     territory.passed_share.assign(network.segments.size(), 0.0);
     territory.passed_share[start] = 1.0;
 
-    // Flow falls in total pressure, so that order of the nodes meets every inflow of a node before
-    // its outflows.
-    std::vector<int> falling(network.node_count);
-    std::iota(falling.begin(), falling.end(), 0);
-    std::ranges::stable_sort(falling, [&](int a, int b) {
-        return solution.total_pressure_pa[a] > solution.total_pressure_pa[b];
-    });
-    double entering = 0.0;
-    for (const double q : solution.inlet_flow_mm3_s) entering += std::max(q, 0.0);
-    for (const double q : solution.outlet_flow_mm3_s) entering += std::max(-q, 0.0);
-    std::vector<double> entering_node(network.node_count, 0.0);
-    std::vector<double> passed_node(network.node_count, 0.0);
-    const NodeSegments at = segments_at_nodes(network);
-    std::vector<double> share_at_node(network.node_count, 0.0);
-    for (const int node : falling) {
-        double out = 0.0;
-        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
-            const int id = at.segments[i];
-            const bool inwards = (network.segments[id].distal_node == node) == (flow[id] > 0.0);
-            if (inwards) {
-                entering_node[node] += std::abs(flow[id]);
-                passed_node[node] += std::abs(flow[id]) * territory.passed_share[id];
-            } else {
-                out += std::abs(flow[id]);
-            }
-        }
-        // Fluid that an inlet adds at this node has not passed the point.
-        const double through = std::max(entering_node[node], out);
-        const double share = through > 0.0 ? passed_node[node] / through : 0.0;
-        share_at_node[node] = share;
-        for (int i = at.first[node]; i < at.first[node + 1]; ++i) {
-            const int id = at.segments[i];
-            const bool outwards = (network.segments[id].proximal_node == node) == (flow[id] > 0.0);
-            if (outwards && id != start && flow[id] != 0.0) territory.passed_share[id] = share;
-        }
-    }
+    const std::vector<double> share_at_node =
+        carry_downstream(network, solution, start, territory.passed_share);
     double leaving = 0.0;
     double passed = 0.0;
     for (std::size_t o = 0; o < network.outlet_nodes.size(); ++o) {
@@ -66,6 +84,7 @@ Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
         territory.outlet_shares.push_back(share);
     }
     territory.share_of_outflow = leaving > 0.0 ? passed / leaving : 0.0;
+    const double entering = entering_flow(solution);
     territory.share_of_flow = entering > 0.0 ? territory.flow_mm3_s / entering : 0.0;
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
         const int id = static_cast<int>(i);

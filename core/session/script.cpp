@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/program_files.h"
@@ -165,6 +166,109 @@ Vec3 resolve(const ScriptPlace& place, const VesselTree& tree) {
                           : point_on_longest_path(tree, *place.share_of_longest_path);
 }
 
+// Puts a script's actions into the steps in which they happen, in the order of their time.
+class Timetable {
+  public:
+    Timetable(const VesselTree& tree, double dt_s, int steps)
+        : tree_(tree), dt_s_(dt_s), commands_(static_cast<std::size_t>(steps)) {}
+
+    void add(const ScriptAction& action);
+    std::vector<std::vector<Command>> take() { return std::move(commands_); }
+
+  private:
+    long step_at(double time_s) const { return std::lround(time_s / dt_s_); }
+    // How many steps an action takes, at least one.
+    long length_of(const ScriptAction& action) const {
+        return std::max(1L, step_at(action.over_s));
+    }
+    void put(long step, const Command& command) {
+        if (step < static_cast<long>(commands_.size()))
+            commands_[static_cast<std::size_t>(step)].push_back(command);
+    }
+    void move_hand(const ScriptAction& action);
+    void lead_tool(const ScriptAction& action);
+    void move_jaws(const ScriptAction& action);
+    void draw_blade(const ScriptAction& action);
+
+    const VesselTree& tree_;
+    double dt_s_;
+    std::vector<std::vector<Command>> commands_;
+    Vec3 hand_mm_ = Vec3::Zero();
+};
+
+void Timetable::move_hand(const ScriptAction& action) {
+    const long moves = length_of(action);
+    for (long i = 1; i <= moves; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(moves);
+        put(step_at(action.at_s) + i - 1, MoveGrab{hand_mm_ + share * action.by_mm});
+    }
+    hand_mm_ += action.by_mm;
+}
+
+void Timetable::lead_tool(const ScriptAction& action) {
+    const long moves = length_of(action);
+    for (long i = 0; i < moves; ++i) {
+        const long step = step_at(action.at_s) + i;
+        if (action.to_mm)
+            put(step, MoveTool{*action.to_mm, 1.0 / static_cast<double>(moves - i)});
+        else
+            put(step, ShiftTool{action.by_mm / static_cast<double>(moves)});
+    }
+}
+
+void Timetable::move_jaws(const ScriptAction& action) {
+    const long moves = length_of(action);
+    for (long i = 0; i < moves; ++i) {
+        const double share = 1.0 / static_cast<double>(moves - i);
+        if (action.what == "close_forceps")
+            put(step_at(action.at_s) + i, CloseForceps{share});
+        else
+            put(step_at(action.at_s) + i, OpenForceps{share});
+    }
+}
+
+void Timetable::draw_blade(const ScriptAction& action) {
+    const Blade whole = std::get<Blade>(*action.command);
+    const long moves = length_of(action);
+    const auto at = [&](long i) {
+        const double share = static_cast<double>(i) / static_cast<double>(moves);
+        return Vec3(whole.from_mm + share * (whole.to_mm - whole.from_mm));
+    };
+    for (long i = 0; i < moves; ++i) put(step_at(action.at_s) + i, Blade{at(i), at(i + 1)});
+}
+
+void Timetable::add(const ScriptAction& action) {
+    const long first = step_at(action.at_s);
+    if (action.what == "grab") {
+        hand_mm_ = resolve(action.place, tree_);
+        put(first, GrabPoint{hand_mm_});
+    } else if (action.what == "move") {
+        move_hand(action);
+    } else if (action.what == "tool") {
+        AddTool tool = std::get<AddTool>(*action.command);
+        tool.point_mm = resolve(action.place, tree_);
+        put(first, tool);
+    } else if (action.what == "move_tool") {
+        lead_tool(action);
+    } else if (action.what == "close_forceps" || action.what == "open_forceps") {
+        move_jaws(action);
+    } else if (action.what == "cut_line") {
+        CutLine line = std::get<CutLine>(*action.command);
+        line.from_mm = resolve(action.place, tree_);
+        line.to_mm = resolve(action.to_place, tree_);
+        put(first, line);
+    } else if (action.what == "blade") {
+        draw_blade(action);
+    } else if (action.what == "inject") {
+        InjectDrug injection = std::get<InjectDrug>(*action.command);
+        injection.point_mm = resolve(action.place, tree_);
+        put(first, injection);
+        put(first, FinishInjection{});
+    } else {
+        put(first, *action.command);
+    }
+}
+
 }  // namespace
 
 Vec3 point_on_longest_path(const VesselTree& tree, double share) {
@@ -212,68 +316,9 @@ Script script_of(const std::string& text, const std::filesystem::path& file) {
 
 std::vector<std::vector<Command>> schedule(const Script& script, const VesselTree& tree,
                                            double dt_s, int steps) {
-    std::vector<std::vector<Command>> commands(static_cast<std::size_t>(steps));
-    const auto step_at = [&](double time_s) { return std::lround(time_s / dt_s); };
-    Vec3 hand = Vec3::Zero();
-    for (const ScriptAction& action : script.actions) {
-        const long first = step_at(action.at_s);
-        const auto add = [&](long step, const Command& command) {
-            if (step < steps) commands[static_cast<std::size_t>(step)].push_back(command);
-        };
-        if (action.what == "grab") {
-            hand = resolve(action.place, tree);
-            add(first, GrabPoint{hand});
-        } else if (action.what == "move") {
-            const long moves = std::max(1L, step_at(action.over_s));
-            for (long i = 1; i <= moves; ++i)
-                add(first + i - 1, MoveGrab{hand + static_cast<double>(i) /
-                                                       static_cast<double>(moves) * action.by_mm});
-            hand += action.by_mm;
-        } else if (action.what == "tool") {
-            AddTool tool = std::get<AddTool>(*action.command);
-            tool.point_mm = resolve(action.place, tree);
-            add(first, tool);
-        } else if (action.what == "move_tool") {
-            const long moves = std::max(1L, step_at(action.over_s));
-            for (long i = 0; i < moves; ++i) {
-                const auto left = static_cast<double>(moves - i);
-                if (action.to_mm)
-                    add(first + i, MoveTool{*action.to_mm, 1.0 / left});
-                else
-                    add(first + i, ShiftTool{action.by_mm / static_cast<double>(moves)});
-            }
-        } else if (action.what == "close_forceps" || action.what == "open_forceps") {
-            const long moves = std::max(1L, step_at(action.over_s));
-            for (long i = 0; i < moves; ++i) {
-                const double share = 1.0 / static_cast<double>(moves - i);
-                if (action.what == "close_forceps")
-                    add(first + i, CloseForceps{share});
-                else
-                    add(first + i, OpenForceps{share});
-            }
-        } else if (action.what == "cut_line") {
-            CutLine line = std::get<CutLine>(*action.command);
-            line.from_mm = resolve(action.place, tree);
-            line.to_mm = resolve(action.to_place, tree);
-            add(first, line);
-        } else if (action.what == "blade") {
-            const Blade whole = std::get<Blade>(*action.command);
-            const long moves = std::max(1L, step_at(action.over_s));
-            const auto at = [&](long i) {
-                return Vec3(whole.from_mm + static_cast<double>(i) / static_cast<double>(moves) *
-                                                (whole.to_mm - whole.from_mm));
-            };
-            for (long i = 0; i < moves; ++i) add(first + i, Blade{at(i), at(i + 1)});
-        } else if (action.what == "inject") {
-            InjectDrug injection = std::get<InjectDrug>(*action.command);
-            injection.point_mm = resolve(action.place, tree);
-            add(first, injection);
-            add(first, FinishInjection{});
-        } else {
-            add(first, *action.command);
-        }
-    }
-    return commands;
+    Timetable table(tree, dt_s, steps);
+    for (const ScriptAction& action : script.actions) table.add(action);
+    return table.take();
 }
 
 }  // namespace hepatica
