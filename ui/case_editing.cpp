@@ -45,18 +45,34 @@ QString text_of(const Bridge& bridge) {
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
     panel_.set_callbacks({[this](int bridge) { choose_bridge(bridge); },
-                          [this](int bridge) { accept(bridge); }, callbacks_.undo, callbacks_.redo,
-                          [this] { link_from_mm_.reset(); }});
+                          [this](int bridge) { accept(bridge); }, [this] { accept_all(); },
+                          [this](double confidence) {
+                              least_confidence_ = confidence;
+                              if (workspace_.has_patient()) show_bridges();
+                          },
+                          callbacks_.undo, callbacks_.redo, [this] { link_from_mm_.reset(); }});
 }
 
 void CaseEditing::show_body() {
     link_from_mm_.reset();
+    show_bridges();
+    update_panel();
+}
+
+void CaseEditing::show_bridges() {
     bridges_ = open_bridges(*workspace_.patient());
+    std::erase_if(bridges_,
+                  [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
     callbacks_.show_bridges(views_of(bridges_));
     QStringList bridges;
     for (const Bridge& bridge : bridges_) bridges << text_of(bridge);
     panel_.show_bridges(bridges);
-    update_panel();
+}
+
+void CaseEditing::accept_all() {
+    if (!workspace_.has_patient()) return;
+    for (const TreeEdit& edit : acceptances(*workspace_.patient(), least_confidence_))
+        callbacks_.add(edit);
 }
 
 void CaseEditing::update_panel() {

@@ -38,11 +38,15 @@ class CaseEditing {
 
   private:
     void choose_bridge(int bridge);
+    void accept_all();
+    // Lists and draws the gaps that are still to be decided and of enough confidence.
+    void show_bridges();
 
     EditPanel& panel_;
     const Workspace& workspace_;
     Callbacks callbacks_;
-    std::vector<Bridge> bridges_;
+    std::vector<Bridge> bridges_;  // that are shown, best first
+    double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
 };
 

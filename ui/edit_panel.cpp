@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSlider>
 #include <QVBoxLayout>
 #include <array>
 
@@ -90,8 +91,18 @@ QWidget* EditPanel::make_bridges() {
         "Dashed in the view, with the confidence that it is one vessel. A click "
         "on the dashed line bridges it, too.");
     column->addWidget(bridges_);
+    add_confidence_slider(*column);
+    auto* buttons = new QHBoxLayout;
     accept_ = new QPushButton("Bridge it", box);
-    column->addWidget(accept_);
+    accept_all_ = new QPushButton("Bridge all of them", box);
+    accept_all_->setObjectName("acceptAll");
+    accept_all_->setToolTip(
+        "All gaps that are listed, best first; what another one made needless is "
+        "left out");
+    buttons->addWidget(accept_);
+    buttons->addWidget(accept_all_);
+    column->addLayout(buttons);
+    connect(accept_all_, &QPushButton::clicked, this, [this] { callbacks_.accept_all(); });
     connect(bridges_, &QListWidget::currentRowChanged, this, [this](int row) {
         accept_->setEnabled(row >= 0);
         if (callbacks_.choose_bridge) callbacks_.choose_bridge(row);
@@ -102,6 +113,23 @@ QWidget* EditPanel::make_bridges() {
     connect(accept_, &QPushButton::clicked, this, accept);
     connect(bridges_, &QListWidget::itemDoubleClicked, this, accept);
     return box;
+}
+
+void EditPanel::add_confidence_slider(QVBoxLayout& column) {
+    auto* row = new QHBoxLayout;
+    auto* slider = new QSlider(Qt::Horizontal, this);
+    slider->setObjectName("bridgeConfidence");
+    slider->setAccessibleName("Least confidence of the gaps that are shown");
+    slider->setRange(0, 100);
+    auto* value = new QLabel("of 0 % or more", this);
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance("of 100 % or more"));
+    row->addWidget(slider);
+    row->addWidget(value);
+    column.addLayout(row);
+    connect(slider, &QSlider::valueChanged, this, [this, value](int percent) {
+        value->setText(QString("of %1 % or more").arg(percent));
+        if (callbacks_.least_confidence) callbacks_.least_confidence(0.01 * percent);
+    });
 }
 
 QWidget* EditPanel::make_edits() {
@@ -136,6 +164,7 @@ void EditPanel::show_bridges(const QStringList& lines) {
     bridges_->setCurrentRow(-1);
     accept_->setEnabled(false);
     bridges_->setEnabled(!lines.isEmpty());
+    accept_all_->setEnabled(!lines.isEmpty());
     if (lines.isEmpty()) bridges_->addItem("none");
 }
 

@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QVBoxLayout;
 
 namespace hepatica {
 
@@ -21,6 +22,8 @@ class EditPanel : public QWidget {
     struct Callbacks {
         std::function<void(int)> choose_bridge;  // lit up in the view; -1: none
         std::function<void(int)> accept_bridge;
+        std::function<void()> accept_all;              // that are shown
+        std::function<void(double)> least_confidence;  // 0 to 1: gaps below it are not shown
         std::function<void()> undo;
         std::function<void()> redo;
         std::function<void()> tool_changed;
@@ -39,6 +42,7 @@ class EditPanel : public QWidget {
   private:
     QWidget* make_tools();
     QWidget* make_bridges();
+    void add_confidence_slider(QVBoxLayout& column);
     QWidget* make_edits();
 
     Callbacks callbacks_;
@@ -46,6 +50,7 @@ class EditPanel : public QWidget {
     QComboBox* system_ = nullptr;
     QListWidget* bridges_ = nullptr;
     QPushButton* accept_ = nullptr;
+    QPushButton* accept_all_ = nullptr;
     QListWidget* edits_ = nullptr;
     QPushButton* undo_ = nullptr;
     QPushButton* redo_ = nullptr;

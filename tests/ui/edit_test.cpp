@@ -3,7 +3,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPushButton>
 #include <QSlider>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/patient/parted_patient.h"
@@ -112,6 +116,31 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     window_.actions()[ActionId::redo_edit].trigger();
     wait();
     EXPECT_EQ(roots(saved().tree).size(), 1u);
+}
+
+// The slider shows fewer gaps and the button bridges those that are shown.
+TEST_F(Editing, gaps_are_shown_and_bridged_by_their_confidence) {
+    const auto shown = [this] {
+        int lines = 0;
+        for (const auto* list : window_.findChildren<QListWidget*>())
+            if (list->accessibleName() == "Gaps that might be bridged" && list->isEnabled())
+                lines = list->count();
+        return lines;
+    };
+    const std::vector<Bridge> offered = open_bridges(*window_.workspace().patient());
+    ASSERT_GT(offered.size(), 0u);
+    EXPECT_EQ(shown(), static_cast<int>(offered.size()));
+    auto& slider = child<QSlider>("bridgeConfidence");
+    slider.setValue(100);
+    EXPECT_EQ(shown(), std::ranges::count_if(
+                           offered, [](const Bridge& bridge) { return bridge.confidence >= 1.0; }));
+    slider.setValue(static_cast<int>(std::floor(100.0 * offered.back().confidence)));
+    EXPECT_EQ(shown(), static_cast<int>(offered.size()));
+    child<QPushButton>("acceptAll").click();
+    wait();
+    EXPECT_TRUE(open_bridges(*window_.workspace().patient()).empty());
+    EXPECT_EQ(saved().corrections.edits.size(),
+              acceptances(test::patient_with_bridges(), 0.0).size());
 }
 
 TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
