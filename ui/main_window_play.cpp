@@ -20,6 +20,7 @@
 #include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
+#include "ui/window_words.h"
 
 namespace hepatica {
 
@@ -60,12 +61,10 @@ void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches
 
 void MainWindow::show_warnings() {
     if (patient_->warnings.empty()) return;
-    QStringList lines;
-    for (const std::string& warning : patient_->warnings) {
-        lines << QString::fromStdString(warning);
-        log_->add_warning(QString::fromStdString(patient_->title), lines.back());
-    }
-    messages_->show_notice(lines.join("\n"), "All messages", [this] { log_->show(); });
+    for (const std::string& warning : patient_->warnings)
+        log_->add_warning(QString::fromStdString(patient_->title), QString::fromStdString(warning));
+    messages_->show_notice(QString::fromStdString(in_short(patient_->warnings)), "All messages",
+                           [this] { log_->show(); });
 }
 
 void MainWindow::show_workspace() {

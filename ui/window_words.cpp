@@ -48,4 +48,14 @@ std::string in_window_words(std::string text) {
     return text;
 }
 
+std::string in_short(const std::vector<std::string>& warnings) {
+    constexpr std::size_t shown = 2;
+    std::string text;
+    for (std::size_t i = 0; i < warnings.size() && i < shown; ++i)
+        text += (i == 0 ? "" : "\n") + warnings[i];
+    if (warnings.size() > shown)
+        text += "\n" + std::to_string(warnings.size() - shown) + " more under All messages.";
+    return text;
+}
+
 }  // namespace hepatica

@@ -4,10 +4,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hepatica {
 
 // The text with each such option replaced; any other text stays as it is.
 std::string in_window_words(std::string text);
+
+// The first two of several warnings and how many more there are: what leaves room for the vessels.
+std::string in_short(const std::vector<std::string>& warnings);
 
 }  // namespace hepatica

@@ -63,5 +63,12 @@ TEST(WindowWords, name_the_fields_in_failures) {
               "In File > Reconstruct with options, Series 2 reads the other one");
 }
 
+TEST(WindowWords, OfManyWarningsTwoAreShown) {
+    EXPECT_EQ(in_short({}), "");
+    EXPECT_EQ(in_short({"a"}), "a");
+    EXPECT_EQ(in_short({"a", "b"}), "a\nb");
+    EXPECT_EQ(in_short({"a", "b", "c", "d"}), "a\nb\n2 more under All messages.");
+}
+
 }  // namespace
 }  // namespace hepatica
