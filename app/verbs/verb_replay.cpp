@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <vector>
 
 #include "app/back_end_choice.h"
+#include "app/recorded_patient.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -26,39 +25,13 @@ struct Options {
     bool verify = false;
 };
 
-std::vector<fs::path> cases_beside(const fs::path& file) {
-    std::vector<fs::path> cases;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(fs::absolute(file).parent_path()))
-        if (is_case(entry.path())) cases.push_back(entry.path());
-    std::ranges::sort(cases);
-    return cases;
-}
-
-// A recording names its patient by a hash alone: the case is the one given, or else the first
-// beside the recording that has this hash. Reading a case costs a second at most.
-PatientCase patient_of(const Recording& recording, const Options& options, Job& job) {
-    if (!options.patient.empty()) return read_case_without_voxels(options.patient);
-    for (const fs::path& folder : cases_beside(options.file)) {
-        job.throw_if_cancelled();
-        try {
-            PatientCase patient = read_case_without_voxels(folder);
-            if (hash_of(patient) == recording.patient_hash) return patient;
-        } catch (const InputError& error) {
-            spdlog::warn("{} is passed over: {}", folder.string(), error.problem());
-        }
-    }
-    throw InputError("no case beside it has the patient that was recorded, whose hash is " +
-                         to_hex(recording.patient_hash),
-                     options.file.string(), "Name the case: --patient CASE");
-}
-
 Json run(const Options& options, Job& job) {
     const Recording recording = read_recording(options.file);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     job.expect_stages(3);
     job.begin_stage("Reading the case");
-    auto patient = std::make_shared<const PatientCase>(patient_of(recording, options, job));
+    auto patient = std::make_shared<const PatientCase>(
+        recorded_patient(recording, options.file, options.patient, false, job));
     const ReplayResult result = replay(recording, patient, job, options.from_step,
                                        choose_back_end(recording.back_end).back_end);
     if (options.verify && result.diverged_at)

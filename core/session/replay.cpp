@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/session/session.h"
 
 namespace hepatica {
 
@@ -32,7 +31,8 @@ void require_back_end(const Recording& recording, const DeformBackEnd& back_end)
 }
 
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
-                    Job& job, std::uint64_t from_step, const DeformBackEnd& back_end) {
+                    Job& job, std::uint64_t from_step, const DeformBackEnd& back_end,
+                    const Session::Watch& watch) {
     require_back_end(recording, back_end);
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError(
@@ -52,6 +52,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
                                  " is not the state that was recorded",
                              "recording", "Begin at an earlier step");
     }
+    session.watch(watch);
     session.record([](const RecordedStep&) {});  // hashes are computed only while recording
     job.begin_stage("Replaying");
     const std::uint64_t count = recording.steps.size();

@@ -10,6 +10,7 @@
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
 #include "core/session/recording.h"
+#include "core/session/session.h"
 
 namespace hepatica {
 
@@ -25,9 +26,11 @@ void require_back_end(const Recording& recording, const DeformBackEnd& back_end)
 
 // Begins at the last keyframe that is not after `from_step`, or at rest where there is none. Throws
 // InputError if the patient or the back end is another one, if there is no such step, or if the
-// keyframe is damaged; throws Cancelled. Reports progress to the job.
+// keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every step that
+// is replayed, see Session::watch.
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step = 0,
-                    const DeformBackEnd& back_end = cpu_back_end());
+                    const DeformBackEnd& back_end = cpu_back_end(),
+                    const Session::Watch& watch = {});
 
 }  // namespace hepatica

@@ -244,7 +244,18 @@ void Session::recover() {
     recorded_.commands.emplace_back(SetPaused{true});
 }
 
+void Session::show_to_watch(const Frame& frame) {
+    if (!watch_) return;
+    try {
+        watch_(watched_, frame);
+    } catch (...) {
+        watch_ = nullptr;
+        throw;
+    }
+}
+
 void Session::keep_step(SessionStep& step) {
+    if (watch_) watched_ = recorded_.commands;
     if (!keep_) return;
     try {
         step.state_hash = recorded_.state_hash = state_hash();
@@ -282,6 +293,7 @@ bool Session::rests_after(const SessionStep& done) const {
     const FlowPart* flow = world_->flow();
     if (failed_ || (flow != nullptr && flow->computing())) return false;
     if (done.paused) return true;
+    if (watch_) return false;
     const bool still = world_->deform() == nullptr || done.deform.asleep;
     return still && !(flow != nullptr && flow->drug().playing);
 }
@@ -349,6 +361,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.diverged = diverged_;
     statistics.resting = resting_;
     statistics.message = message_.empty() ? step.deform.message : message_;
+    show_to_watch(frame);
     // Measured last, so that filling the frame counts; publishing is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);
     frames_.publish();

@@ -102,6 +102,13 @@ class Session {
     // Passes every step to `keep`, on the thread that steps. Call it before the first step. Where
     // `keep` throws, the recording ends there and the session pauses as after any other error.
     void record(std::function<void(RecordedStep)> keep) { keep_ = std::move(keep); }
+    // Shows every step to `see`, on the thread that steps: the commands applied before it, as they
+    // are recorded, and its frame before anybody else has it. Call it before the first step. A
+    // session that is watched does not rest but where it is paused, because for whoever watches,
+    // time passes. Where `see` throws, it is not asked again and the session pauses as after any
+    // other error.
+    using Watch = std::function<void(const std::vector<Command>&, const Frame&)>;
+    void watch(Watch see) { watch_ = std::move(see); }
     // The beginning of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }
     // Continues from a keyframe of a session of the same patient and scene; all later steps have
@@ -130,6 +137,7 @@ class Session {
     // After an error: returns to the last good state and records that.
     void recover();
     void keep_step(SessionStep& step);
+    void show_to_watch(const Frame& frame);
     // Shows an injection whose computation has ended.
     void finish_ready_injection();
     // Index of the setting among those of the dial; none where it is not one of them.
@@ -175,6 +183,8 @@ class Session {
 
     TripleBuffer<Frame> frames_;
     std::function<void(RecordedStep)> keep_;  // empty: nothing is recorded
+    Watch watch_;                             // empty: nobody watches
+    std::vector<Command> watched_;            // of the present step
     Recording recording_start_;
 };
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording names its patient by a hash alone: finds the case that it was made of.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/job.h"
+#include "core/patient/patient_case.h"
+#include "core/session/recording.h"
+
+namespace hepatica {
+
+// The case `given`, or where that is empty the first beside the recording's file that has its
+// patient, or the built-in patient where it is that. Without voxels. Reading a case costs a second
+// at most; making the built-in patient, which is tried last and only where `built_in` says so,
+// some twenty. Throws InputError where none is it, Cancelled.
+PatientCase recorded_patient(const Recording& recording, const std::filesystem::path& file,
+                             const std::filesystem::path& given, bool built_in, Job& job);
+
+}  // namespace hepatica

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/back_end_choice.h"
+#include "app/output_place.h"
+#include "app/recorded_patient.h"
+#include "app/verbs/verbs.h"
+#include "core/base/atomic_write.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/score.h"
+#include "core/session/recording_file.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    std::string lesson;
+    fs::path recording;
+    fs::path patient;
+    fs::path csv;
+};
+
+// A case that a lesson names, relative to its own file; else what the user gave.
+fs::path case_of(const Lesson& lesson, const Options& options) {
+    const bool names_case = lesson.patient != "any" && lesson.patient != "built-in";
+    if (!options.patient.empty() || !names_case) return options.patient;
+    return fs::path(options.lesson).parent_path() / lesson.patient;
+}
+
+Json run(const Options& options, Job& job) {
+    if (!options.csv.empty()) require_writable(options.csv);
+    const Lesson lesson = find_lesson(options.lesson);
+    const Recording recording = read_recording(options.recording);
+    for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
+    job.begin_stage("Reading the case");
+    const auto patient = std::make_shared<const PatientCase>(recorded_patient(
+        recording, options.recording, case_of(lesson, options), lesson.patient == "built-in", job));
+    const Score scored =
+        score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);
+    if (!options.csv.empty()) write_text_atomically(options.csv, to_csv(scored.standing.metrics));
+    return to_json(scored.standing, lesson);
+}
+
+}  // namespace
+
+void add_lesson(CommandLine& line) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = line.add_verb("lesson", "Score a recording of a lesson",
+                                   [options](Job& job) { return run(*options, job); });
+    verb.add_option("lesson", options->lesson,
+                    "Lesson: a file, or the name of one that comes with the program, such as "
+                    "gentle_pull")
+        ->required();
+    verb.add_option("--recording", options->recording, "What was played")->required();
+    verb.add_option("--patient", options->patient,
+                    "Case that was recorded; none: the one beside the recording that fits, or the "
+                    "built-in patient");
+    verb.add_option("--csv", options->csv, "Metrics as a table, NAME.csv");
+}
+
+}  // namespace hepatica

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/dose_account.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/base/job.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double samples = 500.0;
+
+Dose sum(const Dose& a, const Dose& b) {
+    return {a.injected_g + b.injected_g, a.delivered_g + b.delivered_g, a.target_g + b.target_g,
+            a.reflux_g + b.reflux_g};
+}
+
+double between(double a, double b, double share) {
+    return a + share * (b - a);
+}
+
+// Per outlet: 1 where the vessel that ends there does so in the region.
+std::vector<char> outlets_in(const VesselTree& tree, const FlowNetwork& network,
+                             const TargetRegion& region) {
+    std::vector<char> node(tree.nodes.size(), 0);
+    for (std::size_t s = 0; s < tree.segments.size(); ++s)
+        node[tree.segments[s].distal_node] = region.contains_end_of(static_cast<int>(s));
+    std::vector<char> inside;
+    for (const int outlet : network.outlet_nodes) inside.push_back(node[outlet]);
+    return inside;
+}
+
+double mass_in(const std::vector<double>& outlet_g, const std::vector<char>& inside) {
+    double mass = 0.0;
+    for (std::size_t o = 0; o < outlet_g.size(); ++o)
+        if (inside[o] != 0) mass += outlet_g[o];
+    return mass;
+}
+
+}  // namespace
+
+DoseCurve::DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
+                     const std::optional<TargetRegion>& target) {
+    InjectionOptions run = options;
+    run.until_s = end_s;
+    run.step_s = end_s / samples;
+    Job job;
+    const InjectionResult result = inject(tree, run, job);
+    const std::vector<char> beyond_tip =
+        outlets_in(tree, result.network, TargetRegion(tree, *run.tip));
+    const std::vector<char> none(result.network.outlet_nodes.size(), 0);
+    const std::vector<char> in_target = target ? outlets_in(tree, result.network, *target) : none;
+    for (const InjectionSample& sample : result.series) {
+        time_s_.push_back(sample.time_s);
+        dose_.push_back(
+            {sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
+             std::max(0.0, sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip))});
+    }
+}
+
+Dose DoseCurve::at(double time_s) const {
+    const auto after = std::ranges::upper_bound(time_s_, time_s);
+    if (after == time_s_.begin()) return dose_.front();
+    if (after == time_s_.end()) return dose_.back();
+    const std::ptrdiff_t i = after - time_s_.begin();
+    const double share = (time_s - time_s_[i - 1]) / (time_s_[i] - time_s_[i - 1]);
+    const Dose &a = dose_[i - 1], &b = dose_[i];
+    return {between(a.injected_g, b.injected_g, share),
+            between(a.delivered_g, b.delivered_g, share), between(a.target_g, b.target_g, share),
+            between(a.reflux_g, b.reflux_g, share)};
+}
+
+void DoseAccount::see(const DrugView& drug) {
+    if (drug.injection != followed_) {
+        past_ = total();
+        present_ = {};
+        followed_ = drug.injection;
+        curve_.reset();
+        if (followed_) curve_.emplace(tree_, *followed_, drug.end_s, target_);
+    }
+    if (curve_) present_ = curve_->at(drug.time_s);
+}
+
+Dose DoseAccount::total() const {
+    return sum(past_, present_);
+}
+
+}  // namespace hepatica

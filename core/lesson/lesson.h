@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson: a patient, a scene, what has happened before it begins, tools, and steps with goals and
+// limits. Plain data; lesson_file.h reads it, LessonRun measures a play by it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/lesson/predicate.h"
+#include "core/scene/scene_spec.h"
+#include "core/session/script.h"
+
+namespace hepatica {
+
+// A place on the vessels that goals speak of; it moves with them.
+struct LessonMark {
+    std::string name;
+    ScriptPlace place;
+};
+
+struct LessonStep {
+    std::string text;
+    std::string hint;             // may be empty
+    std::vector<Predicate> goal;  // all at once; not empty
+    double hold_s = 0.0;          // without a break for so long
+    std::vector<Predicate> limits;
+};
+
+// What a trainee may use. Beside it only what moves, turns, opens and puts away what is in hand.
+enum class LessonTool {
+    pull,
+    sphere,
+    capsule,
+    forceps,
+    hook,
+    blade,
+    cut_line,
+    inject,
+    settings,  // gravity, tissue, wall, tearing, the drug's clock and speed
+};
+const char* name_of(LessonTool tool);
+
+struct Lesson {
+    std::string name;
+    std::string about;              // for the trainee, before it begins; may be empty
+    std::string patient = "any";    // "built-in", "any", or a case (relative: to the lesson's file)
+    SceneSpec scene;                // of the play
+    Script setup;                   // done in the first step
+    std::vector<LessonTool> tools;  // empty: none
+    std::vector<LessonMark> marks;
+    std::optional<ScriptPlace> target;  // of the drug: the vessels from there on
+    std::vector<LessonStep> steps;      // in this order; not empty
+    std::vector<Predicate> limits;      // all the time
+    std::vector<Predicate> pass;        // at the end
+
+    std::vector<std::string> mark_names() const;
+};
+
+}  // namespace hepatica

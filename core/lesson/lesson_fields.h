@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One value of a lesson's JSON with its place in the file, so that whatever is wrong with it is
+// said with both.
+#pragma once
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+
+// A view: the JSON must outlive it. Everything throws InputError where the value is of another
+// kind.
+class LessonFields {
+  public:
+    using Json = nlohmann::ordered_json;
+
+    // `where`: the value's place in the file; empty: the file itself.
+    LessonFields(const Json& json, std::string file, std::string where)
+        : json_(json), file_(std::move(file)), where_(std::move(where)) {}
+
+    // --- of an object
+    bool has(const char* key) const;
+    LessonFields need(const char* key) const;
+    std::vector<std::pair<std::string, LessonFields>> entries() const;
+    // Refuses every other key, so that a misspelt one is not silently ignored.
+    void know(std::initializer_list<const char*> keys) const;
+
+    // --- of a list
+    std::vector<LessonFields> list() const;
+
+    // --- of a value
+    std::string text() const;  // not empty
+    double number() const;     // finite
+    Vec3 vector() const;
+    std::string dump() const { return json_.dump(); }
+    const Json& json() const { return json_; }
+
+    std::string place() const { return where_.empty() ? file_ : file_ + ": " + where_; }
+    [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const;
+
+  private:
+    const Json& json_;
+    std::string file_;
+    std::string where_;
+};
+
+}  // namespace hepatica

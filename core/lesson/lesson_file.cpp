@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/text_file.h"
+#include "core/lesson/lesson_fields.h"
+
+namespace hepatica {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* remedy = "See docs/lessons.md, and assets/lessons for lessons that work";
+constexpr std::array<LessonTool, 9> all_tools{
+    LessonTool::pull,     LessonTool::sphere, LessonTool::capsule,
+    LessonTool::forceps,  LessonTool::hook,   LessonTool::blade,
+    LessonTool::cut_line, LessonTool::inject, LessonTool::settings};
+
+LessonTool tool_from(const LessonFields& field) {
+    const std::string name = field.text();
+    const auto found =
+        std::ranges::find_if(all_tools, [&](LessonTool tool) { return name == name_of(tool); });
+    if (found != all_tools.end()) return *found;
+    std::string known;
+    for (const LessonTool tool : all_tools)
+        known += (known.empty() ? "" : ", ") + std::string(name_of(tool));
+    field.refuse("is \"" + name + "\", which is no tool", "Choose from " + known);
+}
+
+Quantity quantity_from(const LessonFields& field) {
+    const std::string name = field.text();
+    std::string known;
+    for (const QuantityWords& words : quantities()) {
+        if (name == words.name) return words.quantity;
+        known += (known.empty() ? "" : ", ") + std::string(words.name);
+    }
+    field.refuse("is \"" + name + "\", which is not measured", "Choose from " + known);
+}
+
+Predicate predicate_from(const LessonFields& fields, const std::vector<std::string>& marks) {
+    fields.know({"what", "mark", "at_least", "at_most"});
+    Predicate predicate;
+    predicate.quantity = quantity_from(fields.need("what"));
+    predicate.at_least = fields.has("at_least");
+    if (predicate.at_least == fields.has("at_most"))
+        fields.refuse("needs either at_least or at_most", remedy);
+    predicate.bound = fields.need(predicate.at_least ? "at_least" : "at_most").number();
+    if (words_of(predicate.quantity).of_mark != fields.has("mark"))
+        fields.refuse(fields.has("mark") ? "names a mark that it does not need"
+                                         : "does not say which mark is meant",
+                      "Of the quantities " + std::string("distance_mm, moved_mm and touch_mm") +
+                          " alone name a mark");
+    if (!fields.has("mark")) return predicate;
+    const LessonFields mark = fields.need("mark");
+    const auto found = std::ranges::find(marks, mark.text());
+    if (found == marks.end())
+        mark.refuse("is \"" + mark.text() + "\", which is no mark of this lesson",
+                    "Name it under \"marks\"");
+    predicate.mark = static_cast<int>(found - marks.begin());
+    return predicate;
+}
+
+std::vector<Predicate> predicates_from(const LessonFields& fields, const char* key,
+                                       const std::vector<std::string>& marks) {
+    std::vector<Predicate> predicates;
+    if (fields.has(key))
+        for (const LessonFields& entry : fields.need(key).list())
+            predicates.push_back(predicate_from(entry, marks));
+    return predicates;
+}
+
+ScriptPlace place_from(const LessonFields& fields) {
+    fields.know({"share_of_longest_path", "point_mm"});
+    if (fields.has("share_of_longest_path") == fields.has("point_mm"))
+        fields.refuse("needs either share_of_longest_path or point_mm", remedy);
+    ScriptPlace place;
+    if (fields.has("point_mm")) {
+        place.point_mm = fields.need("point_mm").vector();
+        return place;
+    }
+    const LessonFields share = fields.need("share_of_longest_path");
+    const double value = share.number();
+    if (!(value >= 0.0 && value <= 1.0))
+        share.refuse("is " + share.dump(), "Give a share from 0 (the root) to 1 (the end)");
+    place.share_of_longest_path = value;
+    return place;
+}
+
+LessonStep step_from(const LessonFields& fields, const std::vector<std::string>& marks) {
+    fields.know({"text", "hint", "goal", "hold_s", "limits"});
+    LessonStep step;
+    step.text = fields.need("text").text();
+    if (fields.has("hint")) step.hint = fields.need("hint").text();
+    step.goal = predicates_from(fields, "goal", marks);
+    if (step.goal.empty()) fields.refuse("has no goal", "Give \"goal\" at least one bound");
+    if (fields.has("hold_s")) {
+        const LessonFields hold = fields.need("hold_s");
+        step.hold_s = hold.number();
+        if (!(step.hold_s >= 0.0 && step.hold_s <= 3600.0))
+            hold.refuse("is " + hold.dump(), "Give 0 to 3600 seconds");
+    }
+    step.limits = predicates_from(fields, "limits", marks);
+    return step;
+}
+
+// What is done before the lesson begins: in one step, so that a recording shows that it was done.
+Script setup_from(const LessonFields& fields) {
+    const Json script{{"name", "setup"}, {"actions", fields.json()}};
+    const Script setup = script_of(script.dump(), fields.place());
+    for (const ScriptAction& action : setup.actions)
+        if (action.at_s != 0.0 || action.over_s != 0.0)
+            fields.refuse("does something over time",
+                          "Leave out at_s and over_s: it is done before the first step");
+    return setup;
+}
+
+void require_format(const LessonFields& fields, const std::string& format) {
+    const LessonFields name = fields.need("format");
+    if (name.text() != format)
+        name.refuse("is \"" + name.text() + "\", not \"" + format + "\"", remedy);
+    const LessonFields version = fields.need("version");
+    if (version.number() != 1.0)
+        version.refuse("is " + version.dump() + ", and this program reads 1",
+                       "Take a newer program, or write the file for version 1");
+}
+
+Lesson lesson_from(const LessonFields& fields) {
+    require_format(fields, "hepatica-lesson");
+    fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "tools",
+                 "marks", "target", "steps", "limits", "pass"});
+    Lesson lesson;
+    lesson.name = fields.need("name").text();
+    if (fields.has("about")) lesson.about = fields.need("about").text();
+    if (fields.has("patient")) lesson.patient = fields.need("patient").text();
+    lesson.scene = scene_from_json(fields.need("scene").json());
+    if (fields.has("setup")) lesson.setup = setup_from(fields.need("setup"));
+    if (fields.has("tools"))
+        for (const LessonFields& tool : fields.need("tools").list())
+            lesson.tools.push_back(tool_from(tool));
+    if (fields.has("marks"))
+        for (const auto& [name, place] : fields.need("marks").entries())
+            lesson.marks.push_back({name, place_from(place)});
+    if (fields.has("target")) lesson.target = place_from(fields.need("target"));
+    const std::vector<std::string> marks = lesson.mark_names();
+    for (const LessonFields& step : fields.need("steps").list())
+        lesson.steps.push_back(step_from(step, marks));
+    if (lesson.steps.empty()) fields.need("steps").refuse("is empty", remedy);
+    lesson.limits = predicates_from(fields, "limits", marks);
+    lesson.pass = predicates_from(fields, "pass", marks);
+    return lesson;
+}
+
+Course course_from(const LessonFields& fields) {
+    require_format(fields, "hepatica-course");
+    fields.know({"format", "version", "name", "lessons"});
+    Course course;
+    course.name = fields.need("name").text();
+    for (const LessonFields& entry : fields.need("lessons").list()) {
+        entry.know({"lesson", "pass"});
+        course.lessons.push_back({entry.need("lesson").text(), predicates_from(entry, "pass", {})});
+    }
+    if (course.lessons.empty()) fields.need("lessons").refuse("is empty", remedy);
+    return course;
+}
+
+// Reads a text by `from`; what other rooms refuse gets the file's name.
+template <class From>
+auto parsed(const std::string& text, const std::string& place, const From& from) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw InputError("is not JSON", place, remedy);
+    try {
+        return from(LessonFields(json, place, ""));
+    } catch (const InputError& error) {
+        if (error.place().starts_with(place)) throw;
+        throw InputError(error.problem(), place + ": " + error.place(), error.remedy());
+    }
+}
+
+}  // namespace
+
+const char* name_of(LessonTool tool) {
+    constexpr std::array<const char*, 9> names{"pull",  "sphere",   "capsule", "forceps", "hook",
+                                               "blade", "cut_line", "inject",  "settings"};
+    return names[static_cast<std::size_t>(tool)];
+}
+
+std::vector<std::string> Lesson::mark_names() const {
+    std::vector<std::string> names;
+    for (const LessonMark& mark : marks) names.push_back(mark.name);
+    return names;
+}
+
+Lesson lesson_of(const std::string& text, const std::string& place) {
+    return parsed(text, place, lesson_from);
+}
+
+Lesson read_lesson(const std::filesystem::path& file) {
+    return lesson_of(read_text_file(file, remedy), file.string());
+}
+
+Course course_of(const std::string& text, const std::string& place) {
+    return parsed(text, place, course_from);
+}
+
+Course read_course(const std::filesystem::path& file) {
+    return course_of(read_text_file(file, remedy), file.string());
+}
+
+Lesson find_lesson(const std::string& name) {
+    for (const BuiltInLesson& lesson : built_in_lessons())
+        if (name == lesson.id) return lesson_of(lesson.text, name);
+    return read_lesson(name);
+}
+
+}  // namespace hepatica

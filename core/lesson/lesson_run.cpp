@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/lesson/allowed_commands.h"
+
+namespace hepatica {
+
+namespace {
+
+std::vector<Command> setup_of(const Lesson& lesson, const PatientCase& patient) {
+    return schedule(lesson.setup, patient.tree, lesson.scene.dt_s, 1).front();
+}
+
+}  // namespace
+
+LessonRun::LessonRun(Lesson lesson, std::shared_ptr<const PatientCase> patient,
+                     std::vector<Predicate> more_pass)
+    : lesson_(std::move(lesson)),
+      setup_(setup_of(lesson_, *patient)),
+      meter_(lesson_, patient),
+      pass_(lesson_.pass) {
+    pass_.insert(pass_.end(), more_pass.begin(), more_pass.end());
+    standing_.steps.resize(lesson_.steps.size());
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const Predicate& limit : lesson_.limits)
+        standing_.limits.push_back({limit, unknown, true});
+    for (const Predicate& mark : pass_) standing_.pass.push_back({mark, unknown, false});
+    begin_step();
+}
+
+double LessonRun::value_of(const Predicate& predicate) const {
+    return hepatica::value_of(predicate, meter_.metrics(), meter_.moment(),
+                              meter_.metrics().time_s - step_began_s_);
+}
+
+void LessonRun::begin_step() {
+    const LessonStep& step = lesson_.steps[standing_.step];
+    step_began_s_ = meter_.metrics().time_s;
+    first_limit_of_step_ = standing_.limits.size();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const Predicate& limit : step.limits) standing_.limits.push_back({limit, unknown, true});
+    standing_.goal.clear();
+    for (const Predicate& goal : step.goal) standing_.goal.push_back({goal, unknown, false});
+}
+
+void LessonRun::fail(const std::string& reason) {
+    standing_.outcome = LessonOutcome::failed;
+    if (std::ranges::find(standing_.reasons, reason) == standing_.reasons.end())
+        standing_.reasons.push_back(reason);
+}
+
+// The setup comes first; beside it there may be what the program itself sets, and nothing of the
+// trainee's.
+void LessonRun::check_setup(std::span<const Command> commands) {
+    std::size_t done = 0;
+    for (const Command& command : commands) {
+        if (done < setup_.size() && to_json(command) == to_json(setup_[done]))
+            ++done;
+        else if (!objection_to(command, Lesson{}).empty())
+            fail("something was done before the lesson began");
+    }
+    if (done < setup_.size()) fail("the play does not begin with what the lesson sets up");
+}
+
+void LessonRun::check_tools(std::span<const Command> commands) {
+    for (const Command& command : commands)
+        if (const std::string objection = objection_to(command, lesson_); !objection.empty())
+            fail(objection);
+}
+
+void LessonRun::check_limits() {
+    const std::vector<std::string> marks = lesson_.mark_names();
+    for (std::size_t i = 0; i < standing_.limits.size(); ++i) {
+        const bool of_earlier_step = i >= lesson_.limits.size() && i < first_limit_of_step_;
+        if (of_earlier_step) continue;
+        BoundStanding& limit = standing_.limits[i];
+        const double now = value_of(limit.predicate);
+        if (now != now) continue;  // a share of nothing breaks no limit
+        limit.value = limit.value == limit.value ? limit.predicate.worse(limit.value, now) : now;
+        limit.kept = limit.predicate.holds(limit.value);
+        if (!limit.kept)
+            fail("limit broken: " + to_words(limit.predicate, marks) + ", but it was " +
+                 to_words(limit.predicate.quantity, limit.value));
+    }
+}
+
+void LessonRun::check_goal() {
+    bool all = true;
+    for (BoundStanding& goal : standing_.goal) {
+        goal.value = value_of(goal.predicate);
+        goal.kept = goal.predicate.holds(goal.value);
+        all = all && goal.kept;
+    }
+    StepStanding& step = standing_.steps[standing_.step];
+    // The moment at which it begins to hold has no duration yet.
+    constexpr double rounding = 1e-9;
+    if (!all) {
+        step.held_s = 0.0;
+        return;
+    }
+    const double hold_s = lesson_.steps[standing_.step].hold_s;
+    step.held_s += lesson_.scene.dt_s;
+    if (step.held_s + rounding < hold_s) return;
+    step.held_s = hold_s;
+    step.reached_s = meter_.metrics().time_s;
+    if (++standing_.step < lesson_.steps.size())
+        begin_step();
+    else
+        finish();
+}
+
+void LessonRun::finish() {
+    standing_.goal.clear();
+    const std::vector<std::string> marks = lesson_.mark_names();
+    standing_.outcome = LessonOutcome::passed;
+    for (BoundStanding& mark : standing_.pass) {
+        mark.value = value_of(mark.predicate);
+        mark.kept = mark.predicate.holds(mark.value);
+        if (!mark.kept)
+            fail("pass mark missed: " + to_words(mark.predicate, marks) + ", but it is " +
+                 to_words(mark.predicate.quantity, mark.value));
+    }
+}
+
+void LessonRun::see(std::span<const Command> commands, const Frame& frame) {
+    if (standing_.outcome != LessonOutcome::running) return;
+    if (!begun_) {
+        begun_ = true;
+        check_setup(commands);
+        meter_.begin(frame);
+        standing_.moment = meter_.moment();
+        return;
+    }
+    check_tools(commands);
+    if (frame.statistics.diverged) fail("the simulation stopped by itself: play it again");
+    if (!frame.statistics.paused) {
+        meter_.see(frame);
+        standing_.metrics = meter_.metrics();
+        standing_.moment = meter_.moment();
+        samples_.push_back({standing_.metrics.time_s, standing_.moment.force_mn,
+                            standing_.moment.stretch, standing_.moment.leak_g_s});
+        check_limits();
+        if (standing_.outcome == LessonOutcome::running) check_goal();
+    }
+}
+
+void LessonRun::end() {
+    if (standing_.outcome != LessonOutcome::running) return;
+    fail("step " + std::to_string(standing_.step + 1) + " of " +
+         std::to_string(lesson_.steps.size()) +
+         " was not reached: " + lesson_.steps[standing_.step].text);
+}
+
+nlohmann::ordered_json to_json(const LessonStanding& standing, const Lesson& lesson) {
+    using Json = nlohmann::ordered_json;
+    const std::vector<std::string> marks = lesson.mark_names();
+    const auto rows = [&](const std::vector<BoundStanding>& bounds) {
+        Json list = Json::array();
+        for (const BoundStanding& bound : bounds)
+            list.push_back({{"bound", to_words(bound.predicate, marks)},
+                            {"value", bound.value},
+                            {"kept", bound.kept}});
+        return list;
+    };
+    Json json;
+    json["lesson"] = lesson.name;
+    json["passed"] = standing.outcome == LessonOutcome::passed;
+    json["reasons"] = standing.reasons;
+    json["steps"] = Json::array();
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const auto& reached = standing.steps[i].reached_s;
+        json["steps"].push_back({{"text", lesson.steps[i].text},
+                                 {"reached_s", reached ? Json(*reached) : Json(nullptr)}});
+    }
+    json["limits"] = rows(standing.limits);
+    json["pass_marks"] = rows(standing.pass);
+    json["metrics"] = to_json(standing.metrics);
+    return json;
+}
+
+}  // namespace hepatica

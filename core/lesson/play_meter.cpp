@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/play_meter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/scene/vertex_places.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double millinewton_per_un = 1e-3;
+
+const std::vector<Vec3>& rest_of(const Lesson& lesson, const PatientCase& patient) {
+    return lesson.scene.deform ? patient.mesh.vertices_mm : patient.surface.vertices_mm;
+}
+
+Vec3 place_on(const ScriptPlace& place, const VesselTree& tree) {
+    return place.point_mm ? *place.point_mm
+                          : point_on_longest_path(tree, *place.share_of_longest_path);
+}
+
+std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
+    const std::vector<std::array<int, 3>> triangles =
+        deforms ? boundary_triangles(patient.mesh) : patient.surface.triangles;
+    std::vector<int> vertices;
+    for (const std::array<int, 3>& t : triangles)
+        vertices.insert(vertices.end(), t.begin(), t.end());
+    std::ranges::sort(vertices);
+    const auto doubles = std::ranges::unique(vertices);
+    vertices.erase(doubles.begin(), doubles.end());
+    return vertices;
+}
+
+// The middle of some vertices.
+template <class PlaceOf>
+Vec3 middle_of(const std::vector<int>& vertices, const PlaceOf& place) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : vertices) sum += place(v);
+    return sum / static_cast<double>(vertices.size());
+}
+
+double share_reached(const std::vector<float>& arrivals, double time_s) {
+    if (arrivals.empty()) return 0.0;
+    const auto reached = std::ranges::upper_bound(arrivals, static_cast<float>(time_s));
+    return static_cast<double>(reached - arrivals.begin()) / static_cast<double>(arrivals.size());
+}
+
+}  // namespace
+
+PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> patient)
+    : patient_(std::move(patient)),
+      dt_s_(lesson.scene.dt_s),
+      rest_mm_(rest_of(lesson, *patient_)),
+      on_surface_(surface_vertices(*patient_, lesson.scene.deform.has_value())),
+      surface_(rest_mm_) {
+    if (on_surface_.empty())
+        throw InputError("has no surface", "the patient", "Reconstruct the patient first");
+    std::vector<Vec3> places;
+    for (const int v : on_surface_) places.push_back(rest_mm_[v]);
+    const std::vector<VertexPlace> on_tree = places_of(places, patient_->tree);
+    place_marks(lesson, on_tree);
+    if (!lesson.scene.flow) return;
+    std::optional<TargetRegion> target;
+    in_target_.assign(on_surface_.size(), 0);
+    if (lesson.target) {
+        target.emplace(patient_->tree,
+                       nearest_point(patient_->tree, place_on(*lesson.target, patient_->tree)));
+        for (std::size_t i = 0; i < on_tree.size(); ++i)
+            in_target_[i] = target->contains(on_tree[i].on_tree);
+    }
+    dose_.emplace(patient_->tree, target);
+}
+
+void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree) {
+    moment_.marks.resize(lesson.marks.size());
+    for (const LessonMark& mark : lesson.marks) {
+        const TreePoint at = nearest_point(patient_->tree, place_on(mark.place, patient_->tree));
+        std::vector<int> around;
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < on_tree.size(); ++i) {
+            const TreePoint& other = on_tree[i].on_tree;
+            if (other.segment != at.segment) continue;
+            const double along = std::abs(other.arclength_mm - at.arclength_mm);
+            if (along <= on_tree[i].radius_mm) around.push_back(on_surface_[i]);
+            if (along < least) nearest = i;
+            least = std::min(least, along);
+        }
+        if (around.empty()) around.push_back(on_surface_[nearest]);
+        marks_rest_mm_.push_back(middle_of(around, [&](int v) { return rest_mm_[v]; }));
+        marks_.push_back(std::move(around));
+    }
+}
+
+std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
+    std::vector<Vec3> places;
+    for (const std::vector<int>& around : marks_)
+        places.push_back(middle_of(around, [&](int v) {
+            const auto i = 3 * static_cast<std::size_t>(v);
+            return Vec3(frame.positions_mm[i], frame.positions_mm[i + 1],
+                        frame.positions_mm[i + 2]);
+        }));
+    return places;
+}
+
+void PlayMeter::begin(const Frame& frame) {
+    if (frame.tear) before_ = *frame.tear;
+    surface_.see(frame);
+    see_marks(frame);
+    moment_.leak_g_s = before_.leak_g_s;
+}
+
+void PlayMeter::see(const Frame& frame) {
+    if (frame.statistics.paused) return;
+    metrics_.time_s += dt_s_;
+    see_hand(frame);
+    see_contact(frame);
+    see_marks(frame);
+    see_tear(frame);
+    see_drug(frame);
+}
+
+void PlayMeter::see_hand(const Frame& frame) {
+    const auto follow = [&](std::optional<Vec3>& last, const std::optional<Vec3>& now) {
+        if (last && now) metrics_.path_mm += (*now - *last).norm();
+        last = now;
+    };
+    follow(tip_, frame.tool ? std::optional(frame.tool->tip_mm) : std::nullopt);
+    follow(hand_, frame.grab ? std::optional(frame.grab->target_mm) : std::nullopt);
+    double force_un = 0.0;
+    if (frame.grab) force_un += frame.grab->force_un;
+    if (frame.tool) force_un += frame.tool->force_un.norm();
+    moment_.force_mn = millinewton_per_un * force_un;
+    moment_.grip_mn = frame.tool ? millinewton_per_un * frame.tool->grip_un : 0.0;
+    metrics_.peak_force_mn = std::max(metrics_.peak_force_mn, moment_.force_mn);
+    metrics_.impulse_mn_s += moment_.force_mn * dt_s_;
+}
+
+void PlayMeter::see_contact(const Frame& frame) {
+    const bool touches = frame.tool && !frame.tool->touched.empty();
+    moment_.holding = frame.grab.has_value() || touches;
+    if (!touches) {
+        since_touch_s_ += dt_s_;
+        return;
+    }
+    if (since_touch_s_ >= same_contact_s) ++metrics_.contacts;
+    since_touch_s_ = 0.0;
+    metrics_.contact_s += dt_s_;
+}
+
+void PlayMeter::see_marks(const Frame& frame) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const bool touches = frame.tool && !frame.tool->touched.empty();
+    const std::vector<Vec3> places = marks_in(frame);
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        const Vec3& place = places[i];
+        MarkMoment& mark = moment_.marks[i];
+        mark.moved_mm = (place - marks_rest_mm_[i]).norm();
+        mark.distance_mm = frame.tool   ? (frame.tool->tip_mm - place).norm()
+                           : frame.grab ? (frame.grab->point_mm - place).norm()
+                                        : far;
+        mark.touch_mm = touches      ? (frame.tool->at_mm - place).norm()
+                        : frame.grab ? (frame.grab->point_mm - place).norm()
+                                     : far;
+    }
+}
+
+void PlayMeter::see_tear(const Frame& frame) {
+    surface_.see(frame);
+    moment_.stretch = surface_.largest();
+    metrics_.largest_stretch = std::max(metrics_.largest_stretch, moment_.stretch);
+    metrics_.torn_area_mm2 = std::max(metrics_.torn_area_mm2, surface_.torn_area_mm2());
+    moment_.leak_g_s = frame.tear ? frame.tear->leak_g_s : 0.0;
+    if (!frame.tear) return;
+    const auto raise = [](auto& metric, auto value) { metric = std::max(metric, value); };
+    raise(metrics_.joints_broken, frame.tear->joints_broken - before_.joints_broken);
+    raise(metrics_.pieces_off, frame.tear->pieces - before_.pieces);
+    raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
+}
+
+// Sorted once for an injection, so that a step costs two searches.
+void PlayMeter::take_arrivals(const Frame& frame) {
+    drug_version_ = frame.drug.version;
+    target_arrivals_.clear();
+    other_arrivals_.clear();
+    for (std::size_t i = 0; i < on_surface_.size(); ++i)
+        (in_target_[i] != 0 ? target_arrivals_ : other_arrivals_)
+            .push_back((*frame.drug.arrival_s)[on_surface_[i]]);
+    std::ranges::sort(target_arrivals_);
+    std::ranges::sort(other_arrivals_);
+}
+
+void PlayMeter::see_drug(const Frame& frame) {
+    if (!dose_) return;
+    moment_.drug_present = frame.drug.arrival_s != nullptr;
+    if (moment_.drug_present && frame.drug.version != drug_version_) take_arrivals(frame);
+    moment_.target_filled =
+        moment_.drug_present ? share_reached(target_arrivals_, frame.drug.time_s) : 0.0;
+    moment_.elsewhere_filled =
+        moment_.drug_present ? share_reached(other_arrivals_, frame.drug.time_s) : 0.0;
+    dose_->see(frame.drug);
+    const Dose dose = dose_->total();
+    metrics_.injected_g = dose.injected_g;
+    metrics_.delivered_g = dose.delivered_g;
+    metrics_.dose_target_g = dose.target_g;
+    metrics_.dose_elsewhere_g = dose.elsewhere_g();
+    metrics_.reflux_g = dose.reflux_g;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures a play by its frames alone: whoever shows it the same frames, live or of a replay, gets
+// the same numbers to the last bit. Wall time has no influence.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/lesson/dose_account.h"
+#include "core/lesson/lesson.h"
+#include "core/lesson/metrics.h"
+#include "core/lesson/surface_stretch.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/frame.h"
+#include "core/scene/vertex_places.h"
+
+namespace hepatica {
+
+// Not thread-safe.
+class PlayMeter {
+  public:
+    // Throws InputError where a mark or the target finds no place on the patient.
+    PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> patient);
+
+    // The frame before the first that counts: what is torn in it was so before.
+    void begin(const Frame& frame);
+    // Every later frame, in order, each after a step of the scene's dt_s; one during which the
+    // clock was held counts for nothing. Throws InputError where an injection cannot flow.
+    void see(const Frame& frame);
+
+    const LessonMetrics& metrics() const { return metrics_; }
+    const LessonMoment& moment() const { return moment_; }
+    // Where each mark is at rest: the middle of the vessel's surface about a radius along it.
+    const std::vector<Vec3>& marks_mm() const { return marks_rest_mm_; }
+    // Where they are in a frame.
+    std::vector<Vec3> marks_in(const Frame& frame) const;
+
+    // A tool that lets go for less than this and touches again has touched once.
+    static constexpr double same_contact_s = 0.1;
+
+  private:
+    void place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree);
+    void see_hand(const Frame& frame);
+    void see_contact(const Frame& frame);
+    void see_marks(const Frame& frame);
+    void see_tear(const Frame& frame);
+    void see_drug(const Frame& frame);
+    void take_arrivals(const Frame& frame);
+
+    std::shared_ptr<const PatientCase> patient_;
+    double dt_s_;
+    const std::vector<Vec3>& rest_mm_;
+    std::vector<int> on_surface_;          // vertices of the surface at rest
+    std::vector<char> in_target_;          // of each of these
+    std::vector<std::vector<int>> marks_;  // the vertices around each mark
+    std::vector<Vec3> marks_rest_mm_;
+    SurfaceStretch surface_;
+    std::optional<DoseAccount> dose_;  // where the lesson asks for one
+    LessonMetrics metrics_;
+    LessonMoment moment_;
+    std::optional<Vec3> tip_, hand_;  // of the frame before
+    double since_touch_s_ = 1e9;
+    TearView before_;  // its counts
+    std::uint64_t drug_version_ = 0;
+    std::vector<float> target_arrivals_, other_arrivals_;  // ascending
+};
+
+}  // namespace hepatica

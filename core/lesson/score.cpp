@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/score.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/session/replay.h"
+
+namespace hepatica {
+
+namespace {
+
+nlohmann::ordered_json what_must_agree(SceneSpec scene) {
+    scene.name.clear();
+    if (scene.deform) {
+        scene.deform->quality = 0.0;
+        scene.deform->setting.reset();
+    }
+    return to_json(scene);
+}
+
+}  // namespace
+
+void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
+    const auto a = what_must_agree(recorded), b = what_must_agree(wanted);
+    if (a == b) return;
+    throw InputError(
+        "was played in another scene than the lesson's: " + a.dump() + ", not " + b.dump(),
+        "recording", "Give a recording of this lesson");
+}
+
+Score score(const Recording& recording, const Lesson& lesson,
+            std::shared_ptr<const PatientCase> patient, Job& job, const DeformBackEnd& back_end,
+            const SeeScored& see) {
+    require_same_scene(recording.scene, lesson.scene);
+    LessonRun run(lesson, patient);
+    const ReplayResult result =
+        replay(recording, patient, job, 0, back_end,
+               [&](const std::vector<Command>& commands, const Frame& frame) {
+                   run.see(commands, frame);
+                   if (see) see(frame, run.standing());
+               });
+    if (result.diverged_at)
+        throw InputError("diverged from the recording at step " +
+                             std::to_string(*result.diverged_at) + ", so that it cannot be scored",
+                         "recording", "Another build of the program or another processor made it");
+    run.end();
+    return {run.standing(), run.samples()};
+}
+
+}  // namespace hepatica

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/surface_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hepatica {
+
+namespace {
+
+constexpr double least_area_mm2 = 1e-6;  // a triangle without area has no stretch
+
+Vec3 place_of(const Frame& frame, int vertex) {
+    const auto i = 3 * static_cast<std::size_t>(vertex);
+    return {frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]};
+}
+
+}  // namespace
+
+void SurfaceStretch::take_surface(const Frame& frame) {
+    surface_ = frame.surface;
+    triangles_.clear();
+    area_mm2_ = 0.0;
+    for (const std::array<int, 3>& t : *surface_) {
+        const Vec3& p = rest_mm_[frame.origin_of(t[0])];
+        const Vec3 e1 = rest_mm_[frame.origin_of(t[1])] - p;
+        const Vec3 e2 = rest_mm_[frame.origin_of(t[2])] - p;
+        const double area = 0.5 * e1.cross(e2).norm();
+        area_mm2_ += area;
+        Rest rest;
+        if (area > least_area_mm2) {
+            const double length = e1.norm();
+            const double height = 2.0 * area / length;
+            rest = {1.0 / length, -e1.dot(e2) / (length * length * height), 1.0 / height};
+        }
+        triangles_.push_back(rest);
+    }
+    if (whole_mm2_ < 0.0) whole_mm2_ = area_mm2_;
+}
+
+void SurfaceStretch::see(const Frame& frame) {
+    if (frame.surface != surface_) take_surface(frame);
+    double most = 1.0;  // of squares
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const Rest& rest = triangles_[i];
+        const std::array<int, 3>& t = (*surface_)[i];
+        const Vec3 p = place_of(frame, t[0]);
+        const Vec3 d1 = place_of(frame, t[1]) - p, d2 = place_of(frame, t[2]) - p;
+        // Columns of F: the images of the plane's two unit vectors.
+        const Vec3 f1 = rest.a * d1, f2 = rest.b * d1 + rest.c * d2;
+        const double xx = f1.squaredNorm(), yy = f2.squaredNorm(), xy = f1.dot(f2);
+        most = std::max(most, 0.5 * (xx + yy + std::hypot(xx - yy, 2.0 * xy)));
+    }
+    largest_ = std::sqrt(most);
+}
+
+}  // namespace hepatica

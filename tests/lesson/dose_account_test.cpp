@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Doses against conservation, against flows solved apart, and against each other.
+#include "core/lesson/dose_account.h"
+
+#include <gtest/gtest.h>
+
+#include "core/scene/drug_arrival.h"
+#include "tests/mesh/random_tree.h"
+
+namespace hepatica {
+namespace {
+
+const VesselTree& tree() {
+    static const VesselTree grown = test::random_tree(5, 3, 4.0);
+    return grown;
+}
+
+TreePoint middle_of_segment(int segment) {
+    return {segment, 0.5 * length_mm(tree().segments[segment])};
+}
+
+InjectionOptions into(const TreePoint& at, double void_fraction = 0.0) {
+    return injection_options({.at = at, .mass_flow_g_s = 3.0, .void_fraction = void_fraction},
+                             tree());
+}
+
+TargetRegion from(int segment) {
+    return {tree(), {segment, 0.0}};
+}
+
+constexpr double end_s = 20.0;
+
+TEST(DoseCurve, WhatIsInjectedIsTheRateTimesTheTime) {
+    const DoseCurve curve(tree(), into({0, 0.0}), end_s, {});
+    for (const double t : {0.0, 0.013, 1.7, 19.99, 20.0})
+        EXPECT_NEAR(curve.at(t).injected_g, 3.0 * t, 1e-9 * (1.0 + t));
+    EXPECT_NEAR(curve.at(1e9).injected_g, 60.0, 1e-8) << "clamped to the run";
+}
+
+// Two branches leave the trunk: what one of them delivers is what the other one does not.
+TEST(DoseCurve, DosesOfTheBranchesAddUpToWhatIsDelivered) {
+    const std::vector<std::vector<int>> kids = children(tree());
+    ASSERT_EQ(kids[0].size(), 2u);
+    for (const double share : {0.0, 0.5}) {
+        const InjectionOptions options = into(middle_of_segment(kids[0][0]), share);
+        const DoseCurve left(tree(), options, end_s, from(kids[0][0]));
+        const DoseCurve right(tree(), options, end_s, from(kids[0][1]));
+        for (const double t : {3.0, 11.1, 20.0}) {
+            const Dose a = left.at(t), b = right.at(t);
+            EXPECT_GT(a.delivered_g, 0.0);
+            EXPECT_LE(a.delivered_g, a.injected_g);
+            EXPECT_NEAR(a.target_g + b.target_g, a.delivered_g, 1e-9 * a.injected_g);
+            EXPECT_NEAR(a.elsewhere_g(), b.target_g, 1e-9 * a.injected_g);
+        }
+    }
+}
+
+// The whole tree as target: all of it; and from the root nothing runs back.
+TEST(DoseCurve, OfTheWholeTreeIsAllThatIsDelivered) {
+    const Dose all = DoseCurve(tree(), into({0, 0.0}), end_s, from(0)).at(end_s);
+    EXPECT_GT(all.delivered_g, 1.0);
+    EXPECT_NEAR(all.target_g, all.delivered_g, 1e-9);
+    EXPECT_NEAR(all.reflux_g, 0.0, 1e-9);
+}
+
+// Once everything is full, each territory gets its share of the steady flow.
+TEST(DoseCurve, GrowsByTheTerritorysFlowOnceItIsFull) {
+    const int branch = children(tree())[0][0];
+    InjectionOptions options = into({0, 0.0});
+    options.until_s = end_s;
+    Job job;
+    const InjectionResult steady = inject(tree(), options, job);
+    const DoseCurve curve(tree(), options, end_s, from(branch));
+    const double grown = curve.at(20.0).target_g - curve.at(19.0).target_g;
+    EXPECT_NEAR(grown, end_flow_g_s(steady, branch), 1e-6);
+}
+
+TEST(DoseCurve, RefluxIsWhatLeavesUpstreamOfTheTip) {
+    const int branch = children(tree())[0][0];
+    const InjectionOptions options = into(middle_of_segment(branch));
+    const Dose dose = DoseCurve(tree(), options, end_s, from(branch)).at(end_s);
+    EXPECT_GT(dose.reflux_g, 0.01);
+    EXPECT_NEAR(dose.reflux_g, dose.elsewhere_g(), 1e-9 * dose.injected_g)
+        << "the branch that holds the tip is the target";
+}
+
+TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
+    const auto options = std::make_shared<const InjectionOptions>(into({0, 0.0}));
+    DrugView drug;
+    drug.injection = options;
+    drug.end_s = end_s;
+    drug.time_s = 5.0;
+    DoseAccount account(tree(), from(0));
+    account.see(drug);
+    EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9);
+    account.see(DrugView{});
+    EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9) << "taken out";
+    drug.injection = std::make_shared<const InjectionOptions>(*options);
+    drug.time_s = 2.0;
+    account.see(drug);
+    EXPECT_NEAR(account.total().injected_g, 21.0, 1e-9);
+}
+
+TEST(TargetRegion, IsTheAnatomyBeyondThePlace) {
+    const int branch = children(tree())[0][0];
+    const TargetRegion region(tree(), {branch, 5.0});
+    EXPECT_FALSE(region.contains({0, 1.0}));
+    EXPECT_FALSE(region.contains({branch, 4.9}));
+    EXPECT_TRUE(region.contains({branch, 5.0}));
+    const std::vector<std::vector<int>> kids = children(tree());
+    ASSERT_EQ(kids[branch].size(), 2u);
+    for (const int child : kids[branch]) EXPECT_TRUE(region.contains({child, 0.0}));
+    EXPECT_FALSE(region.contains({children(tree())[0][1], 1.0}));
+    EXPECT_FALSE(region.contains_end_of(0));
+    EXPECT_TRUE(region.contains_end_of(branch));
+}
+
+}  // namespace
+}  // namespace hepatica

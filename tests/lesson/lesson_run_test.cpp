@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps, limits and pass marks on frames made by hand, half a second each.
+#include "core/lesson/lesson_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/lesson/frames.h"
+
+namespace hepatica {
+namespace {
+
+using test::plain_lesson;
+using test::rest_frame;
+using test::small_patient;
+using test::with_force;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Predicate at_least(Quantity quantity, double bound) {
+    return {quantity, -1, true, bound};
+}
+Predicate at_most(Quantity quantity, double bound) {
+    return {quantity, -1, false, bound};
+}
+
+// Pull with 2 mN for a second, then let go.
+Lesson pull_lesson() {
+    Lesson lesson = plain_lesson();
+    lesson.tools = {LessonTool::pull};
+    lesson.steps = {{"pull", "", {at_least(Quantity::force_mn, 2.0)}, 1.0, {}},
+                    {"let go", "", {at_most(Quantity::force_mn, 0.0)}, 0.0, {}}};
+    lesson.limits = {at_most(Quantity::force_mn, 10.0)};
+    return lesson;
+}
+
+// Shown one frame each with these forces in mN, after the frame of the setup.
+LessonRun attempt(const Lesson& lesson, const std::vector<double>& forces) {
+    LessonRun run(lesson, small_patient());
+    run.see({}, rest_frame());
+    for (const double force : forces) run.see({}, with_force(1e3 * force));
+    return run;
+}
+
+TEST(LessonRun, ReachesStepAfterStepAndIsPassed) {
+    LessonRun run = attempt(pull_lesson(), {0.0, 3.0});
+    EXPECT_EQ(run.standing().step, 0u);
+    EXPECT_EQ(run.standing().steps[0].held_s, 0.5);
+    run.see({}, with_force(3e3));
+    EXPECT_EQ(run.standing().step, 1u);
+    EXPECT_EQ(run.standing().steps[0].reached_s, 1.5);
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::running);
+    run.see({}, rest_frame());
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::passed);
+    EXPECT_EQ(run.standing().steps[1].reached_s, 2.0);
+    EXPECT_EQ(run.samples().size(), 4u);
+}
+
+TEST(LessonRun, AHoldBeginsAnewAfterEveryBreak) {
+    const LessonRun run = attempt(pull_lesson(), {3.0, 1.0, 3.0, 1.0, 3.0});
+    EXPECT_EQ(run.standing().step, 0u);
+    EXPECT_EQ(run.standing().steps[0].held_s, 0.5);
+}
+
+TEST(LessonRun, ABrokenLimitEndsItAndSaysByHowMuch) {
+    LessonRun run = attempt(pull_lesson(), {3.0, 11.0});
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::failed);
+    EXPECT_THAT(run.standing().reasons,
+                ElementsAre("limit broken: force at most 10 mN, but it was 11 mN"));
+    const LessonMetrics before = run.standing().metrics;
+    run.see({}, with_force(50e3));
+    EXPECT_EQ(run.standing().metrics, before) << "what comes later changes nothing";
+}
+
+TEST(LessonRun, ALimitOfAStepHoldsForThatStepAlone) {
+    Lesson lesson = pull_lesson();
+    lesson.steps[0].limits = {at_most(Quantity::step_time_s, 1.5)};
+    EXPECT_EQ(attempt(lesson, {0, 0, 0, 0}).standing().outcome, LessonOutcome::failed);
+    EXPECT_EQ(attempt(lesson, {3, 3, 3, 3, 3, 3}).standing().outcome, LessonOutcome::running);
+    lesson.steps[0].limits.clear();
+    lesson.steps[1].limits = {at_most(Quantity::step_time_s, 1.5)};
+    EXPECT_EQ(attempt(lesson, {0, 0, 0, 0, 3, 3, 3}).standing().outcome, LessonOutcome::running);
+}
+
+TEST(LessonRun, PassMarksAreLookedAtInTheEndAlone) {
+    Lesson lesson = pull_lesson();
+    lesson.pass = {at_least(Quantity::impulse_mn_s, 4.0)};
+    EXPECT_EQ(attempt(lesson, {4, 4, 0}).standing().outcome, LessonOutcome::passed);
+    const LessonRun missed = attempt(lesson, {3, 3, 0});
+    EXPECT_EQ(missed.standing().outcome, LessonOutcome::failed);
+    EXPECT_THAT(missed.standing().reasons, ElementsAre(HasSubstr("pass mark missed")));
+}
+
+TEST(LessonRun, ACourseMayAskForMore) {
+    LessonRun run(pull_lesson(), small_patient(), {at_most(Quantity::time_s, 1.0)});
+    run.see({}, rest_frame());
+    for (const double force : {3.0, 3.0, 0.0}) run.see({}, with_force(1e3 * force));
+    EXPECT_THAT(run.standing().reasons,
+                ElementsAre("pass mark missed: time at most 1 s, but it is 1.5 s"));
+}
+
+TEST(LessonRun, WhatEndsTooEarlyHasFailed) {
+    LessonRun run = attempt(pull_lesson(), {3.0, 3.0});
+    run.end();
+    EXPECT_THAT(run.standing().reasons, ElementsAre("step 2 of 2 was not reached: let go"));
+    LessonRun done = attempt(pull_lesson(), {3.0, 3.0, 0.0});
+    done.end();
+    EXPECT_EQ(done.standing().outcome, LessonOutcome::passed);
+}
+
+std::vector<std::string> reasons_after(const Command& command, const Lesson& lesson) {
+    LessonRun run(lesson, small_patient());
+    run.see({}, rest_frame());
+    run.see(std::vector{command}, rest_frame());
+    return run.standing().reasons;
+}
+
+TEST(LessonRun, OnlyTheLessonsToolsMayBeUsed) {
+    const Lesson lesson = pull_lesson();
+    for (const Command& command :
+         {Command(GrabPoint{}), Command(MoveGrab{}), Command(ReleaseGrab{}), Command(UseTools{}),
+          Command(SetPaused{}), Command(SetQuality{})})
+        EXPECT_THAT(reasons_after(command, lesson), ElementsAre());
+    for (const Command& command :
+         {Command(AddTool{.kind = "forceps"}), Command(Blade{}), Command(CutLine{}),
+          Command(InjectDrug{}), Command(SetTether{}), Command(UseTear{})})
+        EXPECT_THAT(reasons_after(command, lesson), ElementsAre(HasSubstr("does not allow")));
+    for (const Command& command : {Command(ResetWorld{}), Command(RestoreSnapshot{})})
+        EXPECT_THAT(reasons_after(command, lesson), ElementsAre("the play was taken back"));
+    Lesson with_hook = lesson;
+    with_hook.tools = {LessonTool::hook};
+    EXPECT_THAT(reasons_after(AddTool{.kind = "hook"}, with_hook), ElementsAre());
+    EXPECT_THAT(reasons_after(AddTool{.kind = "sphere"}, with_hook),
+                ElementsAre(HasSubstr("sphere")));
+}
+
+TEST(LessonRun, BeginsWithWhatTheLessonSetsUp) {
+    Lesson lesson = pull_lesson();
+    lesson.setup = script_of(
+        R"({"actions": [{"do": "blade", "from_mm": [0, 0, 1], "to_mm": [0, 1, 1]}]})", "setup");
+    LessonRun without(lesson, small_patient());
+    without.see({}, rest_frame());
+    EXPECT_EQ(without.standing().outcome, LessonOutcome::failed);
+    LessonRun with(lesson, small_patient());
+    ASSERT_EQ(with.setup().size(), 1u);
+    with.see(with.setup(), rest_frame());
+    EXPECT_EQ(with.standing().outcome, LessonOutcome::running);
+    LessonRun early(pull_lesson(), small_patient());
+    early.see(std::vector<Command>{GrabPoint{}}, rest_frame());
+    EXPECT_THAT(early.standing().reasons, ElementsAre(HasSubstr("before the lesson began")));
+}
+
+TEST(LessonRun, TheClockStandsWhileItIsHeld) {
+    Frame held = with_force(3e3);
+    held.statistics.paused = true;
+    LessonRun run = attempt(pull_lesson(), {3.0});
+    for (int i = 0; i < 9; ++i) run.see({}, held);
+    EXPECT_EQ(run.standing().metrics.time_s, 0.5);
+    EXPECT_EQ(run.standing().step, 0u);
+}
+
+TEST(LessonRun, AStopOfTheSimulationIsNoAttempt) {
+    Frame stopped = rest_frame();
+    stopped.statistics.diverged = true;
+    LessonRun run = attempt(pull_lesson(), {3.0});
+    run.see({}, stopped);
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::failed);
+}
+
+TEST(LessonRun, TheAnswerNamesStepsLimitsAndMetrics) {
+    const LessonRun run = attempt(pull_lesson(), {3.0, 3.0, 0.0});
+    const auto json = to_json(run.standing(), run.lesson());
+    EXPECT_EQ(json["passed"], true);
+    EXPECT_EQ(json["steps"][0]["reached_s"], 1.0);
+    EXPECT_EQ(json["limits"][0]["bound"], "force at most 10 mN");
+    EXPECT_EQ(json["limits"][0]["value"], 3.0);
+    EXPECT_EQ(json["metrics"]["impulse_mn_s"], 3.0);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Metrics against closed forms, on frames made by hand.
+#include "core/lesson/play_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/lesson/frames.h"
+
+namespace hepatica {
+namespace {
+
+using test::plain_lesson;
+using test::rest_frame;
+using test::small_patient;
+using test::touching;
+using test::with_force;
+using test::with_tip;
+
+PlayMeter meter_of(const std::vector<Frame>& frames, const Lesson& lesson = plain_lesson()) {
+    PlayMeter meter(lesson, small_patient());
+    meter.begin(rest_frame());
+    for (const Frame& frame : frames) meter.see(frame);
+    return meter;
+}
+
+TEST(PlayMeter, TheTipsPathIsThePolylinesLength) {
+    const PlayMeter meter =
+        meter_of({with_tip({0, 0, 0}), with_tip({3, 4, 0}), with_tip({3, 4, 12}),
+                  with_tip({3, 4, 12}), with_tip({0, 0, 12})});
+    EXPECT_DOUBLE_EQ(meter.metrics().path_mm, 5.0 + 12.0 + 0.0 + 5.0);
+    EXPECT_DOUBLE_EQ(meter.metrics().time_s, 2.5);
+}
+
+TEST(PlayMeter, AToolThatIsPutAwayAndTakenElsewhereHasGoneNoWay) {
+    const PlayMeter meter =
+        meter_of({with_tip({0, 0, 0}), with_tip({1, 0, 0}), rest_frame(), with_tip({90, 0, 0})});
+    EXPECT_DOUBLE_EQ(meter.metrics().path_mm, 1.0);
+}
+
+TEST(PlayMeter, TheHandsPathIsThatOfItsTarget) {
+    std::vector<Frame> frames(3, with_force(0.0));
+    frames[1].grab->target_mm = Vec3(0, 2, 0);
+    frames[2].grab->target_mm = Vec3(0, 2, -7);
+    EXPECT_DOUBLE_EQ(meter_of(frames).metrics().path_mm, 9.0);
+}
+
+TEST(PlayMeter, AConstantForceForATimeHasTheirProduct) {
+    const PlayMeter meter = meter_of(std::vector<Frame>(20, with_force(250e3)));
+    EXPECT_DOUBLE_EQ(meter.metrics().impulse_mn_s, 250.0 * 10.0);
+    EXPECT_DOUBLE_EQ(meter.metrics().peak_force_mn, 250.0);
+    EXPECT_DOUBLE_EQ(meter_of({with_tip(Vec3::Zero(), {3e3, 0, 4e3})}).metrics().peak_force_mn,
+                     5.0);
+}
+
+TEST(PlayMeter, ThePeakIsTheLargestAndTheMomentTheLast) {
+    const PlayMeter meter = meter_of({with_force(1e3), with_force(9e3), with_force(2e3)});
+    EXPECT_DOUBLE_EQ(meter.metrics().peak_force_mn, 9.0);
+    EXPECT_DOUBLE_EQ(meter.moment().force_mn, 2.0);
+}
+
+// Half a second between frames is longer than what counts as the same contact.
+TEST(PlayMeter, CountsEachTimeThatAToolBeginsToTouch) {
+    const PlayMeter meter = meter_of({touching(true), touching(true), touching(false),
+                                      touching(true), touching(false), touching(false)});
+    EXPECT_EQ(meter.metrics().contacts, 2);
+    EXPECT_DOUBLE_EQ(meter.metrics().contact_s, 1.5);
+}
+
+TEST(PlayMeter, AToolThatTrembleTouchesOnce) {
+    Lesson lesson = plain_lesson();
+    lesson.scene.dt_s = 0.25 * PlayMeter::same_contact_s;
+    EXPECT_EQ(
+        meter_of({touching(true), touching(false), touching(true)}, lesson).metrics().contacts, 1);
+}
+
+TEST(PlayMeter, WhatIsShownWhileTheClockIsHeldCountsForNothing) {
+    Frame held = with_force(5e3);
+    held.statistics.paused = true;
+    EXPECT_EQ(meter_of({held, held}).metrics(), LessonMetrics{});
+}
+
+TEST(PlayMeter, AMarkIsInTheMiddleOfItsVesselAndMovesWithIt) {
+    Lesson lesson = plain_lesson();
+    const Vec3 place = test::middle_of(small_patient()->tree, 0);
+    lesson.marks.push_back({"mark", {.point_mm = place}});
+    Frame moved = with_tip(Vec3(1000, 0, 0));
+    for (std::size_t i = 2; i < moved.positions_mm.size(); i += 3) moved.positions_mm[i] += 6.0f;
+    const PlayMeter meter = meter_of({moved}, lesson);
+    EXPECT_NEAR((meter.marks_mm()[0] - place).norm(), 0.0, 1.0) << "of a radius of 4 mm";
+    EXPECT_NEAR(meter.moment().marks[0].moved_mm, 6.0, 1e-4);
+    const Vec3 tip(1000, 0, 0), mark = meter.marks_mm()[0] + Vec3(0, 0, 6);
+    EXPECT_NEAR(meter.moment().marks[0].distance_mm, (tip - mark).norm(), 1e-3);
+    EXPECT_TRUE(std::isinf(meter.moment().marks[0].touch_mm)) << "it touches nothing";
+}
+
+TEST(PlayMeter, TearsCountFromTheBeginningOn) {
+    Frame before = rest_frame();
+    before.tear.emplace();
+    before.tear->joints_broken = 4;
+    before.tear->pieces = 2;
+    before.tear->leaked_g = 0.5;
+    before.tear->leak_g_s = 3.0;
+    PlayMeter meter(plain_lesson(), small_patient());
+    meter.begin(before);
+    EXPECT_EQ(meter.moment().leak_g_s, 3.0);
+    Frame later = before;
+    later.tear->joints_broken = 9;
+    later.tear->pieces = 3;
+    later.tear->leaked_g = 2.0;
+    meter.see(later);
+    EXPECT_EQ(meter.metrics().joints_broken, 5);
+    EXPECT_EQ(meter.metrics().pieces_off, 1);
+    EXPECT_DOUBLE_EQ(meter.metrics().blood_lost_g, 1.5);
+    meter.see(before);
+    EXPECT_EQ(meter.metrics().joints_broken, 5) << "what was torn stays torn in the score";
+}
+
+}  // namespace
+}  // namespace hepatica

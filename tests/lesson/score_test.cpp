@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A live play and its recording have one score; and each of the seven lessons is passed by one play
+// and failed by another.
+#include "core/lesson/score.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/lesson/lesson_file.h"
+#include "core/opening/open_patient.h"
+#include "core/session/recording_file.h"
+#include "tests/lesson/frames.h"
+#include "tests/session/recorded.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::keep_recording;
+using test::small_patient;
+using testing::HasSubstr;
+
+struct Played {
+    LessonStanding standing;
+    std::size_t samples = 0;
+    std::shared_ptr<Recording> recording;
+};
+
+// As the window plays: watched and recorded, the setup first.
+Played play(const Lesson& lesson, const Script& script, std::shared_ptr<const PatientCase> patient,
+            int steps) {
+    Job job;
+    LessonRun run(lesson, patient);
+    Session session(patient, lesson.scene, job);
+    Played played;
+    played.recording = keep_recording(session);
+    session.watch([&](const std::vector<Command>& commands, const Frame& frame) {
+        run.see(commands, frame);
+    });
+    for (const Command& command : run.setup()) session.post(command);
+    for (const auto& commands : schedule(script, patient->tree, lesson.scene.dt_s, steps)) {
+        for (const Command& command : commands) session.post(command);
+        session.step();
+        if (run.standing().outcome != LessonOutcome::running) break;
+    }
+    run.end();
+    played.standing = run.standing();
+    played.samples = run.samples().size();
+    return played;
+}
+
+// A pull and an injection on the small patient.
+Lesson small_lesson() {
+    Lesson lesson;
+    lesson.name = "small";
+    lesson.scene = default_scene();
+    lesson.scene.flow->drug_speed = 30.0;
+    lesson.tools = {LessonTool::pull, LessonTool::inject};
+    lesson.target = ScriptPlace{.share_of_longest_path = 0.5};
+    lesson.marks = {{"mark", {.share_of_longest_path = 0.5}}};
+    lesson.steps = {{"pull", "", {{Quantity::moved_mm, 0, true, 3.0}}, 0.1, {}},
+                    {"let go", "", {{Quantity::holding, -1, false, 0.0}}, 0.0, {}},
+                    {"wait", "", {{Quantity::injected_g, -1, true, 4.0}}, 0.0, {}}};
+    return lesson;
+}
+
+const Script& small_play() {
+    static const Script script = script_of(R"({"actions": [
+        {"at_s": 0.05, "do": "inject", "where": {"share_of_longest_path": 0.3}, "mass_flow_g_s": 2},
+        {"at_s": 0.1, "do": "grab", "where": {"share_of_longest_path": 0.5}},
+        {"at_s": 0.1, "do": "move", "by_mm": [5, 0, 1], "over_s": 0.2},
+        {"at_s": 0.5, "do": "release"}]})",
+                                           "play");
+    return script;
+}
+
+TEST(Score, OfARecordingIsThatOfThePlayToTheBit) {
+    const Lesson lesson = small_lesson();
+    const Played played = play(lesson, small_play(), small_patient(), 60);
+    EXPECT_EQ(played.standing.outcome, LessonOutcome::passed)
+        << to_json(played.standing, lesson).dump(1);
+    EXPECT_GT(played.standing.metrics.impulse_mn_s, 0.0);
+    EXPECT_GT(played.standing.metrics.dose_target_g, 0.0);
+    const fs::path file = fs::path(testing::TempDir()) / "score.hrec";
+    write_recording(file, *played.recording);
+    for (const int threads : {1, 2}) {
+        const ThreadLimit limit(threads);
+        Job job;
+        const Score again = score(read_recording(file), lesson, small_patient(), job);
+        EXPECT_EQ(again.standing.metrics, played.standing.metrics);
+        EXPECT_EQ(again.standing.moment, played.standing.moment);
+        EXPECT_EQ(to_json(again.standing, lesson).dump(), to_json(played.standing, lesson).dump());
+        EXPECT_EQ(again.samples.size(), played.samples);
+    }
+    fs::remove(file);
+}
+
+// Steps that a resting session would leave out are time for who plays against the clock.
+TEST(Score, AWatchedSessionDoesNotRest) {
+    Job job;
+    Session session(small_patient(), small_lesson().scene, job);
+    bool rested = false;
+    session.watch([&](const std::vector<Command>&, const Frame& frame) {
+        rested = rested || frame.statistics.resting;
+    });
+    for (int i = 0; i < 40; ++i) session.step();
+    EXPECT_FALSE(rested);
+    session.watch({});
+    for (int i = 0; i < 40; ++i) session.step();
+    session.update_frame();
+    EXPECT_TRUE(session.frame().statistics.resting);
+}
+
+TEST(Score, IsRefusedWhereThePlayWasAnother) {
+    const Lesson lesson = small_lesson();
+    const Played played = play(lesson, small_play(), small_patient(), 20);
+    Job job;
+    Lesson other = lesson;
+    other.scene.deform->tether_pa_per_mm2 = 7.0;
+    EXPECT_THROW(score(*played.recording, other, small_patient(), job), InputError);
+    Lesson finer = lesson;
+    finer.scene.deform->quality = 1.0;
+    EXPECT_NO_THROW(score(*played.recording, finer, small_patient(), job));
+    Recording changed = *played.recording;
+    changed.steps[9].state_hash ^= 1;
+    try {
+        score(changed, lesson, small_patient(), job);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("step 10"));
+    }
+}
+
+TEST(Score, WhatARecordingEndsBeforeIsNotReached) {
+    const Played played = play(small_lesson(), small_play(), small_patient(), 10);
+    EXPECT_EQ(played.standing.outcome, LessonOutcome::failed);
+    EXPECT_THAT(played.standing.reasons.front(), HasSubstr("was not reached"));
+}
+
+// One test, because making the built-in patient takes longer than all the plays.
+TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
+    Job job;
+    const auto patient = open_patient({.built_in = true, .reconstruct = {}}, job).patient;
+    const fs::path plays = fs::path(HEPATICA_SOURCE_DIR) / "tests/lesson/plays";
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        Lesson lesson = find_lesson(entry.id);
+        if (lesson.scene.deform) lesson.scene.deform->quality = 0.0;
+        constexpr int steps = 200;
+        const std::string id = entry.id;
+        const Played good =
+            play(lesson, read_script(plays / (id + "_passes.json")), patient, steps);
+        EXPECT_EQ(good.standing.outcome, LessonOutcome::passed)
+            << to_json(good.standing, lesson).dump(1);
+        const Played bad = play(lesson, read_script(plays / (id + "_fails.json")), patient, steps);
+        EXPECT_EQ(bad.standing.outcome, LessonOutcome::failed) << id;
+        EXPECT_THAT(bad.standing.reasons.front(), HasSubstr("limit broken"))
+            << id << ": the play does harm, it is not merely too short";
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
