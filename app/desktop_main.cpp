@@ -12,6 +12,7 @@
 
 #include "app/process_clock.h"
 #include "app/program_identity.h"
+#include "app/report/report_main.h"
 #include "core/patient/patient_case.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
@@ -31,6 +32,7 @@ struct Options {
 };
 
 Options parse(const QCoreApplication& application) {
+    using hepatica::report_options;
     QCommandLineParser parser;
     parser.setApplicationDescription("Practise on a patient's own liver vessels.");
     parser.addHelpOption();
@@ -42,6 +44,7 @@ Options parse(const QCoreApplication& application) {
     const QCommandLineOption quit("quit-after-start", "Leave after the first picture.");
     const QCommandLineOption json("json", "Print the report as JSON.");
     parser.addOptions({built_in, safe, report, quit, json});
+    parser.addOptions(report_options());
     parser.process(application);
     for (const QString& more : parser.positionalArguments().mid(1))
         std::fprintf(stderr, "hepatica: opens one at a time, not %s as well\n", qPrintable(more));
@@ -79,6 +82,7 @@ int refuse(const QString& problem) {
 
 int main(int argc, char** argv) {
     using namespace hepatica;
+    if (asks_for_report(argc, argv)) return report_main(argc, argv);
     prepare_opengl();
     if (const QString problem = display_problem(); !problem.isEmpty()) {
         const QCoreApplication without_window(argc, argv);

@@ -74,8 +74,11 @@ void HtmlReport::add_paragraph(const std::string& text) {
 }
 
 void HtmlReport::add_picture(const std::filesystem::path& file, const std::string& caption) {
+    const std::string width =
+        picture_width_px_ > 0 ? " width=\"" + std::to_string(picture_width_px_) + "\"" : "";
     body_ += "<figure><img src=\"" + escaped(file.generic_string()) + "\" alt=\"" +
-             escaped(caption) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+             escaped(caption) + "\"" + width + "><figcaption>" + escaped(caption) +
+             "</figcaption></figure>\n";
 }
 
 void HtmlReport::add_pictures(
@@ -104,11 +107,14 @@ void HtmlReport::add_table(const Json& facts) {
     body_ += "</table>\n";
 }
 
+std::string HtmlReport::text() const {
+    return "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" + escaped(title_) +
+           "</title><style>" + style + "</style>\n<h1>" + escaped(title_) + "</h1>\n" + body_ +
+           "</html>\n";
+}
+
 void HtmlReport::write(const std::filesystem::path& file) const {
-    write_text_atomically(
-        file, "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" +
-                  escaped(title_) + "</title><style>" + style + "</style>\n<h1>" + escaped(title_) +
-                  "</h1>\n" + body_ + "</html>\n");
+    write_text_atomically(file, text());
 }
 
 }  // namespace hepatica

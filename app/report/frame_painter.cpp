@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/frame_painter.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/palette.h"
+
+namespace hepatica {
+
+namespace {
+
+Vec3 place_of(const Frame& frame, int vertex) {
+    const auto i = 3 * static_cast<std::size_t>(vertex);
+    return {frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]};
+}
+
+QColor to_qt(const Colour& colour, double light = 1.0) {
+    return QColor::fromRgbF(static_cast<float>(light * colour[0]),
+                            static_cast<float>(light * colour[1]),
+                            static_cast<float>(light * colour[2]));
+}
+
+// In LPS the patient's left is to the right and the head up, where one looks from the front.
+class FrontView {
+  public:
+    explicit FrontView(const FramePainting& how) {
+        const Vec3 size = how.box_mm[1] - how.box_mm[0];
+        scale_ =
+            std::min(how.width / std::max(size.x(), 1.0), how.height / std::max(size.z(), 1.0));
+        centre_ = 0.5 * (how.box_mm[0] + how.box_mm[1]);
+        middle_ = QPointF(0.5 * how.width, 0.5 * how.height);
+    }
+    QPointF operator()(const Vec3& p) const {
+        return middle_ + scale_ * QPointF(p.x() - centre_.x(), centre_.z() - p.z());
+    }
+    double px(double mm) const { return scale_ * mm; }
+
+  private:
+    double scale_ = 1.0;
+    Vec3 centre_ = Vec3::Zero();
+    QPointF middle_;
+};
+
+Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
+    const DrugView& drug = frame.drug;
+    if (drug.arrival_s) {
+        const double arrival_s = (*drug.arrival_s)[static_cast<std::size_t>(vertex)];
+        if (arrival_s <= drug.time_s)
+            return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
+    }
+    const auto origin = static_cast<std::size_t>(frame.origin_of(vertex));
+    const Colour own = palette::vessel_system(
+        origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
+    const bool loaded = frame.tear && frame.tear->loads;
+    return loaded ? palette::warning(own, (*frame.tear->loads)[static_cast<std::size_t>(vertex)])
+                  : own;
+}
+
+// Far ones first: the back has the larger y.
+void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& how,
+                   const FrontView& view) {
+    const auto& triangles = *frame.surface;
+    std::vector<double> depth;
+    for (const auto& t : triangles)
+        depth.push_back(place_of(frame, t[0]).y() + place_of(frame, t[1]).y() +
+                        place_of(frame, t[2]).y());
+    std::vector<std::size_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
+    for (const std::size_t i : order) {
+        const auto& t = triangles[i];
+        const Vec3 a = place_of(frame, t[0]), b = place_of(frame, t[1]), c = place_of(frame, t[2]);
+        const Vec3 normal = (b - a).cross(c - a).normalized();
+        const double light = 0.35 + 0.65 * std::abs(normal.dot(Vec3(-0.3, -0.85, 0.43)));
+        const QColor colour = to_qt(colour_of(frame, how, t[0]), std::min(1.0, 1.15 * light));
+        painter.setPen(QPen(colour, 0.6));
+        painter.setBrush(colour);
+        const QPointF corners[] = {view(a), view(b), view(c)};
+        painter.drawPolygon(corners, 3);
+    }
+}
+
+void paint_hand(QPainter& painter, const Frame& frame, const FrontView& view) {
+    if (frame.tool)
+        for (const ToolView::Part& part : frame.tool->parts) {
+            painter.setPen(QPen(to_qt(palette::tool), 2.0 * view.px(part.radius_mm), Qt::SolidLine,
+                                Qt::RoundCap));
+            const QPointF from = view(part.from_mm);
+            painter.drawLine(from, view(part.to_mm) + QPointF(0.01, 0.0));
+        }
+    if (!frame.grab) return;
+    painter.setPen(QPen(to_qt(palette::grab_line), 3.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(view(frame.grab->point_mm), view(frame.grab->target_mm));
+    painter.setBrush(to_qt(palette::grab_line));
+    painter.drawEllipse(view(frame.grab->point_mm), 4.0, 4.0);
+}
+
+}  // namespace
+
+std::array<Vec3, 2> box_of(const Frame& frame) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i + 2 < frame.positions_mm.size(); i += 3)
+        box.extend(
+            Vec3(frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]));
+    const Vec3 around = 0.1 * box.sizes();
+    return {box.min() - around, box.max() + around};
+}
+
+QImage paint(const Frame& frame, const FramePainting& how) {
+    QImage image(how.width, how.height, QImage::Format_RGB32);
+    image.fill(to_qt(palette::background_top));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const FrontView view(how);
+    if (frame.surface) paint_surface(painter, frame, how, view);
+    painter.setBrush(Qt::NoBrush);
+    paint_hand(painter, frame, view);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(to_qt(palette::torn_circle), 2.5));
+    for (const Vec3& mark : how.marks_mm) painter.drawEllipse(view(mark), 14.0, 14.0);
+    return image;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/lesson_report.h"
+
+#include <QImage>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "app/html_report.h"
+#include "app/output_place.h"
+#include "app/recorded_patient.h"
+#include "app/report/frame_painter.h"
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/score.h"
+#include "core/scene/surface_anatomy.h"
+#include "core/session/recording_file.h"
+#include "render/chart.h"
+#include "ui/paths.h"
+#include "ui/plot_panel.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// A moment worth a picture.
+struct Moment {
+    std::string caption;
+    Frame frame;
+};
+
+// Before it begins, at the largest force, where each step was reached, and at the end.
+class Moments {
+  public:
+    void see(const Frame& frame, const LessonStanding& standing) {
+        if (list_.empty()) list_.push_back({"Before the first step", frame});
+        const bool counts = standing.metrics.time_s > last_s_;
+        if (!counts) return;
+        last_s_ = standing.metrics.time_s;
+        if (standing.metrics.peak_force_mn > peak_mn_) {
+            peak_mn_ = standing.metrics.peak_force_mn;
+            peak_ = Moment{"The largest force: " + to_words(Quantity::force_mn, peak_mn_), frame};
+        }
+        if (standing.step > step_ && list_.size() < most)
+            list_.push_back({"Step " + std::to_string(standing.step) + " reached, after " +
+                                 to_words(Quantity::time_s, last_s_),
+                             frame});
+        step_ = standing.step;
+        end_ = Moment{"The end, after " + to_words(Quantity::time_s, last_s_), frame};
+    }
+    std::vector<Moment> list() const {
+        std::vector<Moment> all = list_;
+        if (peak_) all.push_back(*peak_);
+        if (end_) all.push_back(*end_);
+        return all;
+    }
+
+  private:
+    static constexpr std::size_t most = 8;
+    std::vector<Moment> list_;
+    std::optional<Moment> peak_, end_;
+    double peak_mn_ = 0.0, last_s_ = 0.0;
+    std::size_t step_ = 0;
+};
+
+void save(const QImage& image, const fs::path& file) {
+    if (!image.save(to_text(file), "PNG"))
+        throw InputError("cannot be written", file.string(), "Choose a folder with room");
+}
+
+Chart chart_over_time(const std::vector<LessonSample>& samples, const std::string& title,
+                      const std::string& unit, double LessonSample::*value) {
+    Chart chart{title, "Time (s)", unit, {Curve{title, {}, {}}}};
+    for (const LessonSample& sample : samples) {
+        chart.curves[0].x.push_back(sample.time_s);
+        chart.curves[0].y.push_back(sample.*value);
+    }
+    return chart;
+}
+
+// What happened when, for the plots.
+std::vector<PlotEvent> events_of(const LessonStanding& standing) {
+    std::vector<PlotEvent> events;
+    for (std::size_t i = 0; i < standing.steps.size(); ++i)
+        if (standing.steps[i].reached_s)
+            events.push_back({*standing.steps[i].reached_s, QString("step %1").arg(i + 1)});
+    if (standing.outcome == LessonOutcome::failed && !standing.reasons.empty())
+        events.push_back({standing.metrics.time_s, "failed"});
+    return events;
+}
+
+void draw(const Chart& chart, const std::vector<PlotEvent>& events, const fs::path& file) {
+    PlotView view;
+    view.resize(900, 320);
+    view.set_chart(chart);
+    view.set_events(events);
+    QImage image(view.size(), QImage::Format_RGB32);
+    view.render(&image);
+    save(image, file);
+}
+
+Json table_of_bounds(const std::vector<BoundStanding>& bounds,
+                     const std::vector<std::string>& marks) {
+    Json rows = Json::array();
+    for (const BoundStanding& bound : bounds)
+        rows.push_back({{"bound", to_words(bound.predicate, marks)},
+                        {"was", to_words(bound.predicate.quantity, bound.value)},
+                        {"kept", bound.kept ? "yes" : "no"}});
+    return rows;
+}
+
+Json table_of_steps(const LessonStanding& standing, const Lesson& lesson) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const auto& reached = standing.steps[i].reached_s;
+        rows.push_back(
+            {{"step", lesson.steps[i].text},
+             {"reached", reached ? "after " + to_words(Quantity::time_s, *reached) : "no"}});
+    }
+    return rows;
+}
+
+Json table_of_metrics(const LessonMetrics& metrics) {
+    Json rows = Json::array();
+    for (const QuantityWords& words : quantities()) {
+        if (words.quantity >= Quantity::step_time_s) break;
+        const double value = value_of({words.quantity, -1, true, 0.0}, metrics, {}, 0.0);
+        rows.push_back({{"metric", words.words}, {"value", to_words(words.quantity, value)}});
+    }
+    return rows;
+}
+
+// The lesson that a play was of: the one named, or the built-in one with the recorded scene, or
+// none.
+std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recording& recording) {
+    if (!request.lesson.empty()) return find_lesson(request.lesson);
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        Lesson lesson = find_lesson(entry.id);
+        if (lesson.scene.name != recording.scene.name) continue;
+        try {
+            require_same_scene(recording.scene, lesson.scene);
+            return lesson;
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    return std::nullopt;
+}
+
+// A step that nobody reaches, so that all of the play is measured.
+Lesson free_play(const Recording& recording) {
+    Lesson lesson;
+    lesson.name = "Free play";
+    lesson.scene = recording.scene;
+    for (const LessonTool tool : {LessonTool::pull, LessonTool::sphere, LessonTool::capsule,
+                                  LessonTool::forceps, LessonTool::hook, LessonTool::blade,
+                                  LessonTool::cut_line, LessonTool::inject, LessonTool::settings})
+        lesson.tools.push_back(tool);
+    lesson.steps = {{"Play", "", {{Quantity::time_s, -1, true, 1e12}}, 0.0, {}}};
+    return lesson;
+}
+
+void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
+    QTextDocument document;
+    document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
+    document.setMetaInformation(QTextDocument::DocumentUrl,
+                                QUrl::fromLocalFile(to_text(folder) + "/").toString());
+    document.setHtml(QString::fromStdString(html));
+    QPdfWriter writer(to_text(file));
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setResolution(150);
+    writer.setTitle("Hepatica");
+    document.print(&writer);
+}
+
+struct Parts {
+    const ReportRequest& request;
+    const Lesson& lesson;
+    bool free;
+    const Score& scored;
+    std::vector<std::pair<fs::path, std::string>> pictures;
+    std::vector<std::pair<fs::path, std::string>> plots;
+};
+
+HtmlReport page_of(const Parts& parts, int picture_width_px) {
+    const LessonStanding& standing = parts.scored.standing;
+    const std::vector<std::string> marks = parts.lesson.mark_names();
+    HtmlReport page("Hepatica: " + parts.lesson.name);
+    page.set_picture_width(picture_width_px);
+    if (!parts.request.name.empty()) page.add_paragraph("Played by " + parts.request.name + ".");
+    if (!parts.free) {
+        page.add_paragraph(standing.outcome == LessonOutcome::passed ? "PASSED." : "NOT PASSED.");
+        for (const std::string& reason : standing.reasons) page.add_paragraph(reason);
+        if (!parts.lesson.about.empty()) page.add_paragraph(parts.lesson.about);
+        page.add_heading("Steps");
+        page.add_table(table_of_steps(standing, parts.lesson));
+        if (!standing.limits.empty()) page.add_heading("Limits");
+        if (!standing.limits.empty()) page.add_table(table_of_bounds(standing.limits, marks));
+        if (!standing.pass.empty()) page.add_heading("Pass marks");
+        if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks));
+    }
+    page.add_heading("Metrics");
+    page.add_table(table_of_metrics(standing.metrics));
+    page.add_heading("Over time");
+    for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
+    page.add_heading("Pictures");
+    page.add_paragraph("From the front, without perspective. Circles: the lesson's marks.");
+    for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
+    page.add_paragraph(
+        "For training and research alone: no diagnosis, no treatment, no certificate.");
+    return page;
+}
+
+}  // namespace
+
+WrittenReport write_report(const ReportRequest& request, Job& job) {
+    require_writable_folder(request.out);
+    const Recording recording = read_recording(request.recording);
+    const std::optional<Lesson> played = lesson_of_play(request, recording);
+    const Lesson lesson = played.value_or(free_play(recording));
+    job.begin_stage("Reading the case");
+    const auto patient = std::make_shared<const PatientCase>(
+        recorded_patient(recording, request.recording, request.patient, true, job));
+    Moments moments;
+    std::optional<LessonRun> places;
+    places.emplace(lesson, patient);
+    const Score scored = score(
+        recording, lesson, patient, job, cpu_back_end(),
+        [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
+    job.begin_stage("Writing the report");
+    fs::create_directories(request.out);
+    WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
+    write_files_atomically(request.out, [&](const fs::path& folder) {
+        Parts parts{request, lesson, !played, scored, {}, {}};
+        FramePainting painting;
+        const bool moves = lesson.scene.deform.has_value();
+        painting.systems =
+            SurfaceAnatomy(patient->tree,
+                           moves ? patient->mesh.vertices_mm : patient->surface.vertices_mm, job)
+                .vertex_systems();
+        int number = 0;
+        for (const Moment& moment : moments.list()) {
+            if (number == 0) painting.box_mm = box_of(moment.frame);
+            painting.marks_mm = places->marks_in(moment.frame);
+            const fs::path name = "picture_" + std::to_string(++number) + ".png";
+            save(paint(moment.frame, painting), folder / name);
+            parts.pictures.emplace_back(name, moment.caption);
+        }
+        std::vector<Chart> charts{
+            chart_over_time(scored.samples, "Force", "Force (mN)", &LessonSample::force_mn),
+            chart_over_time(scored.samples, "Largest stretch", "Stretch", &LessonSample::stretch)};
+        if (lesson.scene.tear)
+            charts.push_back(chart_over_time(scored.samples, "Bleeding", "Bleeding (g/s)",
+                                             &LessonSample::leak_g_s));
+        std::string table;
+        for (const Chart& chart : charts) {
+            const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
+            draw(chart, events_of(scored.standing), folder / name);
+            parts.plots.emplace_back(name, chart.title);
+            table += to_csv(chart);
+        }
+        write_text_atomically(folder / "plots.csv", table);
+        write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
+        fs::copy_file(request.recording, folder / "recording.hrec");
+        page_of(parts, 0).write(folder / "report.html");
+        constexpr int width_on_paper_px = 620;
+        print_pdf(page_of(parts, width_on_paper_px).text(), folder, folder / "report.pdf");
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            written.files.push_back(request.out / entry.path().filename());
+    });
+    return written;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a play: what was asked and reached, the metrics, pictures, plots over time, the
+// limits, and the recording itself, as HTML, PDF and tables in one folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+
+namespace hepatica {
+
+struct ReportRequest {
+    std::filesystem::path recording;
+    std::filesystem::path out;  // a folder; others' files in it stay
+    std::string lesson;         // file or name; empty: the built-in one that was played, or none
+    std::string name;           // of the trainee; empty: not said
+    std::filesystem::path patient;  // a case; empty: see recorded_patient()
+};
+
+struct WrittenReport {
+    bool passed = false;
+    std::vector<std::filesystem::path> files;  // that stand in the folder now
+};
+
+// Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, all of them
+// or none. Needs a QApplication, and no display. Throws InputError, Cancelled.
+WrittenReport write_report(const ReportRequest& request, Job& job);
+
+}  // namespace hepatica
