@@ -6,17 +6,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
-#include <QStandardPaths>
 #include <clocale>
 #include <cstdio>
 
 #include "app/process_clock.h"
-#include "app/program_identity.h"
 #include "app/report/report_main.h"
+#include "app/users_cache.h"
 #include "core/patient/patient_case.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
-#include "ui/paths.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
 
@@ -65,12 +63,6 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
         std::printf("%s\n", QJsonDocument(report).toJson(QJsonDocument::Compact).constData());
     }
     std::fflush(stdout);
-}
-
-hepatica::BuiltInCache users_cache() {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-    if (folder.isEmpty()) return {};
-    return {hepatica::to_path(folder), hepatica::program_identity()};
 }
 
 int refuse(const QString& problem) {

@@ -28,7 +28,7 @@ std::vector<fs::path> cases_beside(const fs::path& file) {
 }  // namespace
 
 PatientCase recorded_patient(const Recording& recording, const fs::path& file,
-                             const fs::path& given, bool built_in, Job& job) {
+                             const fs::path& given, const BuiltInCache* built_in, Job& job) {
     if (!given.empty()) return read_case_without_voxels(given);
     for (const fs::path& folder : cases_beside(file)) {
         job.throw_if_cancelled();
@@ -39,9 +39,10 @@ PatientCase recorded_patient(const Recording& recording, const fs::path& file,
             spdlog::warn("{} is passed over: {}", folder.string(), error.problem());
         }
     }
-    if (built_in) {
+    if (built_in != nullptr) {
         OpenRequest request;
         request.built_in = true;
+        request.cache = *built_in;
         const OpenedPatient opened = open_patient(request, job);
         if (hash_of(*opened.patient) == recording.patient_hash) return *opened.patient;
     }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/job.h"
+#include "core/opening/built_in_cache.h"
 #include "core/patient/patient_case.h"
 #include "core/session/recording.h"
 
@@ -12,9 +13,10 @@ namespace hepatica {
 
 // The case `given`, or where that is empty the first beside the recording's file that has its
 // patient, or the built-in patient where it is that. Without voxels. Reading a case costs a second
-// at most; making the built-in patient, which is tried last and only where `built_in` says so,
-// some twenty. Throws InputError where none is it, Cancelled.
+// at most; making the built-in patient, which is tried last and only where `built_in` says
+// where it may be kept, some twenty. Throws InputError where none is it, Cancelled.
 PatientCase recorded_patient(const Recording& recording, const std::filesystem::path& file,
-                             const std::filesystem::path& given, bool built_in, Job& job);
+                             const std::filesystem::path& given, const BuiltInCache* built_in,
+                             Job& job);
 
 }  // namespace hepatica

@@ -18,6 +18,7 @@
 #include "render/crosshair_actor.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
+#include "render/mark_actors.h"
 #include "render/orientation_marker.h"
 #include "render/palette.h"
 #include "render/tool_actor.h"
@@ -91,6 +92,7 @@ struct SceneView::Parts {
     CrosshairActor crosshair;
     ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
+    MarkActors marks{*renderer};
     Annotations annotations;
     OrientationMarker orientation;
     DrugView drug;
@@ -158,6 +160,7 @@ void SceneView::render(double pixel_ratio) {
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
+        parts_->marks.set_scale(per_pixel * pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
     }
     parts_->bridges.set_pixel_ratio(pixel_ratio);
@@ -189,6 +192,10 @@ void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
 
 bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
     return parts_->crosshair.show(position_mm);
+}
+
+bool SceneView::set_marks(const std::vector<Vec3>& places_mm) {
+    return parts_->marks.update(places_mm);
 }
 
 void SceneView::set_bridges(std::vector<BridgeView> bridges) {

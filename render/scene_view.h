@@ -73,6 +73,8 @@ class SceneView {
     void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);
     // Where slices of the CT cross; none removes it. True if the picture is another now.
     bool set_crosshair(const std::optional<Vec3>& position_mm);
+    // Places to be found, as a lesson's; true if the picture is another now.
+    bool set_marks(const std::vector<Vec3>& places_mm);
     // Gaps that might be bridged; drawn as dashed lines.
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it

@@ -26,8 +26,10 @@
 #include "ui/edit_panel.h"
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/paths.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/quality_panel.h"
@@ -181,6 +183,7 @@ void MainWindow::build_panels() {
     addDockWidget(Qt::BottomDockWidgetArea, curves_);
     curves_->hide();
     build_branches();
+    build_lessons();
 }
 
 void MainWindow::build_branches() {
@@ -198,6 +201,25 @@ void MainWindow::build_branches() {
     branches_ = new BranchDock(std::move(callbacks), this);
     addDockWidget(Qt::BottomDockWidgetArea, branches_);
     branches_->hide();
+}
+
+void MainWindow::build_lessons() {
+    LessonDock::Ways ways;
+    ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
+    ways.open_built_in = [this] { open(OpenRequest{true, {}}); };
+    ways.open_case = [this](const QString& folder) { open(folder); };
+    ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
+        fail(doing, failure_of(error));
+    };
+    ways.report = [this](const std::filesystem::path& recording, const std::string& lesson) {
+        write_report(recording, lesson);
+    };
+    lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
+    addDockWidget(Qt::LeftDockWidgetArea, lessons_);
+    auto* menu = new QMenu("&Lesson", this);
+    lessons_->fill(*menu);
+    menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
 }
 
 void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questions) {

@@ -25,6 +25,7 @@ class CurvesDock;
 class DialKeeper;
 class EditPanel;
 class InjectPanel;
+class LessonDock;
 class MessageBar;
 class MessageLog;
 class ProgressStrip;
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
     ViewLayout& view_layout() { return *view_layout_; }
     MessageBar& messages() { return *messages_; }
     MessageLog& log() { return *log_; }
+    LessonDock& lessons() { return *lessons_; }
     Actions& actions() { return *actions_; }
 
     // Writes what the view shows. Throws InputError where the file cannot be written.
@@ -86,6 +88,7 @@ class MainWindow : public QMainWindow {
     void connect_tools();
     void connect_views();
     void build_slices(QWidget* parent);
+    void build_lessons();
 
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
@@ -123,6 +126,10 @@ class MainWindow : public QMainWindow {
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
     void take_tool(const std::string& kind);
+    // In place of the simulation that runs; null: one of free play.
+    void use(std::unique_ptr<Simulation> simulation);
+    // By a process of its own, so that the window goes on (main_window_files.cpp).
+    void write_report(const std::filesystem::path& recording, const std::string& lesson);
 
     Settings& settings_;
     std::unique_ptr<Actions> actions_;
@@ -138,6 +145,7 @@ class MainWindow : public QMainWindow {
     ToolPanel* tool_panel_ = nullptr;
     CurvesDock* curves_ = nullptr;
     BranchDock* branches_ = nullptr;
+    LessonDock* lessons_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way

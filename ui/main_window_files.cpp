@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QProcess>
 #include <QStatusBar>
 #include <QTimer>
 
@@ -106,6 +107,32 @@ void MainWindow::save_branches(const std::string& csv) {
                                      settings_.last_folder() + "/branches.csv", "Tables (*.csv)");
     if (!file.isEmpty())
         attempt("Save branches", [&] { write_text_atomically(to_path(file), csv); });
+}
+
+void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, "Folder for the report", settings_.last_folder());
+    if (folder.isEmpty()) return;
+    QStringList arguments{"--report", to_text(recording), "--out",
+                          folder,     "--lesson",         QString::fromStdString(lesson)};
+    const std::filesystem::path& patient = workspace().folder();
+    if (!patient.empty() && !workspace().dirty()) arguments << "--patient" << to_text(patient);
+    auto* process = new QProcess(this);
+    connect(process, &QProcess::finished, this, [this, process, folder](int code) {
+        if (code == 0)
+            messages_->show_notice("The report is in " + folder);
+        else
+            fail("Write the report",
+                 {QString::fromUtf8(process->readAllStandardError()).trimmed().toStdString(),
+                  folder.toStdString(), "Choose another folder"});
+        process->deleteLater();
+    });
+    connect(process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart)
+            fail("Write the report", {"the program could not be started again", "", ""});
+    });
+    statusBar()->showMessage("Writing the report…", 6000);
+    process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 
 void MainWindow::ask_for_ct(bool folder) {

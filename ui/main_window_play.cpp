@@ -11,6 +11,7 @@
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
 #include "ui/inject_panel.h"
+#include "ui/lesson_dock.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -46,6 +47,27 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     if (!corrected) show_warnings();
+    lessons_->patient_shown(patient_->title == built_in_title);
+}
+
+void MainWindow::use(std::unique_ptr<Simulation> simulation) {
+    if (!patient_) return;
+    const bool free = simulation == nullptr;
+    if (free) {
+        Job job;
+        simulation = play(patient_->patient, job).simulation;
+    }
+    patient_->simulation = std::move(simulation);
+    curves_->clear();
+    hovered_vertex_ = -1;
+    if (free) {  // a lesson has settings of its own
+        quality_->post_choices();
+        inject_->post_choices();
+    }
+    view_->mouse().hand().begin_again();
+    tool_panel_->forget_tear();
+    (*actions_)[ActionId::pull_mode].trigger();
+    follow_simulation();
 }
 
 void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches) {
@@ -94,7 +116,9 @@ void MainWindow::show_newest_frame() {
     }
     frame_waits_ = false;  // first: what comes from here on is told of again
     if (!patient_ || !patient_->simulation->update_frame()) return;
+    const bool marks_moved = view_->scene().set_marks(lessons_->marks_in(frame()));
     view_->show_frame(frame());
+    if (marks_moved) view_->draw_again();
     follow(frame());
     show_figures_soon();
 }
@@ -124,6 +148,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_tear(frame.tear);
     curves_->follow_tear(frame);
+    lessons_->show_figures();
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     show_message_of(frame.statistics);

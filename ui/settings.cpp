@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 namespace hepatica {
 namespace {
@@ -82,6 +83,13 @@ void Settings::remember_image(const std::string& sha256, const QString& path) {
     if (store_ && !sha256.empty())
         store_->setValue(images_key + QString::fromStdString(sha256),
                          QDir::cleanPath(QFileInfo(path).absoluteFilePath()));
+}
+
+QString Settings::recordings_folder() const {
+    if (!store_) return QDir::tempPath() + "/hepatica-recordings";
+    if (store_->format() == QSettings::IniFormat)  // a file of its own
+        return QFileInfo(store_->fileName()).absolutePath() + "/recordings";
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recordings";
 }
 
 QString Settings::last_folder() const {

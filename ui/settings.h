@@ -37,6 +37,9 @@ class Settings {
     QString place_of_image(const std::string& sha256) const;
     void remember_image(const std::string& sha256, const QString& path);
 
+    // Where plays of lessons are kept: with the user's data, in safe mode with what is temporary.
+    QString recordings_folder() const;
+
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 

@@ -229,7 +229,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const Lesson lesson = played.value_or(free_play(recording));
     job.begin_stage("Reading the case");
     const auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, request.recording, request.patient, true, job));
+        recorded_patient(recording, request.recording, request.patient, &request.cache, job));
     Moments moments;
     std::optional<LessonRun> places;
     places.emplace(lesson, patient);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/opening/built_in_cache.h"
 
 namespace hepatica {
 
@@ -17,6 +18,7 @@ struct ReportRequest {
     std::string lesson;         // file or name; empty: the built-in one that was played, or none
     std::string name;           // of the trainee; empty: not said
     std::filesystem::path patient;  // a case; empty: see recorded_patient()
+    BuiltInCache cache;             // of the built-in patient
 };
 
 struct WrittenReport {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "app/report/lesson_report.h"
+#include "app/users_cache.h"
 #include "core/base/error.h"
 #include "ui/paths.h"
 #include "ui/theme.h"
@@ -74,7 +75,8 @@ int report_main(int argc, char** argv) {
                             .out = to_path(parser.value("out")),
                             .lesson = parser.value("lesson").toStdString(),
                             .name = parser.value("name").toStdString(),
-                            .patient = to_path(parser.value("patient"))},
+                            .patient = to_path(parser.value("patient")),
+                            .cache = users_cache()},
                            job),
               parser.isSet("json"));
     } catch (const InputError& error) {

@@ -40,8 +40,10 @@ Json run(const Options& options, Job& job) {
     const Recording recording = read_recording(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     job.begin_stage("Reading the case");
-    const auto patient = std::make_shared<const PatientCase>(recorded_patient(
-        recording, options.recording, case_of(lesson, options), lesson.patient == "built-in", job));
+    const BuiltInCache no_cache;
+    const auto patient = std::make_shared<const PatientCase>(
+        recorded_patient(recording, options.recording, case_of(lesson, options),
+                         lesson.patient == "built-in" ? &no_cache : nullptr, job));
     const Score scored =
         score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);
     if (!options.csv.empty()) write_text_atomically(options.csv, to_csv(scored.standing.metrics));

@@ -31,7 +31,7 @@ Json run(const Options& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, options.file, options.patient, false, job));
+        recorded_patient(recording, options.file, options.patient, nullptr, job));
     const ReplayResult result = replay(recording, patient, job, options.from_step,
                                        choose_back_end(recording.back_end).back_end);
     if (options.verify && result.diverged_at)

@@ -126,7 +126,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     } else {
         opened = reconstructed(request.reconstruct, job);
     }
-    opened.title = request.built_in ? "Built-in patient" : name_of(path);
+    opened.title = request.built_in ? built_in_title : name_of(path);
     return opened;
 }
 

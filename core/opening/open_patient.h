@@ -22,6 +22,9 @@ struct OpenRequest {
     BuiltInCache cache{};            // keeps the built-in patient from one start to the next
 };
 
+// What the built-in patient is called.
+inline constexpr const char* built_in_title = "Built-in patient";
+
 // The same with every path absolute, so that it means the same from every working folder.
 OpenRequest with_absolute_paths(OpenRequest request);
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_dock.h"
+
+#include <QDateTime>
+#include <QFileDialog>
+#include <QMenu>
+#include <QScrollArea>
+#include <exception>
+#include <utility>
+
+#include "core/lesson/lesson_file.h"
+#include "ui/lesson_panel.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
+    : QDockWidget("Lesson", parent),
+      ways_(std::move(ways)),
+      recordings_(std::move(recordings)),
+      panel_(new LessonPanel({[this] { begin(); }, [this] { leave(); },
+                              [this] {
+                                  if (watch_) ways_.report(watch_->recording(), name_);
+                              }})) {
+    setObjectName("Lesson");
+    setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(290);
+    scroll->setWidget(panel_);
+    setWidget(scroll);
+    hide();
+}
+
+LessonDock::~LessonDock() = default;
+
+void LessonDock::fill(QMenu& menu) {
+    int number = 0;
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        const QString name = QString::fromStdString(find_lesson(entry.id).name);
+        QAction* action = menu.addAction(QString("&%1  %2").arg(++number).arg(name));
+        action->setObjectName(entry.id);
+        connect(action, &QAction::triggered, this, [this, id = entry.id] { start(id); });
+    }
+    menu.addSeparator();
+    connect(menu.addAction("&Open lesson…"), &QAction::triggered, this,
+            [this] { ask_for_lesson(); });
+}
+
+void LessonDock::ask_for_lesson() {
+    const QString file =
+        QFileDialog::getOpenFileName(parentWidget(), "Open lesson", {}, "Lessons (*.json)");
+    if (!file.isEmpty()) start(to_path(file).string());
+}
+
+void LessonDock::start(const std::string& name) {
+    try {
+        lesson_ = find_lesson(name);
+    } catch (...) {
+        return ways_.failed("Open lesson", std::current_exception());
+    }
+    name_ = name;
+    const bool any = lesson_->patient == "any";
+    if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
+        return begin();
+    waits_ = true;
+    if (any || lesson_->patient == "built-in") return ways_.open_built_in();
+    ways_.open_case(to_text(fs::path(name).parent_path() / lesson_->patient));
+}
+
+void LessonDock::patient_shown(bool built_in) {
+    built_in_shown_ = built_in;
+    watch_.reset();
+    if (std::exchange(waits_, false)) return begin();
+    hide();
+}
+
+fs::path LessonDock::next_recording() const {
+    fs::create_directories(recordings_);
+    const QString now = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss-zzz");
+    return recordings_ / (fs::path(name_).stem().string() + "-" + now.toStdString() + ".hrec");
+}
+
+void LessonDock::begin() {
+    const std::shared_ptr<const PatientCase> patient = ways_.patient();
+    if (!lesson_ || patient == nullptr) return;
+    try {
+        Job job;
+        LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
+        watch_ = std::move(play.watch);
+        ways_.use(std::move(play.simulation));
+    } catch (...) {
+        return ways_.failed("Begin the lesson", std::current_exception());
+    }
+    panel_->begin(*lesson_);
+    show_figures();
+    show();
+    raise();
+}
+
+void LessonDock::leave() {
+    watch_.reset();
+    lesson_.reset();
+    hide();
+    ways_.use(nullptr);
+}
+
+void LessonDock::show_figures() {
+    if (watch_) panel_->show_standing(watch_->standing());
+}
+
+std::vector<Vec3> LessonDock::marks_in(const Frame& frame) const {
+    return watch_ ? watch_->marks_in(frame) : std::vector<Vec3>();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lessons in the window: their menu, the one that is being played with its panel, and its end. The
+// window lends a patient and takes the simulation.
+#pragma once
+
+#include <QDockWidget>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/patient/patient_case.h"
+#include "ui/lesson_play.h"
+
+class QMenu;
+
+namespace hepatica {
+
+class LessonPanel;
+
+class LessonDock : public QDockWidget {
+  public:
+    struct Ways {
+        // The patient that is shown; null: none.
+        std::function<std::shared_ptr<const PatientCase>()> patient;
+        std::function<void()> open_built_in;  // shows it some time later, see patient_shown()
+        std::function<void(const QString& case_folder)> open_case;  // likewise
+        // In place of the one that runs; null: that of free play.
+        std::function<void(std::unique_ptr<Simulation>)> use;
+        std::function<void(const std::string& doing, const std::exception_ptr& error)> failed;
+        // Asks where to, and writes the report of a recording there.
+        std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
+            report;
+    };
+
+    LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
+    ~LessonDock() override;
+
+    // The lessons that come with the program, and "Open lesson...".
+    void fill(QMenu& menu);
+    // Begins on the patient that is shown, or opens the lesson's own first.
+    void start(const std::string& name);
+    // There is another patient now: a lesson that waited for one begins, one that ran is over.
+    void patient_shown(bool built_in);
+    bool playing() const { return watch_ != nullptr; }
+    // At every figure's turn: how the lesson stands.
+    void show_figures();
+    // Where the marks are in a frame; none where no lesson is played.
+    std::vector<Vec3> marks_in(const Frame& frame) const;
+
+  private:
+    void ask_for_lesson();
+    void begin();
+    void leave();
+    std::filesystem::path next_recording() const;
+
+    Ways ways_;
+    std::filesystem::path recordings_;  // folder
+    LessonPanel* panel_;
+    std::string name_;  // of the lesson: an id or a file
+    std::optional<Lesson> lesson_;
+    bool waits_ = false;  // for its patient
+    bool built_in_shown_ = false;
+    std::shared_ptr<LessonWatch> watch_;
+};
+
+}  // namespace hepatica

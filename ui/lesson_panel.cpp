@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace hepatica {
+namespace {
+
+QLabel* add_label(QVBoxLayout& column, const char* name) {
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    column.addWidget(label);
+    return label;
+}
+
+QPushButton* add_button(QHBoxLayout& row, const QString& text, const char* name,
+                        const std::function<void()>& run) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    QObject::connect(button, &QPushButton::clicked, button, [run] { run(); });
+    row.addWidget(button);
+    return button;
+}
+
+// A row of a table: a mark that colour alone need not tell, the bound, and how it stands.
+QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, const char* kept,
+               const char* broken) {
+    const bool known = !std::isnan(bound.value);
+    const QString now =
+        known ? QString::fromStdString(to_words(bound.predicate.quantity, bound.value)) : "";
+    return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
+        .arg(QString::fromUtf8(bound.kept ? kept : broken),
+             QString::fromStdString(to_words(bound.predicate, marks)).toHtmlEscaped(),
+             now.toHtmlEscaped());
+}
+
+QString table_of(const QString& title, const std::vector<BoundStanding>& bounds,
+                 const std::vector<std::string>& marks, const char* kept, const char* broken) {
+    if (bounds.empty()) return "";
+    QString html = "<p style='margin:0'>" + title + "</p><table width='100%'>";
+    for (const BoundStanding& bound : bounds) html += row_of(bound, marks, kept, broken);
+    return html + "</table>";
+}
+
+}  // namespace
+
+LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(8);
+    title_ = add_label(*column, "lessonTitle");
+    about_ = add_label(*column, "quiet");
+    step_ = add_label(*column, "lessonStep");
+    goal_ = add_label(*column, "lessonGoal");
+    hold_ = new QProgressBar;
+    hold_->setObjectName("lessonHold");
+    hold_->setTextVisible(false);
+    hold_->setRange(0, 100);
+    hold_->setAccessibleName("How long the goal has been held");
+    column->addWidget(hold_);
+    hint_ = add_label(*column, "lessonHint");
+    auto* first_row = new QHBoxLayout;
+    hint_button_ = add_button(*first_row, "&Hint", "lessonHintButton", [this] {
+        hinted_step_ = shown_step_;
+        hint_->setVisible(true);
+        hint_button_->setEnabled(false);
+    });
+    column->addLayout(first_row);
+    limits_ = add_label(*column, "lessonLimits");
+    end_ = add_label(*column, "lessonEnd");
+    report_ = new QPushButton("Write a &report…");
+    report_->setObjectName("lessonReport");
+    connect(report_, &QPushButton::clicked, this, [run = ways.report] { run(); });
+    column->addWidget(report_);
+    auto* last_row = new QHBoxLayout;
+    add_button(*last_row, "&Begin again", "lessonAgain", ways.again);
+    add_button(*last_row, "&Leave", "lessonLeave", ways.leave);
+    column->addLayout(last_row);
+    column->addStretch(1);
+}
+
+void LessonPanel::begin(const Lesson& lesson) {
+    lesson_ = lesson;
+    hinted_step_ = static_cast<std::size_t>(-1);
+    title_->setText("<b>" + QString::fromStdString(lesson.name).toHtmlEscaped() + "</b>");
+    about_->setText(QString::fromStdString(lesson.about));
+    about_->setVisible(!lesson.about.empty());
+}
+
+void LessonPanel::show_standing(const LessonStanding& standing) {
+    const bool running = standing.outcome == LessonOutcome::running;
+    for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
+        widget->setVisible(running);
+    end_->setVisible(!running);
+    report_->setVisible(!running);
+    limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), "✓", "✗"));
+    if (running)
+        show_step(standing);
+    else
+        show_end(standing);
+}
+
+void LessonPanel::show_step(const LessonStanding& standing) {
+    shown_step_ = standing.step;
+    const LessonStep& step = lesson_.steps[standing.step];
+    step_->setText(QString("Step %1 of %2: %3")
+                       .arg(standing.step + 1)
+                       .arg(lesson_.steps.size())
+                       .arg(QString::fromStdString(step.text)));
+    goal_->setText(table_of("Goal", standing.goal, lesson_.mark_names(), "●", "○"));
+    hold_->setVisible(step.hold_s > 0.0);
+    const double held_s = standing.steps[standing.step].held_s;
+    if (step.hold_s > 0.0)
+        hold_->setValue(static_cast<int>(100.0 * std::min(1.0, held_s / step.hold_s)));
+    hint_->setText(QString::fromStdString(step.hint));
+    const bool open = hinted_step_ == standing.step;
+    hint_->setVisible(open && !step.hint.empty());
+    hint_button_->setEnabled(!open && !step.hint.empty());
+}
+
+void LessonPanel::show_end(const LessonStanding& standing) {
+    hint_->hide();
+    const bool passed = standing.outcome == LessonOutcome::passed;
+    QString html = passed ? "<p><b>✓ Passed</b></p>" : "<p><b>✗ Not passed</b></p>";
+    for (const std::string& reason : standing.reasons)
+        html += "<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>";
+    html += table_of("Pass marks", standing.pass, lesson_.mark_names(), "✓", "✗");
+    const LessonMetrics& metrics = standing.metrics;
+    html +=
+        QString("<p>%1, path %2, peak force %3</p>")
+            .arg(QString::fromStdString(to_words(Quantity::time_s, metrics.time_s)),
+                 QString::fromStdString(to_words(Quantity::path_mm, metrics.path_mm)),
+                 QString::fromStdString(to_words(Quantity::peak_force_mn, metrics.peak_force_mn)));
+    end_->setText(html);
+}
+
+}  // namespace hepatica

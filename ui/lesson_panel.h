@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a trainee sees of a lesson: the present step, how its goal and the limits stand, a hint on
+// demand, and in the end whether it is passed, with the way to a report.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "core/lesson/lesson_run.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace hepatica {
+
+class LessonPanel : public QWidget {
+  public:
+    struct Ways {
+        std::function<void()> again;   // from the beginning
+        std::function<void()> leave;   // back to free play
+        std::function<void()> report;  // of the attempt
+    };
+
+    explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
+
+    // From here on this lesson is shown.
+    void begin(const Lesson& lesson);
+    void show_standing(const LessonStanding& standing);
+
+  private:
+    void show_step(const LessonStanding& standing);
+    void show_end(const LessonStanding& standing);
+
+    Lesson lesson_;
+    std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // whose hint is open
+    std::size_t shown_step_ = 0;
+    QLabel* title_;
+    QLabel* about_;
+    QLabel* step_;
+    QLabel* goal_;
+    QProgressBar* hold_;
+    QLabel* hint_;
+    QPushButton* hint_button_;
+    QLabel* limits_;
+    QLabel* end_;
+    QPushButton* report_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_play.h"
+
+#include <utility>
+
+#include "core/session/session.h"
+#include "ui/simulation_thread.h"
+
+namespace hepatica {
+
+LessonWatch::LessonWatch(Lesson lesson, std::shared_ptr<const PatientCase> patient,
+                         std::filesystem::path recording)
+    : run_(std::move(lesson), std::move(patient)),
+      recording_(std::move(recording)),
+      standing_(run_.standing()) {}
+
+LessonStanding LessonWatch::standing() const {
+    const std::scoped_lock lock(mutex_);
+    return standing_;
+}
+
+void LessonWatch::see(const std::vector<Command>& commands, const Frame& frame) {
+    if (run_.standing().outcome != LessonOutcome::running) return;
+    run_.see(commands, frame);
+    const std::scoped_lock lock(mutex_);
+    standing_ = run_.standing();
+}
+
+// What follows the end of the attempt is no part of it: from then on the recording is whole on
+// disk.
+void LessonWatch::keep(RecordedStep step) {
+    if (writer_ == nullptr) return;
+    writer_->append(std::move(step));
+    if (run_.standing().outcome == LessonOutcome::running) return;
+    writer_->close();
+    writer_.reset();
+}
+
+LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
+                             const std::filesystem::path& recording, Job& job) {
+    LessonPlay play;
+    play.watch = std::make_shared<LessonWatch>(lesson, patient, recording);
+    auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job);
+    play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
+    session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
+    session->watch([watch = play.watch](const std::vector<Command>& commands, const Frame& frame) {
+        watch->see(commands, frame);
+    });
+    for (const Command& command : play.watch->run_.setup()) session->post(command);
+    if (lesson.scene.deform) session->post(SetAutomaticQuality{true});
+    play.simulation = std::make_unique<SimulationThread>(std::move(session));
+    return play;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson being played: a session of the lesson's scene on a thread of its own, watched by a
+// LessonRun and recorded. No toolkit.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/lesson/lesson_run.h"
+#include "core/session/recording_file.h"
+#include "ui/simulation.h"
+
+namespace hepatica {
+
+// Shared by the thread that steps and the one that shows.
+class LessonWatch {
+  public:
+    LessonWatch(Lesson lesson, std::shared_ptr<const PatientCase> patient,
+                std::filesystem::path recording);
+
+    const Lesson& lesson() const { return run_.lesson(); }
+    const std::filesystem::path& recording() const { return recording_; }
+    // As of the newest step. Any thread.
+    LessonStanding standing() const;
+    // Where the lesson's marks are in a frame. Any thread.
+    std::vector<Vec3> marks_in(const Frame& frame) const { return run_.marks_in(frame); }
+
+  private:
+    friend struct LessonPlay;
+    void see(const std::vector<Command>& commands, const Frame& frame);
+    void keep(RecordedStep step);
+
+    LessonRun run_;  // of the thread that steps, but for what never changes
+    std::filesystem::path recording_;
+    std::unique_ptr<RecordingWriter> writer_;
+    mutable std::mutex mutex_;  // guards standing_
+    LessonStanding standing_;
+};
+
+struct LessonPlay {
+    std::shared_ptr<LessonWatch> watch;
+    std::unique_ptr<Simulation> simulation;  // running
+
+    // Builds the scene and begins. The recording is written to this file as the play goes, and is
+    // whole up to the last step once the simulation is gone. Throws InputError, Cancelled.
+    static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
+                            const std::filesystem::path& recording, Job& job);
+};
+
+}  // namespace hepatica
