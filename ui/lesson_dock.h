@@ -43,6 +43,9 @@ class LessonDock : public QDockWidget {
     // There is another patient now: a lesson that waited for one begins, one that ran is over.
     void patient_shown(bool built_in);
     bool playing() const { return watch_ != nullptr; }
+    // Of the lesson that is being played or has ended.
+    LessonStanding standing() const { return watch_->standing(); }
+    bool recorded() const { return watch_->recorded(); }
     // At every figure's turn: how the lesson stands.
     void show_figures();
     // Where the marks are in a frame; none where no lesson is played.

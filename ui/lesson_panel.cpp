@@ -131,7 +131,9 @@ void LessonPanel::show_end(const LessonStanding& standing) {
     QString html = passed ? "<p><b>✓ Passed</b></p>" : "<p><b>✗ Not passed</b></p>";
     for (const std::string& reason : standing.reasons)
         html += "<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>";
-    html += table_of("Pass marks", standing.pass, lesson_.mark_names(), "✓", "✗");
+    std::vector<BoundStanding> seen = standing.pass;  // only who reaches the end meets them
+    std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
+    html += table_of("Pass marks", seen, lesson_.mark_names(), "✓", "✗");
     const LessonMetrics& metrics = standing.metrics;
     html +=
         QString("<p>%1, path %2, peak force %3</p>")

@@ -34,6 +34,7 @@ void LessonWatch::keep(RecordedStep step) {
     if (run_.standing().outcome == LessonOutcome::running) return;
     writer_->close();
     writer_.reset();
+    recorded_ = true;
 }
 
 LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,

@@ -3,6 +3,7 @@
 // LessonRun and recorded. No toolkit.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -25,6 +26,8 @@ class LessonWatch {
     const std::filesystem::path& recording() const { return recording_; }
     // As of the newest step. Any thread.
     LessonStanding standing() const;
+    // The attempt has ended and its recording is whole on disk. Any thread.
+    bool recorded() const { return recorded_; }
     // Where the lesson's marks are in a frame. Any thread.
     std::vector<Vec3> marks_in(const Frame& frame) const { return run_.marks_in(frame); }
 
@@ -35,7 +38,8 @@ class LessonWatch {
 
     LessonRun run_;  // of the thread that steps, but for what never changes
     std::filesystem::path recording_;
-    std::unique_ptr<RecordingWriter> writer_;
+    std::unique_ptr<RecordingWriter> writer_;  // null once the recording is whole
+    std::atomic<bool> recorded_ = false;
     mutable std::mutex mutex_;  // guards standing_
     LessonStanding standing_;
 };

@@ -217,7 +217,7 @@ void MainWindow::build_lessons() {
     };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
-    auto* menu = new QMenu("&Lesson", this);
+    auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
 }

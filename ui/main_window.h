@@ -128,6 +128,7 @@ class MainWindow : public QMainWindow {
     void take_tool(const std::string& kind);
     // In place of the simulation that runs; null: one of free play.
     void use(std::unique_ptr<Simulation> simulation);
+    void match_anatomy();
     // By a process of its own, so that the window goes on (main_window_files.cpp).
     void write_report(const std::filesystem::path& recording, const std::string& lesson);
 

@@ -50,6 +50,16 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     lessons_->patient_shown(patient_->title == built_in_title);
 }
 
+// A scene in which nothing moves shows the surface's vertices, not the body's.
+void MainWindow::match_anatomy() {
+    const PatientCase& patient = *patient_->patient;
+    const bool moves = frame().positions_mm.size() == 3 * patient.mesh.vertices_mm.size();
+    Job job;
+    patient_->anatomy = SurfaceAnatomy(
+        patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
+    view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
+}
+
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     if (!patient_) return;
     const bool free = simulation == nullptr;
@@ -58,8 +68,12 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
         simulation = play(patient_->patient, job).simulation;
     }
     patient_->simulation = std::move(simulation);
+    patient_->simulation->update_frame();
+    match_anatomy();
     curves_->clear();
     hovered_vertex_ = -1;
+    view_->scene().set_highlight({});
+    view_->show_frame(frame());
     if (free) {  // a lesson has settings of its own
         quality_->post_choices();
         inject_->post_choices();

@@ -54,13 +54,14 @@ class Moments {
             list_.push_back({"Step " + std::to_string(standing.step) + " reached, after " +
                                  to_words(Quantity::time_s, last_s_),
                              frame});
+        if (standing.step > step_) step_s_ = last_s_;
         step_ = standing.step;
         end_ = Moment{"The end, after " + to_words(Quantity::time_s, last_s_), frame};
     }
     std::vector<Moment> list() const {
         std::vector<Moment> all = list_;
         if (peak_) all.push_back(*peak_);
-        if (end_) all.push_back(*end_);
+        if (end_ && step_s_ != last_s_) all.push_back(*end_);
         return all;
     }
 
@@ -68,7 +69,7 @@ class Moments {
     static constexpr std::size_t most = 8;
     std::vector<Moment> list_;
     std::optional<Moment> peak_, end_;
-    double peak_mn_ = 0.0, last_s_ = 0.0;
+    double peak_mn_ = 0.0, last_s_ = 0.0, step_s_ = -1.0;  // of the last step reached
     std::size_t step_ = 0;
 };
 
@@ -78,11 +79,11 @@ void save(const QImage& image, const fs::path& file) {
 }
 
 Chart chart_over_time(const std::vector<LessonSample>& samples, const std::string& title,
-                      const std::string& unit, double LessonSample::*value) {
+                      const std::string& unit, double (*value)(const LessonSample&)) {
     Chart chart{title, "Time (s)", unit, {Curve{title, {}, {}}}};
     for (const LessonSample& sample : samples) {
         chart.curves[0].x.push_back(sample.time_s);
-        chart.curves[0].y.push_back(sample.*value);
+        chart.curves[0].y.push_back(value(sample));
     }
     return chart;
 }
@@ -256,11 +257,13 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
             parts.pictures.emplace_back(name, moment.caption);
         }
         std::vector<Chart> charts{
-            chart_over_time(scored.samples, "Force", "Force (mN)", &LessonSample::force_mn),
-            chart_over_time(scored.samples, "Largest stretch", "Stretch", &LessonSample::stretch)};
+            chart_over_time(scored.samples, "Force", "Force (mN)",
+                            [](const LessonSample& s) { return s.force_mn; }),
+            chart_over_time(scored.samples, "Largest stretch beyond rest", "Stretch (%)",
+                            [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
         if (lesson.scene.tear)
             charts.push_back(chart_over_time(scored.samples, "Bleeding", "Bleeding (g/s)",
-                                             &LessonSample::leak_g_s));
+                                             [](const LessonSample& s) { return s.leak_g_s; }));
         std::string table;
         for (const Chart& chart : charts) {
             const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";

@@ -32,8 +32,7 @@ std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     for (const std::array<int, 3>& t : triangles)
         vertices.insert(vertices.end(), t.begin(), t.end());
     std::ranges::sort(vertices);
-    const auto doubles = std::ranges::unique(vertices);
-    vertices.erase(doubles.begin(), doubles.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
 }
 

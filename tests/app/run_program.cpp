@@ -32,7 +32,7 @@ std::string text_of(const fs::path& file) {
         setrlimit(RLIMIT_FSIZE, &limit);
     }
     std::vector<char*> argv;
-    std::string program = HEPATICA_CLI;
+    std::string program = limits.program.empty() ? HEPATICA_CLI : limits.program;
     argv.push_back(program.data());
     std::vector<std::string> copies = arguments;
     for (std::string& argument : copies) argv.push_back(argument.data());

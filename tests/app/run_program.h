@@ -17,6 +17,7 @@ struct Outcome {
 struct RunLimits {
     long file_bytes = -1;        // writes beyond it fail, as on a full disk
     std::string interrupt_at{};  // Ctrl-C as soon as this stands in the log
+    std::string program{};       // another one than hepatica-cli
 };
 
 Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limits = {});

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a play to its score and its report, by the programs themselves.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/app/tour.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::answer;
+using test::Json;
+using test::Outcome;
+using test::run_cli;
+
+std::string contents_of(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class LessonVerb : public test::Tour {
+  protected:
+    // A pull by 6 mm, and a lesson that asks for so much.
+    static void play(double least_mm) {
+        const std::string scene = R"({"name": "pull", "deform": {"quality": 0}})";
+        const std::string place = R"({"share_of_longest_path": 0.5})";
+        std::ofstream(path("play.json"))
+            << R"({"scene": )" + scene + R"(, "actions": [{"at_s": 0.1, "do": "grab", "where": )" +
+                   place + R"(}, {"at_s": 0.1, "do": "move", "by_mm": [6, 0, 0], "over_s": 0.3}]})";
+        std::ofstream(path("lesson.json"))
+            << R"({"format": "hepatica-lesson", "version": 1, "name": "Pull <gently>", "scene": )" +
+                   scene + R"(, "tools": ["pull"], "marks": {"it": )" + place +
+                   R"(}, "steps": [{"text": "Pull", "goal": [{"what": "moved_mm", "mark": "it", )" +
+                   R"("at_least": )" + std::to_string(least_mm) + "}]}]}";
+        answer({"simulate", path("p.hep"), "--script", path("play.json"), "--steps", "45",
+                "--record", path("play.hrec")});
+    }
+};
+
+TEST_F(LessonVerb, ScoresARecordingTwiceTheSame) {
+    play(3.0);
+    const std::vector<std::string> ask{"lesson",      path("lesson.json"),
+                                       "--recording", path("play.hrec"),
+                                       "--csv",       path("metrics.csv")};
+    const Json scored = answer(ask);
+    EXPECT_EQ(scored["passed"], true) << scored.dump(1);
+    EXPECT_GT(scored["metrics"]["peak_force_mn"], 0.0);
+    EXPECT_EQ(answer(ask), scored);
+    EXPECT_NE(contents_of(path("metrics.csv")).find("peak_force_mn,"), std::string::npos);
+}
+
+TEST_F(LessonVerb, SaysWhatWasNotReached) {
+    play(100.0);
+    const Json scored = answer({"lesson", path("lesson.json"), "--recording", path("play.hrec")});
+    EXPECT_EQ(scored["passed"], false);
+    EXPECT_EQ(scored["reasons"][0], "step 1 of 1 was not reached: Pull");
+}
+
+TEST_F(LessonVerb, RefusesALessonOfAnotherSceneAndOneThatIsNone) {
+    play(3.0);
+    const Outcome other = run_cli(
+        {"lesson", "embolization", "--recording", path("play.hrec"), "--patient", path("p.hep")});
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.errors.find("another scene"), std::string::npos) << other.errors;
+    const Outcome none = run_cli({"lesson", path("play.json"), "--recording", path("play.hrec")});
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_NE(none.errors.find("format"), std::string::npos) << none.errors;
+}
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+Outcome report(std::vector<std::string> arguments) {
+    return run_cli(arguments, {.program = HEPATICA_WINDOW_PROGRAM});
+}
+
+TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
+    play(3.0);
+    const Outcome run = report({"--report", path("play.hrec"), "--out", path("report"), "--lesson",
+                                path("lesson.json"), "--name", "Trainee 7", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(Json::parse(run.output)["passed"], true);
+    const std::string page = contents_of(path("report/report.html"));
+    for (const char* text : {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force",
+                             "picture_1.png", "plot_1.png"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
+    EXPECT_GT(fs::file_size(path("report/report.pdf")), 20'000u) << "it has pictures";
+    EXPECT_EQ(contents_of(path("report/recording.hrec")), contents_of(path("play.hrec")));
+    EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
+    for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
+        EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
+    const Outcome run = report({"--report", path("nothing.hrec"), "--out", path("no report")});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find("nothing.hrec"), std::string::npos) << run.errors;
+    EXPECT_FALSE(fs::exists(path("no report")));
+    EXPECT_EQ(report({"--report", path("nothing.hrec")}).exit_code, 2);
+}
+#endif
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson in the window: what the panel says, and a lesson from the menu to its recording, which
+// has the score that the window showed.
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QPushButton>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/score.h"
+#include "tests/session/small_patient.h"
+#include "tests/ui/window_test.h"
+#include "ui/lesson_dock.h"
+#include "ui/lesson_panel.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+using testing::wait_for;
+
+Lesson two_steps() {
+    Lesson lesson;
+    lesson.name = "A <name>";
+    lesson.steps = {{"Pull", "Gently", {{Quantity::force_mn, -1, true, 2.0}}, 4.0, {}},
+                    {"Let go", "", {{Quantity::force_mn, -1, false, 0.0}}, 0.0, {}}};
+    lesson.limits = {{Quantity::force_mn, -1, false, 10.0}};
+    return lesson;
+}
+
+class LessonPanelTest : public ::testing::Test {
+  protected:
+    LessonPanelTest()
+        : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; }}) {
+        panel_.begin(two_steps());
+        standing_.steps.resize(2);
+        standing_.goal = {{two_steps().steps[0].goal[0], 1.0, false}};
+        standing_.limits = {{two_steps().limits[0], 3.0, true}};
+    }
+    QString text(const char* name) { return panel_.findChild<QLabel*>(name)->text(); }
+    QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
+
+    int again_ = 0, left_ = 0, reports_ = 0;
+    LessonPanel panel_;
+    LessonStanding standing_;
+};
+
+TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
+    standing_.steps[0].held_s = 1.0;
+    panel_.show_standing(standing_);
+    EXPECT_EQ(text("lessonStep"), "Step 1 of 2: Pull");
+    EXPECT_TRUE(text("lessonGoal").contains("force at least 2 mN"));
+    EXPECT_TRUE(text("lessonGoal").contains("1 mN"));
+    EXPECT_TRUE(text("lessonLimits").contains("force at most 10 mN"));
+    EXPECT_TRUE(text("lessonTitle").contains("A &lt;name&gt;")) << "a name is no markup";
+    EXPECT_EQ(panel_.findChild<QProgressBar*>("lessonHold")->value(), 25);
+    EXPECT_TRUE(button("lessonReport")->isHidden());
+}
+
+TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
+    panel_.show_standing(standing_);
+    auto* hint = panel_.findChild<QLabel*>("lessonHint");
+    EXPECT_TRUE(hint->isHidden());
+    button("lessonHintButton")->click();
+    EXPECT_FALSE(hint->isHidden());
+    EXPECT_EQ(hint->text(), "Gently");
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(hint->isHidden()) << "of the step before";
+    EXPECT_FALSE(button("lessonHintButton")->isEnabled()) << "this step has none";
+}
+
+TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {"limit broken: force"};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("Not passed"));
+    EXPECT_TRUE(text("lessonEnd").contains("limit broken: force"));
+    EXPECT_FALSE(button("lessonReport")->isHidden());
+    button("lessonReport")->click();
+    button("lessonAgain")->click();
+    button("lessonLeave")->click();
+    EXPECT_EQ(std::tuple(again_, left_, reports_), std::tuple(1, 1, 1));
+    standing_.outcome = LessonOutcome::passed;
+    standing_.reasons.clear();
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("✓ Passed"));
+}
+
+// The small patient is whatever is opened.
+class LessonWindowTest : public testing::WindowTest {
+  protected:
+    LessonWindowTest()
+        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+                      [](const std::filesystem::path&, const PatientCase&) {}}) {}
+
+    std::string lesson_file(const std::string& goal) {
+        const std::string file = folder_.filePath("lesson.json").toStdString();
+        std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Take hold",
+            "scene": {"name": "take hold", "deform": {}}, "tools": ["pull"],
+            "marks": {"the mark": {"share_of_longest_path": 0.2}},
+            "steps": [{"text": "Take the vessel", "goal": [)"
+                            << goal << R"(]}, {"text": "Let it go",
+                 "goal": [{"what": "holding", "at_most": 0}]}]})";
+        return file;
+    }
+    QString shown(const char* name) { return window_.lessons().findChild<QLabel*>(name)->text(); }
+    std::filesystem::path only_recording() {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(to_path(folder_.filePath("recordings"))))
+            files.push_back(entry.path());
+        EXPECT_EQ(files.size(), 1u);
+        return files.front();
+    }
+};
+
+TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
+    QStringList names;
+    for (const QAction* menu : window_.menuBar()->actions())
+        if (menu->text() == "&Lesson")
+            for (const QAction* action : menu->menu()->actions()) names << action->objectName();
+    for (const BuiltInLesson& lesson : built_in_lessons())
+        EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
+    EXPECT_EQ(names.size(), 9) << "with a line and \"Open lesson\"";
+}
+
+TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {
+    const std::string file =
+        lesson_file(R"({"what": "distance_mm", "mark": "the mark", "at_most": 20})");
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    paint();
+    EXPECT_EQ(shown("lessonStep"), "Step 1 of 2: Take the vessel");
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    ASSERT_TRUE(wait_for([&] { return shown("lessonStep").startsWith("Step 2"); }));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    ASSERT_TRUE(wait_for([&] { return shown("lessonEnd").contains("Passed"); }));
+    const LessonStanding live = window_.lessons().standing();
+    const std::filesystem::path recording = only_recording();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    Job job;
+    const Lesson lesson = find_lesson(file);
+    const Score again = score(read_recording(recording), lesson, test::small_patient(), job);
+    EXPECT_EQ(to_json(again.standing, lesson).dump(), to_json(live, lesson).dump());
+    EXPECT_GT(live.metrics.time_s, 0.0);
+}
+
+TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {
+    window_.lessons().start(lesson_file(R"({"what": "time_s", "at_least": 1000})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_FALSE(window_.lessons().playing());
+    paint();
+    EXPECT_TRUE(window_.lessons().isHidden());
+}
+
+TEST_F(LessonWindowTest, a_lesson_that_cannot_be_read_is_said_above_the_view) {
+    window_.lessons().start(folder_.filePath("nothing.json").toStdString());
+    EXPECT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(window_.messages().text().contains("nothing.json"));
+}
+
+}  // namespace
+}  // namespace hepatica
