@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QScrollArea>
+#include <QTimer>
 #include <exception>
 #include <utility>
 
@@ -75,7 +76,8 @@ void LessonDock::start(const std::string& name) {
 void LessonDock::patient_shown(bool built_in) {
     built_in_shown_ = built_in;
     watch_.reset();
-    if (std::exchange(waits_, false)) return begin();
+    // Once what says that the patient is being opened has gone, which takes room.
+    if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
     hide();
 }
 
