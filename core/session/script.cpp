@@ -64,7 +64,7 @@ ScriptPlace place_of(const Json& action, const char* key = "where") {
 
 // The action's other keys are fields of the command. Fields that a script may leave out get their
 // defaults.
-Command command_of(const std::string& name, Json action, Command defaults) {
+Command command_of(const std::string& name, Json action, const Command& defaults) {
     Json json = to_json(defaults);
     for (const char* key : {"at_s", "do", "where"}) action.erase(key);
     json.update(action);

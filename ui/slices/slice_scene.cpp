@@ -27,11 +27,10 @@ std::string along(double mm, char positive, char negative) {
 
 }  // namespace
 
-void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems,
-                      std::shared_ptr<const PatientCase> patient) {
+void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
     ct_ = std::move(ct);
     systems_ = std::move(systems);
-    centrelines_ = centrelines_of(patient->tree);
+    centrelines_ = centrelines_of(tree);
     Vec3 middle = ct_->grid.to_mm(
         0.5 * Vec3(ct_->grid.dims[0] - 1, ct_->grid.dims[1] - 1, ct_->grid.dims[2] - 1));
     if (!centrelines_.empty()) {
@@ -43,8 +42,8 @@ void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems,
     set_crosshair(middle);
 }
 
-void SliceScene::show_tree(std::shared_ptr<const PatientCase> patient) {
-    centrelines_ = centrelines_of(patient->tree);
+void SliceScene::show_tree(const VesselTree& tree) {
+    centrelines_ = centrelines_of(tree);
     tell();
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/image/slice.h"
-#include "core/patient/patient_case.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
@@ -27,10 +27,9 @@ class SliceScene {
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
 
     // The crosshair comes to the middle of the tree.
-    void show(std::shared_ptr<const Volume> ct, Mask systems,
-              std::shared_ptr<const PatientCase> patient);
-    // The same CT with other corrections.
-    void show_tree(std::shared_ptr<const PatientCase> patient);
+    void show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree);
+    // The same CT with a corrected tree.
+    void show_tree(const VesselTree& tree);
     void clear();
 
     bool empty() const { return ct_ == nullptr; }

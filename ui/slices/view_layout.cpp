@@ -18,7 +18,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       keeper_(
           settings,
           {[this](std::shared_ptr<const Volume> ct, Mask systems) {
-               scene_.show(std::move(ct), std::move(systems), patient_);
+               scene_.show(std::move(ct), std::move(systems), patient_->tree);
                arrange();
            },
            [this](const JobProgress& now) { say(QString::fromStdString(now.stage) + "…", false); },
@@ -86,7 +86,7 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
 
 void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
-    if (!scene_.empty()) scene_.show_tree(patient_);
+    if (!scene_.empty()) scene_.show_tree(patient_->tree);
 }
 
 void ViewLayout::clear() {
