@@ -74,11 +74,8 @@ void HtmlReport::add_paragraph(const std::string& text) {
 }
 
 void HtmlReport::add_picture(const std::filesystem::path& file, const std::string& caption) {
-    const std::string width =
-        picture_width_px_ > 0 ? " width=\"" + std::to_string(picture_width_px_) + "\"" : "";
     body_ += "<figure><img src=\"" + escaped(file.generic_string()) + "\" alt=\"" +
-             escaped(caption) + "\"" + width + "><figcaption>" + escaped(caption) +
-             "</figcaption></figure>\n";
+             escaped(caption) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
 void HtmlReport::add_pictures(

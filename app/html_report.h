@@ -24,9 +24,6 @@ class HtmlReport {
     // An object becomes rows of key and value; an array of objects a table with a column per key.
     void add_table(const nlohmann::ordered_json& facts);
 
-    // Pictures that are added from here on; 0: as wide as they are, but no wider than the page.
-    void set_picture_width(int px) { picture_width_px_ = px; }
-
     std::string text() const;
     // Throws InputError where the page cannot be written.
     void write(const std::filesystem::path& file) const;
@@ -34,7 +31,6 @@ class HtmlReport {
   private:
     std::string title_;
     std::string body_;
-    int picture_width_px_ = 0;
 };
 
 }  // namespace hepatica

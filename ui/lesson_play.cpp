@@ -19,22 +19,23 @@ LessonStanding LessonWatch::standing() const {
     return standing_;
 }
 
-void LessonWatch::see(const std::vector<Command>& commands, const Frame& frame) {
-    if (run_.standing().outcome != LessonOutcome::running) return;
+bool LessonWatch::see(const std::vector<Command>& commands, const Frame& frame) {
     run_.see(commands, frame);
-    const std::scoped_lock lock(mutex_);
-    standing_ = run_.standing();
-}
-
-// What follows the end of the attempt is no part of it: from then on the recording is whole on
-// disk.
-void LessonWatch::keep(RecordedStep step) {
-    if (writer_ == nullptr) return;
-    writer_->append(std::move(step));
-    if (run_.standing().outcome == LessonOutcome::running) return;
+    const bool running = run_.standing().outcome == LessonOutcome::running;
+    {
+        const std::scoped_lock lock(mutex_);
+        standing_ = run_.standing();
+    }
+    if (running) return true;
+    // The step that ended the attempt was kept before it was seen; what follows is no part of it.
     writer_->close();
     writer_.reset();
     recorded_ = true;
+    return false;
+}
+
+void LessonWatch::keep(RecordedStep step) {
+    if (writer_ != nullptr) writer_->append(std::move(step));
 }
 
 LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
@@ -45,7 +46,7 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
     session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
     session->watch([watch = play.watch](const std::vector<Command>& commands, const Frame& frame) {
-        watch->see(commands, frame);
+        return watch->see(commands, frame);
     });
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});

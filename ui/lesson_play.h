@@ -33,7 +33,8 @@ class LessonWatch {
 
   private:
     friend struct LessonPlay;
-    void see(const std::vector<Command>& commands, const Frame& frame);
+    // Whether the attempt goes on after this step.
+    bool see(const std::vector<Command>& commands, const Frame& frame);
     void keep(RecordedStep step);
 
     LessonRun run_;  // of the thread that steps, but for what never changes

@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "ui/branch_dock.h"
 #include "ui/curves_dock.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -21,6 +22,7 @@
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/save_case_dialog.h"
+#include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
 
 namespace hepatica {
@@ -120,6 +122,7 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
     if (!patient.empty() && !workspace().dirty()) arguments << "--patient" << to_text(patient);
     auto* process = new QProcess(this);
     connect(process, &QProcess::finished, this, [this, process, folder](int code) {
+        statusBar()->clearMessage();
         if (code == 0)
             messages_->show_notice("The report is in " + folder);
         else
@@ -132,7 +135,7 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
         if (error == QProcess::FailedToStart)
             fail("Write the report", {"the program could not be started again", "", ""});
     });
-    statusBar()->showMessage("Writing the report…", 6000);
+    statusBar()->showMessage("Writing the report: the play is gone through once more…");
     process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 

@@ -4,7 +4,11 @@
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextFragment>
+#include <QTextImageFormat>
 #include <QUrl>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -170,12 +174,41 @@ Lesson free_play(const Recording& recording) {
     return lesson;
 }
 
+// As wide as the text on paper. Qt's text keeps room for a picture's own height otherwise, whatever
+// its width becomes.
+void fit_pictures(QTextDocument& document, const fs::path& folder) {
+    constexpr double width = 480.0;
+    struct Place {
+        int begin, end;
+        QTextImageFormat format;
+    };
+    std::vector<Place> places;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+            const QTextFragment fragment = piece.fragment();
+            if (fragment.charFormat().isImageFormat())
+                places.push_back({fragment.position(), fragment.position() + fragment.length(),
+                                  fragment.charFormat().toImageFormat()});
+        }
+    QTextCursor cursor(&document);
+    for (Place& place : places) {
+        const QImage picture(to_text(folder / to_path(place.format.name())));
+        place.format.setWidth(width);
+        place.format.setHeight(width * picture.height() / picture.width());
+        cursor.setPosition(place.begin);
+        cursor.setPosition(place.end, QTextCursor::KeepAnchor);
+        cursor.setCharFormat(place.format);
+    }
+}
+
 void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
     QTextDocument document;
     document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
     document.setMetaInformation(QTextDocument::DocumentUrl,
                                 QUrl::fromLocalFile(to_text(folder) + "/").toString());
+    document.setDefaultStyleSheet("td, th { padding: 2px 14px 2px 0px; }");
     document.setHtml(QString::fromStdString(html));
+    fit_pictures(document, folder);
     QPdfWriter writer(to_text(file));
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setResolution(150);
@@ -192,11 +225,10 @@ struct Parts {
     std::vector<std::pair<fs::path, std::string>> plots;
 };
 
-HtmlReport page_of(const Parts& parts, int picture_width_px) {
+HtmlReport page_of(const Parts& parts) {
     const LessonStanding& standing = parts.scored.standing;
     const std::vector<std::string> marks = parts.lesson.mark_names();
     HtmlReport page("Hepatica: " + parts.lesson.name);
-    page.set_picture_width(picture_width_px);
     if (!parts.request.name.empty()) page.add_paragraph("Played by " + parts.request.name + ".");
     if (!parts.free) {
         page.add_paragraph(standing.outcome == LessonOutcome::passed ? "PASSED." : "NOT PASSED.");
@@ -274,9 +306,9 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
         write_text_atomically(folder / "plots.csv", table);
         write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
         fs::copy_file(request.recording, folder / "recording.hrec");
-        page_of(parts, 0).write(folder / "report.html");
-        constexpr int width_on_paper_px = 620;
-        print_pdf(page_of(parts, width_on_paper_px).text(), folder, folder / "report.pdf");
+        const HtmlReport page = page_of(parts);
+        page.write(folder / "report.html");
+        print_pdf(page.text(), folder, folder / "report.pdf");
         for (const fs::directory_entry& entry : fs::directory_iterator(folder))
             written.files.push_back(request.out / entry.path().filename());
     });

@@ -85,7 +85,7 @@ void LessonRun::check_limits() {
         limit.kept = limit.predicate.holds(limit.value);
         if (!limit.kept)
             fail("limit broken: " + to_words(limit.predicate, marks) + ", but it was " +
-                 to_words(limit.predicate.quantity, limit.value));
+                 to_words_beside(limit.predicate, limit.value));
     }
 }
 

@@ -54,12 +54,24 @@ const QuantityWords& words_of(Quantity quantity) {
     return table[static_cast<std::size_t>(quantity)];
 }
 
-std::string to_words(Quantity quantity, double value) {
+std::string to_words(Quantity quantity, double value, int digits) {
     const QuantityWords& words = words_of(quantity);
     if (!std::isfinite(value)) return "none";
+    constexpr double unnoticed = 5e-4;  // in every unit; what rests still trembles by rounding
+    if (std::abs(value) < unnoticed) value = 0.0;
     char text[64];
-    std::snprintf(text, sizeof text, "%.4g%s%s", value, *words.unit ? " " : "", words.unit);
+    std::snprintf(text, sizeof text, "%.*g%s%s", digits, value, *words.unit ? " " : "", words.unit);
     return text;
+}
+
+std::string to_words_beside(const Predicate& predicate, double value) {
+    int digits = 4;
+    const auto same = [&] {
+        return to_words(predicate.quantity, value, digits) ==
+               to_words(predicate.quantity, predicate.bound, digits);
+    };
+    while (digits < 12 && same()) ++digits;
+    return to_words(predicate.quantity, value, digits);
 }
 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names) {

@@ -72,6 +72,8 @@ struct Predicate {
 // "force at most 600 mN", "distance of the tip to the first mark at most 5 mm".
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names);
 // "12.5 mN".
-std::string to_words(Quantity quantity, double value);
+std::string to_words(Quantity quantity, double value, int digits = 4);
+// With as many digits as it takes to be told apart from the bound that it broke.
+std::string to_words_beside(const Predicate& predicate, double value);
 
 }  // namespace hepatica

@@ -39,6 +39,7 @@ Score score(const Recording& recording, const Lesson& lesson,
                [&](const std::vector<Command>& commands, const Frame& frame) {
                    run.see(commands, frame);
                    if (see) see(frame, run.standing());
+                   return true;
                });
     if (result.diverged_at)
         throw InputError("diverged from the recording at step " +

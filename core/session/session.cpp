@@ -247,7 +247,7 @@ void Session::recover() {
 void Session::show_to_watch(const Frame& frame) {
     if (!watch_) return;
     try {
-        watch_(watched_, frame);
+        if (!watch_(watched_, frame)) watch_ = nullptr;
     } catch (...) {
         watch_ = nullptr;
         throw;

@@ -105,9 +105,9 @@ class Session {
     // Shows every step to `see`, on the thread that steps: the commands applied before it, as they
     // are recorded, and its frame before anybody else has it. Call it before the first step. A
     // session that is watched does not rest but where it is paused, because for whoever watches,
-    // time passes. Where `see` throws, it is not asked again and the session pauses as after any
-    // other error.
-    using Watch = std::function<void(const std::vector<Command>&, const Frame&)>;
+    // time passes. Where `see` returns false it has seen enough and is not asked again. Where it
+    // throws, likewise, and the session pauses as after any other error.
+    using Watch = std::function<bool(const std::vector<Command>&, const Frame&)>;
     void watch(Watch see) { watch_ = std::move(see); }
     // The beginning of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }

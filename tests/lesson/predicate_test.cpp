@@ -42,6 +42,9 @@ TEST(Predicate, SaysWhatItAsksFor) {
     EXPECT_EQ(to_words({Quantity::moved_mm, 0, true, 10.0}, marks),
               "way moved by the mark at least 10 mm");
     EXPECT_EQ(to_words(Quantity::contacts, 3.0), "3");
+    EXPECT_EQ(to_words(Quantity::moved_mm, 6.857e-7), "0 mm");
+    EXPECT_EQ(to_words_beside({Quantity::force_mn, -1, false, 600.0}, 600.04), "600.04 mN");
+    EXPECT_EQ(to_words_beside({Quantity::force_mn, -1, false, 600.0}, 712.449), "712.4 mN");
 }
 
 // Whatever can be asked for has a value, and its own one.

@@ -41,6 +41,7 @@ Played play(const Lesson& lesson, const Script& script, std::shared_ptr<const Pa
     played.recording = keep_recording(session);
     session.watch([&](const std::vector<Command>& commands, const Frame& frame) {
         run.see(commands, frame);
+        return true;
     });
     for (const Command& command : run.setup()) session.post(command);
     for (const auto& commands : schedule(script, patient->tree, lesson.scene.dt_s, steps)) {
@@ -105,15 +106,18 @@ TEST(Score, AWatchedSessionDoesNotRest) {
     Job job;
     Session session(small_patient(), small_lesson().scene, job);
     bool rested = false;
+    int seen = 0;
     session.watch([&](const std::vector<Command>&, const Frame& frame) {
         rested = rested || frame.statistics.resting;
+        return ++seen < 40;
     });
     for (int i = 0; i < 40; ++i) session.step();
     EXPECT_FALSE(rested);
-    session.watch({});
+    // It has seen enough, and what nobody watches rests.
     for (int i = 0; i < 40; ++i) session.step();
     session.update_frame();
     EXPECT_TRUE(session.frame().statistics.resting);
+    EXPECT_EQ(seen, 40);
 }
 
 TEST(Score, IsRefusedWhereThePlayWasAnother) {
