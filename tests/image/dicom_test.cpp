@@ -314,7 +314,7 @@ TEST(BadDicom, OfOtherKindsIsRefusedWithTheReason) {
     const DicomFolder mr;
     mr.edit_all(modality, "MR");
     EXPECT_NE(mr.refusal_of_folder().find("no CT series"), std::string::npos);
-    EXPECT_NE(mr.refusal_of_folder().find("(MR, 9 images, 1.5 mm apart)"), std::string::npos);
+    EXPECT_NE(mr.refusal_of_folder().find("(“MR”, 9 images, 1.5 mm apart)"), std::string::npos);
 
     const DicomFolder multi;
     for (int i = 2; i <= 9; ++i) fs::remove(multi.slice(i));
