@@ -174,10 +174,19 @@ Lesson free_play(const Recording& recording) {
     return lesson;
 }
 
+// Qt's text knows neither figures nor the padding of a style sheet's cells.
+QString in_plain_html(QString html) {
+    html.replace("<figure>", "<p>");
+    html.replace("<figcaption>", "<br>");
+    html.replace("</figcaption></figure>", "</p>");
+    html.replace("<table>", "<table cellpadding=\"4\">");
+    return html;
+}
+
 // As wide as the text on paper. Qt's text keeps room for a picture's own height otherwise, whatever
 // its width becomes.
 void fit_pictures(QTextDocument& document, const fs::path& folder) {
-    constexpr double width = 480.0;
+    constexpr double width = 600.0;
     struct Place {
         int begin, end;
         QTextImageFormat format;
@@ -206,8 +215,7 @@ void print_pdf(const std::string& html, const fs::path& folder, const fs::path& 
     document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
     document.setMetaInformation(QTextDocument::DocumentUrl,
                                 QUrl::fromLocalFile(to_text(folder) + "/").toString());
-    document.setDefaultStyleSheet("td, th { padding: 2px 14px 2px 0px; }");
-    document.setHtml(QString::fromStdString(html));
+    document.setHtml(in_plain_html(QString::fromStdString(html)));
     fit_pictures(document, folder);
     QPdfWriter writer(to_text(file));
     writer.setPageSize(QPageSize(QPageSize::A4));
