@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -174,8 +175,11 @@ Lesson free_play(const Recording& recording) {
     return lesson;
 }
 
-// Qt's text knows neither figures nor the padding of a style sheet's cells.
+// Qt's text knows neither figures nor the units of the page's style sheet.
 QString in_plain_html(QString html) {
+    static const QRegularExpression style_sheet("<style>.*</style>",
+                                                QRegularExpression::DotMatchesEverythingOption);
+    html.remove(style_sheet);
     html.replace("<figure>", "<p>");
     html.replace("<figcaption>", "<br>");
     html.replace("</figcaption></figure>", "</p>");
