@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/json_number.h"
+#include "core/base/json_problem.h"
 #include "core/base/sha256.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
@@ -96,7 +97,7 @@ CaseHeader read_case_header(const fs::path& folder) {
                                   std::to_string(present_version));
         return header_from(json, version);
     } catch (const Json::exception& error) {
-        refuse_case(file, std::string("is damaged (") + error.what() + ")");
+        refuse_case(file, json_problem(error));
     }
 }
 

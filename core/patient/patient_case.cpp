@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
 #include "core/image/volume_reader.h"
@@ -101,8 +102,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     try {
         read_corrections(folder, header, patient);
     } catch (const nlohmann::json::exception& error) {
-        refuse_case(folder / case_file::corrections,
-                    std::string("is damaged (") + error.what() + ")");
+        refuse_case(folder / case_file::corrections, json_problem(error));
     }
     if (with_voxels) read_all_voxels(folder, header, patient);
     patient.surface = read_vtp(folder / case_file::surface);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/json_problem.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -70,7 +71,7 @@ std::vector<QualityPoint> measured_points(const PatientCase& patient) {
         if (json.at("patient_hash") != to_hex(hash_of(patient))) return {};
         return points_from(json);
     } catch (const Json::exception& error) {
-        refuse(std::string("is damaged (") + error.what() + ")");
+        refuse(json_problem(error));
     }
 }
 

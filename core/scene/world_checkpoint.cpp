@@ -9,6 +9,7 @@
 #include "core/base/base64.h"
 #include "core/base/error.h"
 #include "core/base/json_number.h"
+#include "core/base/json_problem.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -139,7 +140,7 @@ WorldCheckpoint world_checkpoint_from_json(const Json& json) {
         if (json.contains("flow")) checkpoint.flow = flow_from(json.at("flow"));
         return checkpoint;
     } catch (const Json::exception& error) {
-        refuse(error.what());
+        refuse(json_problem(error));
     }
 }
 

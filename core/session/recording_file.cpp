@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/json_number.h"
+#include "core/base/json_problem.h"
 
 namespace hepatica {
 
@@ -198,7 +199,7 @@ Recording read_recording(const std::filesystem::path& file) {
             const std::string what = error.place().empty() ? "" : error.place() + " ";
             throw InputError(what + error.problem(), place, error.remedy());
         } catch (const Json::exception& error) {
-            throw InputError(error.what(), place, "The recording is damaged");
+            throw InputError(json_problem(error), place, "The recording is damaged");
         }
     }
     if (number == 0) throw InputError("is empty", file.string(), how_to_record);

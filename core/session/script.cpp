@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/base/program_files.h"
 #include "core/base/text_file.h"
 
@@ -308,7 +309,7 @@ Script script_of(const std::string& text, const std::filesystem::path& file) {
         const std::string what = error.place().empty() ? "" : error.place() + " ";
         throw InputError(what + error.problem(), file.string() + where, error.remedy());
     } catch (const Json::exception& error) {  // a value has the wrong type
-        throw InputError(error.what(), file.string(), with_example("Give a script"));
+        throw InputError(json_problem(error), file.string(), with_example("Give a script"));
     }
     std::ranges::stable_sort(script.actions, {}, &ScriptAction::at_s);
     return script;

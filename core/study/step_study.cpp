@@ -8,7 +8,7 @@
 #include "core/base/frame_time.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"

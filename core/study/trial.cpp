@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/step/inversion_recovery.h"
 
 namespace hepatica {

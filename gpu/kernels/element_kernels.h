@@ -5,7 +5,7 @@
 
 #include "core/deform/elements/spring_element.h"
 #include "core/deform/elements/tetrahedron_element.h"
-#include "gpu/machine/view.h"
+#include "gpu/kernels/view.h"
 
 namespace hepatica::gpu {
 

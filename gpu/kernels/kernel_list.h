@@ -5,9 +5,9 @@
 
 #include "gpu/kernels/assembly_kernels.h"
 #include "gpu/kernels/coarse_kernels.h"
+#include "gpu/kernels/kernel.h"
 #include "gpu/kernels/solve_kernels.h"
 #include "gpu/kernels/step_kernels.h"
-#include "gpu/machine/kernel.h"
 
 namespace hepatica::gpu {
 namespace detail {

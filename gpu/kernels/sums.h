@@ -3,7 +3,7 @@
 // other the chunks of each segment (all nodes, or the pieces of a body).
 #pragma once
 
-#include "gpu/machine/view.h"
+#include "gpu/kernels/view.h"
 
 namespace hepatica::gpu {
 

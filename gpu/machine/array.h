@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/kernels/view.h"
 #include "gpu/machine/machine.h"
-#include "gpu/machine/view.h"
 
 namespace hepatica::gpu {
 

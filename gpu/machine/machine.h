@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <string>
 
+#include "gpu/kernels/kernel.h"
 #include "gpu/kernels/kernel_list.h"
-#include "gpu/machine/kernel.h"
 
 namespace hepatica::gpu {
 

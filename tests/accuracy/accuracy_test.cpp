@@ -7,7 +7,7 @@
 #include "core/phantom/phantom.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/extraction/tree_extraction.h"
+#include "core/tree/tree_extraction.h"
 #include "tests/support/test_masks.h"
 #include "tests/support/test_trees.h"
 

@@ -3,6 +3,7 @@
 // app -> ui -> render -> core, gpu -> core; and within core along the flow of data.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -149,6 +150,48 @@ TEST(Layers, TheCheckItselfObjects) {
     EXPECT_EQ(objection("core/image/volume_reader.cpp", "itkImage.h"), "");
     EXPECT_EQ(objection("app/verb_render.cpp", "render/scene_view.h"), "");
     EXPECT_EQ(objection("core/scene/world.cpp", "core/flow/fluid.h"), "");
+}
+
+// Folders within a room (core/tree/systems) that its files lie in, and those that they include.
+// Files at the room's root are left out: the smallest of them are used by all folders, the largest
+// use all.
+using FolderArrows = std::map<std::string, std::set<std::string>>;
+
+FolderArrows arrows_among_folders(const fs::path& layer) {
+    FolderArrows arrows;
+    for (const auto& entry : fs::recursive_directory_iterator(layer)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension != ".h" && extension != ".cpp" && extension != ".cu") continue;
+        const fs::path from = fs::relative(entry.path(), source_root).parent_path();
+        for (const fs::path include : includes_of(entry.path())) {
+            const fs::path to = include.parent_path();
+            if (to != from && to.has_parent_path() && to.parent_path() == from.parent_path())
+                arrows[from.generic_string()].insert(to.generic_string());
+        }
+    }
+    return arrows;
+}
+
+// Takes away folders that include none that is left; what remains lies on or behind a circle.
+FolderArrows circles_of(FolderArrows arrows) {
+    for (bool changed = true; changed;) {
+        changed =
+            std::erase_if(arrows, [&](const auto& folder) {
+                return std::none_of(folder.second.begin(), folder.second.end(),
+                                    [&](const std::string& to) { return arrows.contains(to); });
+            }) > 0;
+    }
+    return arrows;
+}
+
+TEST(Layers, FoldersOfARoomDoNotIncludeEachOtherInACircle) {
+    for (const char* layer : {"core", "gpu", "render"})
+        for (const auto& [folder, includes] : circles_of(arrows_among_folders(source_root / layer)))
+            for (const std::string& include : includes)
+                ADD_FAILURE() << folder << " and " << include << " include each other in a circle";
+    EXPECT_TRUE(arrows_among_folders(source_root / "core").contains("core/tree/systems"));
+    EXPECT_EQ(circles_of({{"a", {"b"}}, {"b", {"c"}}}).size(), 0u);
+    EXPECT_EQ(circles_of({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}).size(), 3u);
 }
 
 TEST(Layers, EveryFileNamesItsLicence) {

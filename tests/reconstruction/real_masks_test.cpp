@@ -8,7 +8,7 @@
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/extraction/tree_extraction.h"
+#include "core/tree/tree_extraction.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/support/test_data.h"
 

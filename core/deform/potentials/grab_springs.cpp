@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/grab_springs.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hepatica {
@@ -98,14 +97,10 @@ void GrabSprings::mark_held(std::span<const Vec3>, std::span<char> held) const {
             if (v >= 0) held[v] = 1;
 }
 
-void GrabSprings::join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const {
+void GrabSprings::join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const {
     for (const Grab& grab : grabs_)
-        for (const int v : grab.vertices) {
-            if (v < 0) continue;
-            const int one = joined[piece_of_node[grab.vertices[0]]];
-            const int other = joined[piece_of_node[v]];
-            std::ranges::replace(joined, std::max(one, other), std::min(one, other));
-        }
+        for (const int v : grab.vertices)
+            if (v >= 0) pieces.unite(piece_of_node[grab.vertices[0]], piece_of_node[v]);
 }
 
 }  // namespace hepatica

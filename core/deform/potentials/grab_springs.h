@@ -28,7 +28,7 @@ class GrabSprings final : public Potential {
     void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                      const BlockMatrix& pattern, std::span<Vec3> product) const override;
     void mark_held(std::span<const Vec3> positions_mm, std::span<char> held) const override;
-    void join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const override;
+    void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;
     void book(double energy_nj, EnergyLedger& ledger) const override { ledger.grab = energy_nj; }
 
   private:

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/solvers/block_matrix.h"
-#include "core/deform/step/energy_ledger.h"
 
 namespace hepatica {
 
@@ -60,9 +61,9 @@ class Potential {
     virtual void mark_held(std::span<const Vec3> /*positions_mm*/, std::span<char> /*held*/) const {
     }
 
-    // Where it couples several pieces, sets joined[piece] of all of them to the smallest.
+    // Unites the pieces that it couples.
     virtual void join_pieces(std::span<const int> /*piece_of_node*/,
-                             std::span<int> /*joined*/) const {}
+                             DisjointSets& /*pieces*/) const {}
 
     // A step of dt_s begins at the state `start`, or the part of one that is left; until end_step()
     // a potential may depend on it. Outside of a step nothing does. Nodes with held[i] != 0 stay

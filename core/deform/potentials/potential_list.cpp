@@ -6,12 +6,12 @@
 #include "core/base/error.h"
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
+#include "core/deform/potentials/load_input.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/potentials/softening_ties.h"
 #include "core/deform/potentials/tether.h"
 #include "core/deform/potentials/tool_contact.h"
 #include "core/deform/potentials/tool_friction.h"
-#include "core/deform/stepper/stepper_input.h"
 
 namespace hepatica {
 

@@ -33,7 +33,7 @@ class PotentialList {
     PotentialList(const PotentialList&) = delete;
     PotentialList& operator=(const PotentialList&) = delete;
 
-    // Both throw as stepper_input.h says, and then keep what they had.
+    // Both throw as load_input.h says, and then keep what they had.
     void set_grabs(std::span<const Grab> grabs);
     void set_gravity(const Vec3& gravity_mm_per_s2);
     // Also where the body may not be touched.

@@ -10,13 +10,13 @@
 #include "core/base/parallel.h"
 #include "core/contact/time_of_contact.h"
 #include "core/deform/body/torn_body.h"
+#include "core/deform/potentials/pad_barrier.h"
 
 namespace hepatica {
 namespace {
 
 constexpr double least_part = 0.1;         // of a gap, that a motion leaves
 constexpr double touched = 0.5;            // of the pad
-constexpr double deepest = 1.0 - 1e-12;    // of the pad, for forces where the gap has closed
 constexpr double nearly_parallel = 0.01;   // sin^2 of the angle between edges
 constexpr double touching_at_rest = 0.05;  // of the pad
 constexpr double slack_edges = 0.25;       // of the search, see PairCover
@@ -206,12 +206,11 @@ std::optional<SurfaceContact> SelfContact::contact_of(const FeaturePair& pair,
                                                 features_.area_of_edge_mm2(pair.second))
                                       : 0.5 * features_.area_of_node_mm2(pair.first);
     const double strength = area * pad_.pressure_pa;
-    const double pressed = std::min(1.0 - contact.gap_mm / pad, deepest), left = 1.0 - pressed;
+    const PadBarrier barrier = pad_barrier(contact.gap_mm, pad, strength);
     contact.normal = contact.gap_mm > 0.0 ? Vec3(apart / contact.gap_mm) : Vec3(Vec3::UnitZ());
-    contact.energy_nj = contact.gap_mm > 0.0 ? strength * pad * (-pressed - std::log1p(-pressed))
-                                             : std::numeric_limits<double>::infinity();
-    contact.force_un = strength * pressed / left;
-    contact.stiffness_un_per_mm = strength / (pad * left * left);
+    contact.energy_nj = barrier.energy_nj;
+    contact.force_un = barrier.force_un;
+    contact.stiffness_un_per_mm = barrier.stiffness_un_per_mm;
     if (pair.of_edges) fade(contact, x);
     return contact;
 }
@@ -304,10 +303,9 @@ void SelfContact::add_coupling(std::span<const Vec3> positions_mm, double factor
         add_pair_product(contact.at, factor * along_normal(contact), false, held_, d, product);
 }
 
-void SelfContact::join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const {
+void SelfContact::join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const {
     const auto join = [&](int node, int other) {
-        const int a = joined[piece_of_node[node]], b = joined[piece_of_node[other]];
-        if (a != b) std::ranges::replace(joined, std::max(a, b), std::min(a, b));
+        pieces.unite(piece_of_node[node], piece_of_node[other]);
     };
     for (const auto& [node, other] : met_) join(node, other);
     for (const SurfaceContact& contact : contacts_) join(contact.of.nodes[0], contact.of.nodes[3]);

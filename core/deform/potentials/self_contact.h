@@ -88,7 +88,7 @@ class SelfContact final : public Potential {
                       std::span<Vec3> product) const override;
     // Pieces that touched at the beginning of the step or where one of its matrices was made, or
     // touch where they were looked at last.
-    void join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const override;
+    void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;
     void begin_step(const BodyState& start, double dt_s,
                     std::span<const std::uint8_t> held) override;
     void end_step() override;

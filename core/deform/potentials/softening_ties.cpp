@@ -116,13 +116,10 @@ void SofteningTies::add_product(std::span<const Vec3> positions_mm, double facto
     }
 }
 
-void SofteningTies::join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const {
-    for (const SofteningTie& tie : ties_) {
-        if (tie.most_mm >= law_.opening_mm) continue;
-        const int a = joined[piece_of_node[tie.vertices[0]]];
-        const int b = joined[piece_of_node[tie.vertices[1]]];
-        if (a != b) std::ranges::replace(joined, std::max(a, b), std::min(a, b));
-    }
+void SofteningTies::join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const {
+    for (const SofteningTie& tie : ties_)
+        if (tie.most_mm < law_.opening_mm)
+            pieces.unite(piece_of_node[tie.vertices[0]], piece_of_node[tie.vertices[1]]);
 }
 
 }  // namespace hepatica

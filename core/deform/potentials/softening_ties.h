@@ -35,7 +35,7 @@ class SofteningTies final : public Potential {
                        BlockMatrix& matrix) const override;
     void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                      const BlockMatrix& pattern, std::span<Vec3> product) const override;
-    void join_pieces(std::span<const int> piece_of_node, std::span<int> joined) const override;
+    void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;
     void begin_step(const BodyState&, double, std::span<const std::uint8_t> held) override {
         held_ = held;
     }

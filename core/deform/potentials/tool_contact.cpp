@@ -5,17 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "core/deform/potentials/pad_barrier.h"
 #include "core/deform/potentials/point_stiffness.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double least_share = 0.1;      // of a gap, that a motion leaves
-constexpr double led_until = 0.5;        // of the pad
-constexpr double deepest = 1.0 - 1e-12;  // of the pad, for forces where the gap has closed
-constexpr double dip_of_pad = 0.125;     // how far a triangle may bulge into the pad between points
-constexpr double most_stretch = 1.5;     // of the surface, for which that holds
-constexpr int most_cuts = 32;            // of a triangle's edge
+constexpr double least_share = 0.1;   // of a gap, that a motion leaves
+constexpr double led_until = 0.5;     // of the pad
+constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
+constexpr double most_stretch = 1.5;  // of the surface, for which that holds
+constexpr int most_cuts = 32;         // of a triangle's edge
 
 }  // namespace
 
@@ -54,12 +54,10 @@ void ToolContact::add_points_of(int triangle, const Capsule& shape, int part,
             const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
             const double strength =
                 share / (3.0 * n * n) * area_mm2_[triangle] * tool_->pressure_pa;
-            const double pressed = std::min(1.0 - gap / pad, deepest), left = 1.0 - pressed;
-            const double energy = gap > 0.0 ? strength * pad * (-pressed - std::log1p(-pressed))
-                                            : std::numeric_limits<double>::infinity();
+            const PadBarrier barrier = pad_barrier(gap, pad, strength);
             const Vec3 normal = (point - point_at(axis, on.along)) / distance;
-            found.push_back({part, on.along, triangle, weights, normal, point,
-                             strength * pressed / left, strength / (pad * left * left), energy});
+            found.push_back({part, on.along, triangle, weights, normal, point, barrier.force_un,
+                             barrier.stiffness_un_per_mm, barrier.energy_nj});
         }
 }
 

@@ -19,6 +19,40 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     return solve(apply, precondition, rhs, x, limits);
 }
 
+// Scales x to minimise the error in the energy norm, so that a warm start is never worse than zero;
+// leaves its residual. Returns |x|_A squared.
+double ConjugateGradient::begin(const Product& apply, std::span<const Vec3> rhs,
+                                std::span<Vec3> x) {
+    direction_.assign(x.begin(), x.end());
+    residual_.assign(rhs.begin(), rhs.end());
+    const double warm_work = dot(direction_, rhs);
+    if (warm_work == 0.0) {
+        std::fill(x.begin(), x.end(), Vec3::Zero());
+        return 0.0;
+    }
+    apply(direction_, product_);
+    const double warm_energy = dot(direction_, product_);
+    const double scale = warm_energy > 0.0 ? warm_work / warm_energy : 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = scale * x[i];
+        residual_[i] -= scale * product_[i];
+    }
+    return scale * warm_work;
+}
+
+// Goes along the direction, whose product is known. Returns the residual's norm, squared.
+double ConjugateGradient::advance(double step, std::span<Vec3> x) {
+    return parallel_sum(x.size(), nodes_per_block, [&](std::size_t b, std::size_t e) {
+        double sum = 0.0;
+        for (std::size_t i = b; i < e; ++i) {
+            x[i] += step * direction_[i];
+            residual_[i] -= step * product_[i];
+            sum += residual_[i].squaredNorm();
+        }
+        return sum;
+    });
+}
+
 SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner& precondition,
                                      std::span<const Vec3> rhs, std::span<Vec3> x,
                                      const SolveLimits& limits) {
@@ -30,24 +64,7 @@ SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner&
         report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
         return report;
     }
-    direction_.assign(x.begin(), x.end());
-    residual_.assign(rhs.begin(), rhs.end());
-    double solution_energy = 0.0;  // |x|_A squared, so far
-    const double warm_work = dot(direction_, rhs);
-    if (warm_work != 0.0) {
-        // Scaled to minimise the error in the energy norm, so a warm start is never worse than
-        // zero.
-        apply(direction_, product_);
-        const double warm_energy = dot(direction_, product_);
-        const double scale = warm_energy > 0.0 ? warm_work / warm_energy : 0.0;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            x[i] = scale * x[i];
-            residual_[i] -= scale * product_[i];
-        }
-        solution_energy = scale * warm_work;
-    } else {
-        std::fill(x.begin(), x.end(), Vec3::Zero());
-    }
+    double solution_energy = begin(apply, rhs, x);  // |x|_A squared, so far
 
     precondition(residual_, preconditioned_);
     direction_ = preconditioned_;
@@ -70,16 +87,7 @@ SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner&
         const double curvature = dot(direction_, product_);
         if (!(curvature > 0.0) || !std::isfinite(curvature)) break;
         const double step = work / curvature;
-        residual_squared =
-            parallel_sum(x.size(), nodes_per_block, [&](std::size_t b, std::size_t e) {
-                double sum = 0.0;
-                for (std::size_t i = b; i < e; ++i) {
-                    x[i] += step * direction_[i];
-                    residual_[i] -= step * product_[i];
-                    sum += residual_[i].squaredNorm();
-                }
-                return sum;
-            });
+        residual_squared = advance(step, x);
         solution_energy += step * work;
         precondition(residual_, preconditioned_);
         const double new_work = dot(residual_, preconditioned_);

@@ -34,6 +34,9 @@ class ConjugateGradient {
     double smallest_ritz() const { return smallest_ritz_; }
 
   private:
+    double begin(const Product& apply, std::span<const Vec3> rhs, std::span<Vec3> x);
+    double advance(double step, std::span<Vec3> x);
+
     double smallest_ritz_ = 0.0;  // 0 before the first solve
     std::vector<Vec3> residual_, direction_, product_, preconditioned_;
 };

@@ -11,10 +11,14 @@
 
 namespace hepatica {
 
+inline bool all_finite(std::span<const Vec3> x) {
+    return std::ranges::all_of(x, [](const Vec3& v) { return v.allFinite(); });
+}
+
 // Where x or an error estimate is not finite, sets x to zero and reports "not converged".
 inline void own_up_unless_finite(SolveReport& report, std::span<Vec3> x) {
-    const bool finite = std::ranges::all_of(x, [](const Vec3& v) { return v.allFinite(); });
-    if (finite && std::isfinite(report.relative_residual) && std::isfinite(report.energy_error))
+    if (all_finite(x) && std::isfinite(report.relative_residual) &&
+        std::isfinite(report.energy_error))
         return;
     std::ranges::fill(x, Vec3::Zero());
     report.converged = false;

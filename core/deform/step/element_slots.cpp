@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/deform/elements/element_dispatch.h"
+#include "core/deform/body/element_dispatch.h"
 #include "core/tear/joint.h"
 
 namespace hepatica {

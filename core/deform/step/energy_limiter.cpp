@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace hepatica {
 namespace {
@@ -137,21 +136,27 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
                  step.positions, held, velocities_mm_per_s);
 }
 
+std::vector<std::vector<int>> EnergyLimiter::coupled_pieces(const PotentialList& potentials,
+                                                            bool together) const {
+    DisjointSets sets(nodes_.size());
+    for (const auto& potential : potentials.all()) potential->join_pieces(piece_of_node_, sets);
+    // Pieces that met exchanged momentum, so only the energy of all of them is conserved.
+    for (int p = 1; together && p < pieces(); ++p) sets.unite(0, p);
+    std::vector<std::vector<int>> groups(nodes_.size());
+    for (int p = 0; p < pieces(); ++p) groups[sets.root(p)].push_back(p);
+    std::erase_if(groups, [](const std::vector<int>& group) { return group.empty(); });
+    return groups;
+}
+
 EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const PotentialList& potentials,
                                             std::span<const Vec3> positions_mm,
                                             std::span<const std::uint8_t> held_nodes,
                                             std::vector<Vec3>& velocities_mm_per_s) const {
     const auto& [before, now, rounding, least_nj, together] = energies;
-    std::vector<int> joined(nodes_.size());
-    std::iota(joined.begin(), joined.end(), 0);
-    for (const auto& potential : potentials.all()) potential->join_pieces(piece_of_node_, joined);
-    // Pieces that met exchanged momentum, so only the energy of all of them is conserved.
-    if (together) std::ranges::fill(joined, 0);
     Outcome outcome;
-    for (int first = 0; first < pieces(); ++first) {
+    for (const std::vector<int>& group : coupled_pieces(potentials, together)) {
         double excess = 0.0, size = 0.0, kinetic = 0.0;
-        for (int p = first; p < pieces(); ++p) {
-            if (joined[p] != first) continue;
+        for (const int p : group) {
             excess += now[p].energy - before[p].energy;
             size += std::abs(before[p].energy) + std::abs(now[p].energy) + now[p].kinetic;
             kinetic += now[p].kinetic;
@@ -161,8 +166,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
         for (const auto& potential : potentials.all()) potential->mark_held(positions_mm, marked);
         std::vector<int> nodes;
-        for (int p = first; p < pieces(); ++p)
-            if (joined[p] == first) nodes.insert(nodes.end(), nodes_[p].begin(), nodes_[p].end());
+        for (const int p : group) nodes.insert(nodes.end(), nodes_[p].begin(), nodes_[p].end());
         const bool held = std::ranges::any_of(nodes, [&](int i) { return marked[i] != 0; });
         const MomentumLost lost = take_kinetic_energy(nodes, body_.mass_g, positions_mm, held,
                                                       excess, velocities_mm_per_s);

@@ -69,6 +69,9 @@ class EnergyLimiter {
     std::span<const int> piece_of_node() const { return piece_of_node_; }
 
   private:
+    // Pieces that share their energy, ascending; each piece belongs to one group.
+    std::vector<std::vector<int>> coupled_pieces(const PotentialList& potentials,
+                                                 bool together) const;
     std::vector<Balance> balance(const StepUnderway& step, std::span<const Vec3> positions_mm,
                                  std::span<const Vec3> velocities_mm_per_s,
                                  const Assembly& assembly) const;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/deform/elements/small_matrix_eigen.h"
+#include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/assembly.h"
 #include "core/mesh/tet_mesh.h"
@@ -127,10 +128,6 @@ std::vector<Vec3> balanced(const Part& part, const std::vector<Vec3>& change) {
     solver->solve(load, found,
                   {.energy_tolerance = 1e-3, .max_iterations = InversionRecovery::most_iterations});
     return found;
-}
-
-bool all_finite(const std::vector<Vec3>& a) {
-    return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
 }
 
 }  // namespace

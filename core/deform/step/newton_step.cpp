@@ -8,8 +8,9 @@
 #include "core/base/error.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/coupled_solve.h"
+#include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
-#include "core/deform/stepper/stepper_input.h"
+#include "core/deform/step/step_input.h"
 
 namespace hepatica {
 namespace {
@@ -25,10 +26,6 @@ constexpr double rounding = 1e-13;  // relative size of a change of energy that 
 // Iterates added to a linearly implicit step from rest that had to be shortened, until one is taken
 // whole: a share of the way from rest would brake the whole body.
 constexpr int rescue_iterates = 2;
-
-bool all_finite(const std::vector<Vec3>& a) {
-    return std::ranges::all_of(a, [](const Vec3& x) { return x.allFinite(); });
-}
 
 std::vector<Vec3> times(double factor, const std::vector<Vec3>& a) {
     std::vector<Vec3> product(a.size());

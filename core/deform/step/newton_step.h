@@ -12,10 +12,10 @@
 #include "core/deform/body/body.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/incremental_potential.h"
+#include "core/deform/step/solver_checkpoint.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/step/step_underway.h"
 #include "core/deform/step/velocity_error.h"
-#include "core/deform/stepper/stepper_checkpoint.h"
 
 namespace hepatica {
 

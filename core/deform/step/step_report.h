@@ -5,9 +5,9 @@
 
 #include <string>
 
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
-#include "core/deform/step/energy_ledger.h"
 #include "core/tear/tear_state.h"
 
 namespace hepatica {

@@ -7,8 +7,8 @@
 
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/potentials/potential_list.h"
-#include "core/deform/step/energy_ledger.h"
 
 namespace hepatica {
 

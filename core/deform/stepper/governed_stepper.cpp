@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/deform/potentials/load_input.h"
 #include "core/deform/potentials/tool_path.h"
+#include "core/deform/step/step_input.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/stepper_input.h"
@@ -38,13 +40,6 @@ const BodyDescription& validated(const BodyDescription& body, const StepperOptio
     return body;
 }
 
-LiveRegion region_of(const BodyDescription& body, const LiveRegionOptions& options) {
-    LiveRegion region(body.skeleton, body.mesh.vertices_mm, options);
-    for (const auto& nodes : body.mesh.tetrahedra) region.connect(nodes);
-    for (const auto& nodes : body.hexahedra) region.connect(nodes);
-    return region;
-}
-
 // Speed of the fastest node, mm/s.
 double fastest(const BodyState& state) {
     double squared = 0.0;
@@ -60,7 +55,7 @@ GovernedStepper::GovernedStepper(const BodyDescription& body, const StepperOptio
       options_(options),
       make_(std::move(make)),
       back_end_(make_(description_, options)) {
-    if (region) region_ = region_of(description_, *region);
+    if (region) region_ = new_region(*region);
     if (body.tear) tearing_.emplace(body.mesh, *body.tear, body.stiffness_factor);
 }
 
@@ -319,7 +314,7 @@ void GovernedStepper::set_tear(const TearState& state) {
     follow_tear(*back_end_);
     wake();
     if (!region_) return;
-    region_ = region_of(description_, region_->options());
+    region_ = new_region(region_->options());
     region_->follow_split(tearing_->topology().parents());
 }
 
@@ -350,96 +345,11 @@ void GovernedStepper::set_state(std::span<const Vec3> positions_mm,
     change_region();
 }
 
-StepperCheckpoint GovernedStepper::checkpoint() const {
-    StepperCheckpoint kept{.nodes = back_end_->state(),
-                           .grabs = grabs_,
-                           .gravity_mm_per_s2 = gravity_mm_per_s2_,
-                           .unreported_tool_work = tool_work_,
-                           .unreported_loss = lost_,
-                           .still_s = still_s_,
-                           .settled_s = settled_s_,
-                           .last_kinetic = resting_.kinetic,
-                           .last_elastic = resting_.elastic,
-                           .last_grab = resting_.grab,
-                           .last_tether = resting_.tether,
-                           .solver = back_end_->checkpoint(),
-                           .region = {}};
-    if (region_) kept.region = region_->checkpoint();
-    if (const auto overlaps = back_end_->overlaps())
-        kept.self = SelfCheckpoint{*overlaps, self_load_, resting_.contact};
-    if (tearing_) kept.tear = tearing_->state();
-    if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
-    return kept;
-}
-
-void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
-    const std::size_t whole = nodes() - (tearing_ ? tearing_->report().vertices_split : 0);
-    validate_checkpoint(checkpoint, whole + (checkpoint.tear ? checkpoint.tear->parents.size() : 0),
-                        !back_end_->body().surface.empty());
-    if (checkpoint.tear.has_value() != tearing_.has_value())
-        throw InputError(
-            checkpoint.tear ? "is of a body that tears" : "is of a body that does not tear",
-            "the checkpoint of a body", "Make a stepper of that kind");
-    if (checkpoint.region.has_value() != region_.has_value())
-        throw InputError(checkpoint.region ? "is of a stepper that computes a part"
-                                           : "is of a stepper that computes the whole body",
-                         "the checkpoint of a body", "Make a stepper of that kind");
-    if (checkpoint.self.has_value() != back_end_->overlaps().has_value())
-        throw InputError(checkpoint.self ? "is of a body whose surfaces touch each other"
-                                         : "is of a body whose surfaces do not touch each other",
-                         "the checkpoint of a body", "Make a stepper of that kind");
-    std::optional<Tearing> tearing = tearing_;
-    if (tearing) tearing->restore(*checkpoint.tear);
-    std::optional<LiveRegion> region = region_;
-    if (region && tearing) {
-        region = region_of(description_, region->options());
-        region->follow_split(tearing->topology().parents());
-    }
-    if (region) region->restore(*checkpoint.region);
-    const std::optional<OverlapsKept> overlaps = back_end_->overlaps();
-    const BodyState present = back_end_->state();
-    tearing_.swap(tearing);
-    try {
-        if (tearing_) follow_tear(*back_end_);
-        if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
-        back_end_->restore(checkpoint.solver);
-    } catch (...) {
-        tearing_.swap(tearing);
-        if (tearing_) {
-            follow_tear(*back_end_);
-            back_end_->set_state(present);
-            if (region_) back_end_->freeze(frozen_nodes());
-        }
-        if (overlaps) back_end_->set_overlaps(*overlaps);
-        throw;
-    }
-    stress_pa_.clear();
-    // Nothing below throws, so the restored state is complete.
-    region_ = std::move(region);
-    back_end_->set_state(checkpoint.nodes);
-    if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
-    self_load_ = checkpoint.self ? checkpoint.self->last_load : SelfLoad{};
-    const std::optional<ToolCheckpoint>& tool = checkpoint.tool;
-    back_end_->set_tool(tool ? std::optional(tool->tool) : std::nullopt);
-    tool_led_ = tool && tool->led;
-    tool_load_ = tool ? tool->last_load : ToolLoad{};
-    back_end_->set_grabs(checkpoint.grabs);
-    back_end_->set_gravity(checkpoint.gravity_mm_per_s2);
-    if (region_) back_end_->freeze(frozen_nodes());
-    grabs_ = checkpoint.grabs;
-    gravity_mm_per_s2_ = checkpoint.gravity_mm_per_s2;
-    tool_work_ = checkpoint.unreported_tool_work;
-    lost_ = checkpoint.unreported_loss;
-    still_s_ = checkpoint.still_s;
-    settled_s_ = checkpoint.settled_s;
-    resting_ = {};
-    resting_.kinetic = checkpoint.last_kinetic;
-    resting_.elastic = checkpoint.last_elastic;
-    resting_.grab = checkpoint.last_grab;
-    resting_.tether = checkpoint.last_tether;
-    resting_.cohesion = back_end_->energies().cohesion;
-    if (checkpoint.self) resting_.contact = checkpoint.self->last_contact;
-    if (tool) resting_.contact = tool->last_contact;
+LiveRegion GovernedStepper::new_region(const LiveRegionOptions& options) const {
+    LiveRegion region(description_.skeleton, description_.mesh.vertices_mm, options);
+    for (const auto& nodes : description_.mesh.tetrahedra) region.connect(nodes);
+    for (const auto& nodes : description_.hexahedra) region.connect(nodes);
+    return region;
 }
 
 LiveStepper::Extent GovernedStepper::extent() const {

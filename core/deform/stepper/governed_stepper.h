@@ -54,6 +54,7 @@ class GovernedStepper final : public LiveStepper {
     bool asleep() const;
     void wake();
     std::vector<std::uint8_t> frozen_nodes() const;
+    LiveRegion new_region(const LiveRegionOptions& options) const;
     void change_region();
     double slow_mm_per_s() const;
     template <class Change>
@@ -65,6 +66,11 @@ class GovernedStepper final : public LiveStepper {
     void look_for_inversion(double dt_s, StepReport& report);
     TearLoads tear_loads();
     void tear(StepReport& report);
+    // Of a checkpoint: throws InputError where it is of another kind of stepper; the factors and
+    // the pieces, as they are now where that throws; the rest of the state.
+    void require_same_kind(const StepperCheckpoint& checkpoint) const;
+    void restore_solver(const StepperCheckpoint& checkpoint, std::optional<Tearing> tearing);
+    void restore_motion(const StepperCheckpoint& checkpoint);
     void follow_tear(StepBackEnd& back_end) const;
     void follow_tear();
     std::size_t nodes() const { return back_end_->body().rest_positions_mm.size(); }

@@ -25,8 +25,8 @@ class Stepper {
   public:
     virtual ~Stepper() = default;
 
-    // These functions throw InputError for values out of range (see stepper_input.h) and then
-    // change nothing.
+    // These functions throw InputError for values out of range (see load_input.h, step_input.h,
+    // stepper_input.h) and then change nothing.
 
     // Replaces all grabs from the next step on.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
@@ -77,7 +78,7 @@ std::vector<TreeEdit> edits_from_json(const std::string& text, const std::string
         for (const nlohmann::json& value : list) edits.push_back(edit_from(value, place));
         return edits;
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(error.what(), place, "Give a JSON array of edits");
+        throw InputError(json_problem(error), place, "Give a JSON array of edits");
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/tree/files/tree_files.h"
 #include "core/tree/files/tree_json.h"
 
@@ -69,7 +70,8 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
                 s.bridged = whole_numbers<std::uint8_t>(value.at("bridged"));
         }
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(error.what(), file.string(), "Give a JSON file that holds a vessel tree");
+        throw InputError(json_problem(error), file.string(),
+                         "Give a JSON file that holds a vessel tree");
     }
     require_unambiguous_systems(unnamed_systems, file);
     validate_from_file(tree, file);

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/deform/body/body.h"
-#include "core/deform/elements/element_dispatch.h"
+#include "core/deform/body/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/deform/elements/element_dispatch.h"
+#include "core/deform/body/element_dispatch.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"
 #include "tests/deform/support/random_field.h"

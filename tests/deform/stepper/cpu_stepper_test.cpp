@@ -11,7 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/deform/step/backward_euler.h"
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/random_field.h"
 

@@ -7,7 +7,7 @@
 #include "core/base/frame_time.h"
 #include "core/deform/step/assembly.h"
 #include "core/deform/step/backward_euler.h"
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "tests/deform/support/test_bodies.h"
 

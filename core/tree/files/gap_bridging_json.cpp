@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/files/tree_json.h"
@@ -39,7 +40,7 @@ std::vector<Bridge> bridges_from_json(const std::string& text, const std::string
                                  "Reconstruct the patient again");
         }
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(error.what(), place, "Give a JSON array of bridges");
+        throw InputError(json_problem(error), place, "Give a JSON array of bridges");
     }
     return bridges;
 }

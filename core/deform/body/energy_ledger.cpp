@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 
 #include <cmath>
 

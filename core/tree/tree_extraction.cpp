@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tree/extraction/tree_extraction.h"
+#include "core/tree/tree_extraction.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ledger of energy from step to step, and the step that may make none.
-#include "core/deform/step/energy_ledger.h"
+#include "core/deform/body/energy_ledger.h"
 
 #include <gtest/gtest.h>
 

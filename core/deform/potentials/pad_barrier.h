@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one law of all contacts: a pad of some thickness that is pressed together, whose force grows
+// without bound as the gap closes. With the pressed part s = 1 - gap / pad,
+//   energy = strength pad (-s - ln(1 - s)),  force = strength s / (1 - s),
+// and no energy, force or jump of either at s = 0. See docs/contact.md.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hepatica {
+
+struct PadBarrier {
+    double energy_nj = 0.0;  // infinite where the gap has closed
+    double force_un = 0.0;   // apart, finite even there
+    double stiffness_un_per_mm = 0.0;
+};
+
+// `gap_mm` below `pad_mm` > 0; `strength_un` is the pad's pressure times the area that it acts on.
+inline PadBarrier pad_barrier(double gap_mm, double pad_mm, double strength_un) {
+    constexpr double deepest = 1.0 - 1e-12;
+    const double pressed = std::min(1.0 - gap_mm / pad_mm, deepest), left = 1.0 - pressed;
+    return {gap_mm > 0.0 ? strength_un * pad_mm * (-pressed - std::log1p(-pressed))
+                         : std::numeric_limits<double>::infinity(),
+            strength_un * pressed / left, strength_un / (pad_mm * left * left)};
+}
+
+}  // namespace hepatica

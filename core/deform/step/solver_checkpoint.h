@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the step's linear solver carries from one step to the next. A factor or preconditioner is
+// not stored; the inputs of its matrix are, from which it is computed again to the same bits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/vector.h"
+#include "core/deform/body/material.h"
+#include "core/deform/potentials/grab.h"
+#include "core/deform/potentials/self_load.h"
+#include "core/deform/potentials/tool.h"
+
+namespace hepatica {
+
+// The inputs from which one system matrix of eq. (12) is assembled. The matrix of a later Newton
+// iterate uses the damping of the first iterate.
+struct MatrixOrigin {
+    double dt_s = 0.0;               // > 0
+    std::vector<Vec3> first_mm;      // positions of the first iterate
+    std::vector<Vec3> iterate_mm;    // positions of this iterate; empty where it is the first
+    std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
+    std::vector<Grab> grabs;
+    RayleighDamping velocity_error;  // E of eq. (11)
+};
+
+// The tool whose contacts are part of that matrix.
+struct ToolOrigin {
+    Tool tool;
+    std::vector<Vec3> start_mm;  // where the step began
+};
+
+// What a linear solver carries from one step to the next.
+struct SolverCheckpoint {
+    std::optional<MatrixOrigin> made_from;   // of its factor or preconditioner, where it has one
+    std::vector<double> memory;              // see LinearSolver::memory
+    std::optional<ToolOrigin> tool{};        // none where the matrix knew no tool
+    std::optional<OverlapsKept> overlaps{};  // of that matrix; none where surfaces do not touch
+};
+
+}  // namespace hepatica
