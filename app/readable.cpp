@@ -32,7 +32,7 @@ std::string plain_list(const Json& list) {
     return text;
 }
 
-bool is_table(const Json& value) {
+bool is_list_of_objects(const Json& value) {
     return value.is_array() && !value.empty() &&
            std::ranges::all_of(value, [](const Json& row) { return row.is_object(); });
 }
@@ -73,7 +73,7 @@ std::string object(const Json& answer, const std::string& indent) {
     for (const auto& [name, value] : answer.items()) {
         if (value.is_object())
             text += indent + name + "\n" + object(value, indent + "  ");
-        else if (is_table(value))
+        else if (is_list_of_objects(value))
             text += indent + name + "\n" + table(value, indent + "  ");
         else
             text += indent + padded(name, 24) + " " +

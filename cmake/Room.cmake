@@ -10,11 +10,15 @@ function(hepatica_room name)
     target_link_libraries(hepatica_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
 endfunction()
 
-# hepatica_tests(NAME SOURCES a_test.cpp ... [LINK target ...] [LABELS label ...])
-# One test program per room; ctest sees every TEST by its own name.
+# hepatica_tests(NAME SOURCES a_test.cpp ... [OF_THREADS b_test.cpp ...] [LINK target ...] [LABELS label ...])
+# One test program per room; ctest sees every TEST by its own name. OF_THREADS are further sources, those
+# with tests of what threads share: where they are named, the thread sanitizer builds nothing else.
 function(hepatica_tests name)
-    cmake_parse_arguments(TESTS "" "" "SOURCES;LINK;LABELS" ${ARGN})
-    add_executable(${name}_tests ${TESTS_SOURCES}
+    cmake_parse_arguments(TESTS "" "" "SOURCES;OF_THREADS;LINK;LABELS" ${ARGN})
+    if(TESTS_OF_THREADS AND HEPATICA_SANITIZE MATCHES thread)
+        set(TESTS_SOURCES)
+    endif()
+    add_executable(${name}_tests ${TESTS_SOURCES} ${TESTS_OF_THREADS}
         ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_options(${name}_tests PRIVATE

@@ -4,19 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/tree/station.h"
+
 namespace hepatica {
 namespace {
-
-Vec3 position_of(const VesselTree& tree, const TreePoint& point) {
-    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(point.segment)];
-    double along = point.arclength_mm;
-    for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
-        const Vec3 step = segment.points_mm[i] - segment.points_mm[i - 1];
-        if (along <= step.norm()) return segment.points_mm[i - 1] + along / step.norm() * step;
-        along -= step.norm();
-    }
-    return segment.points_mm.back();
-}
 
 QString text_of(const TreeEdit& edit) {
     switch (edit.kind) {
@@ -103,7 +94,10 @@ void CaseEditing::click(const TreePoint& point) {
     if (!workspace_.has_patient() || point.segment < 0) return;
     TreeEdit edit;
     edit.kind = panel_.tool();
-    edit.at_mm = position_of(workspace_.patient()->tree, point);
+    edit.at_mm =
+        station_at(workspace_.patient()->tree.segments[static_cast<std::size_t>(point.segment)],
+                   point.arclength_mm)
+            .position_mm;
     if (edit.kind == TreeEditKind::reassign_system) edit.system = panel_.system();
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/sha256.h"
 
 namespace hepatica {
 
@@ -58,7 +60,7 @@ std::vector<BatchInput> batch_inputs(const fs::path& folder, const fs::path& liv
         const bool is_folder = fs::is_directory(entry);
         const auto stem = is_folder ? name : stem_of_volume(name);
         if (!stem) continue;
-        inputs.push_back({*stem, entry, std::nullopt});
+        inputs.push_back({*stem, *stem, entry, std::nullopt});
         ++uses[*stem];
     }
     if (inputs.empty())
@@ -69,9 +71,21 @@ std::vector<BatchInput> batch_inputs(const fs::path& folder, const fs::path& liv
     for (BatchInput& input : inputs) {
         if (const auto mask = masks.find(input.patient); mask != masks.end())
             input.liver_mask = mask->second;
-        if (uses[input.patient] > 1) input.patient = input.ct.filename().string();
+        if (uses[input.patient] > 1) input.patient = input.scan = input.ct.filename().string();
     }
     return inputs;
+}
+
+void use_pseudonyms(std::vector<BatchInput>& inputs) {
+    std::set<std::string> taken;
+    for (BatchInput& input : inputs) {
+        Sha256 hash;
+        hash.add_bytes(input.scan.data(), input.scan.size());
+        const std::string digest = hash.hex_digest();
+        std::size_t digits = 8;
+        while (!taken.insert("P-" + digest.substr(0, digits)).second) ++digits;
+        input.patient = "P-" + digest.substr(0, digits);
+    }
 }
 
 std::vector<BatchInput> share_of(const std::vector<BatchInput>& inputs, int number, int count) {

@@ -10,7 +10,8 @@
 namespace hepatica {
 
 struct BatchInput {
-    std::string patient;  // the folder's or file's name, without a volume's ending
+    std::string patient;  // what files and tables call him: the scan's name, or a pseudonym
+    std::string scan;     // the folder's or file's name, without a volume's ending
     std::filesystem::path ct;
     std::optional<std::filesystem::path> liver_mask;
 };
@@ -21,6 +22,10 @@ struct BatchInput {
 // Throws InputError where a folder cannot be read, and where `folder` holds no CT.
 std::vector<BatchInput> batch_inputs(const std::filesystem::path& folder,
                                      const std::filesystem::path& liver_masks);
+
+// Calls every patient P- and the first eight digits of the SHA-256 of his scan's name, which is the
+// same in every call and says nothing to a reader. Two names with the same digits get more of them.
+void use_pseudonyms(std::vector<BatchInput>& inputs);
 
 // Every count-th of them, from the number-th on (1 <= number <= count): all shares together are the
 // whole, without overlap.

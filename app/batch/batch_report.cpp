@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "app/batch/csv_cell.h"
 #include "app/html_report.h"
 #include "core/base/atomic_write.h"
 
@@ -14,12 +15,6 @@ std::string joined(const std::vector<std::string>& sentences) {
     std::string text;
     for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
     return text;
-}
-
-std::string quoted(const std::string& text) {
-    std::string cell = "\"";
-    for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return cell + "\"";
 }
 
 std::string number(double value) {
@@ -50,14 +45,14 @@ std::string batch_table(const std::filesystem::path& out,
     std::string table = "patient,state,seconds,vessels_mm,liver_ml,doubts,reason\n";
     for (const std::string& patient : patients) {
         const auto record = read_record(out, patient);
-        table += quoted(patient) + ",";
+        table += csv_cell(patient) + ",";
         if (!record) {
             table += "to do,,,,,\n";
         } else if (record->done) {
             table += "done," + number(record->seconds) + "," + number(record->vessels_mm) + "," +
-                     number(record->liver_ml) + "," + quoted(joined(record->doubts)) + ",\n";
+                     number(record->liver_ml) + "," + csv_cell(joined(record->doubts)) + ",\n";
         } else {
-            table += "failed," + number(record->seconds) + ",,,," + quoted(record->reason) + "\n";
+            table += "failed," + number(record->seconds) + ",,,," + csv_cell(record->reason) + "\n";
         }
     }
     return table;

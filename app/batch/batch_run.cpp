@@ -11,6 +11,7 @@
 #include "app/batch/batch_inputs.h"
 #include "app/batch/batch_record.h"
 #include "app/batch/batch_report.h"
+#include "app/batch/names_file.h"
 #include "app/case_picture.h"
 #include "app/output_place.h"
 #include "core/base/error.h"
@@ -24,8 +25,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string in_words(const Error& error) {
-    const std::string where = error.place().empty() ? "" : error.place() + ": ";
+// The place of an error is most often a path, which is called after the scan.
+std::string in_words(const Error& error, bool with_place) {
+    const std::string where = !with_place || error.place().empty() ? "" : error.place() + ": ";
     return without_names(where + error.problem() + ". " + error.remedy());
 }
 
@@ -55,7 +57,7 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
-        failed.reason = in_words(error);
+        failed.reason = in_words(error, batch.keep_names);
     } catch (const std::bad_alloc&) {
         failed.reason = "Not enough memory.";
     } catch (const std::exception& error) {
@@ -71,6 +73,7 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
 Json beginning(const BatchOptions& options) {
     return {{"format", "hepatica-batch"},
             {"liver_masks", !options.liver_masks.empty()},
+            {"keep_names", options.keep_names},
             {"parameters", Json::parse(parameters_json(options.reconstruct))}};
 }
 
@@ -88,10 +91,12 @@ void say(const BatchRecord& record) {
 }  // namespace
 
 Json run_batch(const BatchOptions& options, Job& job) {
-    const std::vector<BatchInput> all = batch_inputs(options.folder, options.liver_masks);
+    std::vector<BatchInput> all = batch_inputs(options.folder, options.liver_masks);
+    if (!options.keep_names) use_pseudonyms(all);
     require_writable_folder(options.out);
     require_own_or_new(options.out, batch_mark);
     open_batch(options.out, beginning(options));
+    if (!options.keep_names) write_names(options.out, all);
     for (const char* folder : {"cases", "pictures"}) fs::create_directories(options.out / folder);
     std::vector<std::string> patients;
     for (const BatchInput& input : all) patients.push_back(input.patient);
@@ -103,7 +108,8 @@ Json run_batch(const BatchOptions& options, Job& job) {
     job.expect_stages(static_cast<int>(open.size()));
     write_batch_report(options.out, patients);
     for (const BatchInput& input : open) {
-        job.begin_stage(input.patient);
+        job.begin_stage(input.scan == input.patient ? input.scan
+                                                    : input.scan + " (" + input.patient + ")");
         Job one;
         one.observe([&](JobEvent) {
             if (job.cancelled()) one.cancel();

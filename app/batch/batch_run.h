@@ -17,6 +17,7 @@ struct BatchOptions {
     int task = 1;                       // this program's share of `tasks`
     int tasks = 1;
     bool retry = false;              // those that failed, too
+    bool keep_names = false;         // call patients as their scans are called, not by pseudonyms
     ReconstructOptions reconstruct;  // of each; ct and liver_mask are not read
 };
 

@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-Json json_of(const ContactRow& row) {
+Json json_row(const ContactRow& row) {
     return {{"backend", "cpu"},
             {"method", row.kind == "tool" ? "in the matrix" : "conjugate gradients"},
             {"kind", row.kind},
@@ -33,7 +33,7 @@ void add_bench_contacts(CommandLine& line) {
                                    [options](Job& job) {
                                        Json rows = Json::array();
                                        for (const ContactRow& row : study_contacts(*options, job))
-                                           rows.push_back(json_of(row));
+                                           rows.push_back(json_row(row));
                                        return Json{{"threads", options->threads}, {"rows", rows}};
                                    });
     verb.add_option("--steps", options->steps, "Measured, after the bodies have come to rest")

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int reference_substeps = 8;
 
-struct Options {
+struct BenchDragChoices {
     std::filesystem::path patient;
     std::vector<std::string> motions;
     std::filesystem::path script;  // empty: the program's own drag.json
@@ -43,7 +43,7 @@ std::vector<std::string> all_motions() {
     return names;
 }
 
-SceneSpec scene_of(const Options& options, const std::optional<Script>& script) {
+SceneSpec scene_of(const BenchDragChoices& options, const std::optional<Script>& script) {
     SceneSpec scene = script ? script->scene.value_or(default_scene()) : default_scene();
     if (!scene.deform)
         throw InputError("its scene has no body that deforms", options.script.string(),
@@ -110,7 +110,7 @@ struct Study {
         "asleep,degraded,message\n";
 };
 
-void measure(const Options& options, const std::string& name,
+void measure(const BenchDragChoices& options, const std::string& name,
              const std::shared_ptr<const PatientCase>& patient, Study& study, Job& job) {
     std::optional<Script> script;
     if (name == "script")
@@ -138,7 +138,7 @@ void measure(const Options& options, const std::string& name,
     study.rows.push_back(std::move(row));
 }
 
-Json run(const Options& options, Job& job) {
+Json run_bench_drag(const BenchDragChoices& options, Job& job) {
     if (!options.steps_csv.empty()) require_writable(options.steps_csv);
     if (!options.references.empty()) {
         require_writable_folder(options.references);
@@ -173,12 +173,12 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_bench_drag(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchDragChoices>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "drag",
         "Motions as hands make them on a patient's own body: the tail of the frames' times, the "
         "share of frames in time, and the error of that very motion",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_bench_drag(*options, job); });
     verb.add_option("CASE", options->patient, "Case to play on")->required();
     verb.add_option("--motion", options->motions, "Which motions; else all of them")
         ->check(CLI::IsMember(all_motions()));

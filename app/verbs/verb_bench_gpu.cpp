@@ -9,7 +9,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct BenchGpuChoices {
     gpu::GpuStudyOptions study;
     std::string plan;
 };
@@ -18,7 +18,7 @@ Json number_or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-Json json_of(const gpu::GpuRow& row) {
+Json json_row(const gpu::GpuRow& row) {
     return {{"tetrahedra", row.tetrahedra},
             {"element", row.element},
             {"solver", row.solver},
@@ -36,7 +36,7 @@ Json json_of(const gpu::GpuRow& row) {
             {"measured", row.measured}};
 }
 
-Json run(Options options, Job& job) {
+Json run_bench_gpu(BenchGpuChoices options, Job& job) {
     Json answer = {{"device", gpu::device_info().device}};
     if (!options.plan.empty()) {
         options.study.plan = gpu::planned_device(options.plan);
@@ -45,7 +45,7 @@ Json run(Options options, Job& job) {
     Json rows = Json::array();
     study_gpu(options.study, [&](const gpu::GpuRow& row) {
         job.throw_if_cancelled();
-        rows.push_back(json_of(row));
+        rows.push_back(json_row(row));
     });
     answer["rows"] = rows;
     return answer;
@@ -54,11 +54,11 @@ Json run(Options options, Job& job) {
 }  // namespace
 
 void add_bench_gpu(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchGpuChoices>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "gpu",
         "A step on the CUDA device of this computer, or planned for another from counted bytes",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_bench_gpu(*options, job); });
     std::vector<std::string> names;
     for (const gpu::PlannedDevice& device : gpu::planned_devices()) names.push_back(device.name);
     verb.add_option("--plan", options->plan, "Device to plan for; nothing is measured")

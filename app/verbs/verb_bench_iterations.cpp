@@ -9,7 +9,7 @@ namespace hepatica {
 
 namespace {
 
-Json json_of(const IterationRow& row) {
+Json json_row(const IterationRow& row) {
     return {{"body", row.body},
             {"solver", row.solver},
             {"slenderness", row.slenderness},
@@ -37,7 +37,7 @@ void add_bench_iterations(CommandLine& line) {
                           options->tree = patient->read();
                           Json rows = Json::array();
                           for (const IterationRow& row : study_iterations(*options, job)) {
-                              rows.push_back(json_of(row));
+                              rows.push_back(json_row(row));
                           }
                           return Json{{"rows", rows}};
                       });

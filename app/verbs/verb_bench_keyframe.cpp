@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct BenchKeyframeChoices {
     std::filesystem::path patient;
     std::filesystem::path script;  // empty: the program's own drag.json
     int steps = 600;
@@ -34,7 +34,7 @@ Json row_of(const StepTimes& times) {
 
 // Every step is timed without a keyframe and together with one that is taken at its end: in play
 // only every 60th step takes one.
-Json run(const Options& options, Job& job) {
+Json run_bench_keyframe(const BenchKeyframeChoices& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     const auto patient =
@@ -71,11 +71,11 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_bench_keyframe(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchKeyframeChoices>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "keyframe",
         "What a keyframe adds to a step: a played script, each step without and with one",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_bench_keyframe(*options, job); });
     verb.add_option("case", options->patient, "Case to play on")->required();
     verb.add_option("--script", options->script,
                     "Script to play; else the program's own drag.json");

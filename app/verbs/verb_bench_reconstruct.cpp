@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct BenchReconstructChoices {
     fs::path ct;  // empty: a synthetic patient
     fs::path liver_mask;
     fs::path vessel_mask;
@@ -32,7 +32,7 @@ struct Options {
 };
 
 // In a process of its own, so that this one's peak memory is the reconstruction's.
-void make_phantom_elsewhere(const Options& options) {
+void make_phantom_elsewhere(const BenchReconstructChoices& options) {
     std::vector<std::string> words{"hepatica-cli",
                                    "phantom",
                                    (options.out / "patient").string(),
@@ -74,7 +74,7 @@ Json to_json(const WatchedStage& stage) {
             {"reports", stage.reports}};
 }
 
-Json run(Options options, Job& job) {
+Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
     require_writable_folder(options.out);
     const bool synthetic = options.ct.empty();
     if (synthetic) {
@@ -120,12 +120,12 @@ Json run(Options options, Job& job) {
 }  // namespace
 
 void add_bench_reconstruct(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchReconstructChoices>();
     CLI::App& verb =
         line.add_verb("bench", "Benchmarks", "reconstruct",
                       "From CT to case: seconds, the longest wait for a cancel and for "
                       "progress in each stage, and the peak of memory",
-                      [options](Job& job) { return run(*options, job); });
+                      [options](Job& job) { return run_bench_reconstruct(*options, job); });
     verb.add_option("ct", options->ct, "CT to reconstruct; without it a synthetic patient");
     verb.add_option("--liver-mask", options->liver_mask, "As of reconstruct");
     verb.add_option("--vessel-mask", options->vessel_mask, "As of reconstruct");

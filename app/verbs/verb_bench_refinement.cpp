@@ -11,7 +11,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct BenchRefinementChoices {
     int seed = 1;
     int recursions = 8;
     int generations = 4;
@@ -65,7 +65,7 @@ double dice(const Mask& a, const Mask& b) {
     return 2.0 * static_cast<double>(both) / static_cast<double>(sum);
 }
 
-Json run(const Options& options, Job& job) {
+Json run_bench_refinement(const BenchRefinementChoices& options, Job& job) {
     PhantomOptions made;
     made.seed = static_cast<std::uint64_t>(options.seed);
     made.dims = {240, 240, 200};
@@ -98,11 +98,11 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_bench_refinement(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchRefinementChoices>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "refinement",
         "The level of the Gaussian refinement: noise of the surface against volume lost",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_bench_refinement(*options, job); });
     verb.add_option("--seed", options->seed, "Which synthetic patient")->capture_default_str();
     verb.add_option("--generations", options->generations, "Of its vessels")->capture_default_str();
     verb.add_option("--recursions", options->recursions, "0 to so many")

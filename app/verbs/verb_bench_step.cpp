@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-Json json_of(const StepRow& row) {
+Json json_row(const StepRow& row) {
     return {{"threads", row.threads},
             {"tetrahedra", row.tetrahedra},
             {"ms", row.ms},
@@ -35,7 +35,7 @@ void add_bench_step(CommandLine& line) {
             options->tree = patient->read();
             const std::vector<StepRow> measured = study_steps(*options, job);
             Json rows = Json::array();
-            for (const StepRow& row : measured) rows.push_back(json_of(row));
+            for (const StepRow& row : measured) rows.push_back(json_row(row));
             return Json{{"rows", rows}, {"thread_ratio", measured.front().ms / measured.back().ms}};
         });
     patient->add_options(verb, options->tetrahedra, "a symmetric tree");

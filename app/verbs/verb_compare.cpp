@@ -20,7 +20,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct CompareChoices {
     std::filesystem::path patient;
     std::filesystem::path truth_tree;
     TreeFileOptions tree_file;  // of the truth
@@ -31,7 +31,7 @@ struct Options {
 // Nothing where the two trees may well be one patient's. In a liver the vessels of any two patients
 // lie near each other here and there, so that the median is asked and not the least distance; and
 // the smaller of the two, since a truth may hold one system of two, and a case half of a truth.
-std::vector<std::string> doubts(const Options& options, const Accuracy& found) {
+std::vector<std::string> doubts(const CompareChoices& options, const Accuracy& found) {
     constexpr double same_vessels_mm = 5.0;
     if (!found.centreline_median_mm || !found.truth_median_mm) return {};
     const double nearer_mm = std::min(*found.centreline_median_mm, *found.truth_median_mm);
@@ -42,7 +42,7 @@ std::vector<std::string> doubts(const Options& options, const Accuracy& found) {
             "--truth-mask."};
 }
 
-Json compare_with_tree(const Options& options, Job& job) {
+Json compare_with_tree(const CompareChoices& options, Job& job) {
     if (options.truth_masks.size() != 1 || names_a_system(options.truth_masks[0]))
         throw UsageError("a true tree is judged with one mask of all its vessels", "--truth-mask",
                          "Give one FILE without a name, or leave --truth-tree out");
@@ -86,7 +86,7 @@ Json compare_with_tree(const Options& options, Job& job) {
 }  // namespace
 
 void add_compare(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareChoices>();
     CLI::App& verb = line.add_verb(
         "compare", "Judge a case by a known truth of the same patient",
         [options](Job& job) {

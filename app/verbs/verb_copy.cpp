@@ -10,12 +10,12 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct CopyChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
 };
 
-Json run(const Options& options, Job& job) {
+Json run_copy(const CopyChoices& options, Job& job) {
     require_case_place(options.out);
     job.expect_stages(2);
     job.begin_stage("Reading the case");
@@ -28,10 +28,10 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_copy(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CopyChoices>();
     CLI::App& verb =
         line.add_verb("copy", "Copy a case: as a folder NAME.hep, or in one file NAME.hepz",
-                      [options](Job& job) { return run(*options, job); });
+                      [options](Job& job) { return run_copy(*options, job); });
     verb.add_option("CASE", options->patient, "Case to copy")->required();
     verb.add_option("--out", options->out,
                     "Case to make: NAME.hep, a folder, or NAME.hepz, one file")

@@ -15,13 +15,13 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct DialChoices {
     std::filesystem::path patient;
     double budget_s = 300.0;
     bool anew = false;
 };
 
-Json json_of(const QualityPoint& point) {
+Json json_row(const QualityPoint& point) {
     return {{"setting", words_of(point.options)},
             {"energy_tolerance", point.options.linear.energy_tolerance},
             {"frame_ms", point.frame_ms},
@@ -29,7 +29,7 @@ Json json_of(const QualityPoint& point) {
 }
 
 // The dial that is left in the case is never without what was measured last.
-Json run(const Options& options, Job& job) {
+Json run_dial(const DialChoices& options, Job& job) {
     const std::filesystem::path file =
         is_case_archive(options.patient) ? options.patient : options.patient / "dial.json";
     require_writable(file);
@@ -45,12 +45,12 @@ Json run(const Options& options, Job& job) {
     Json measured = Json::array();
     while (passed_s() < options.budget_s && study.measure_next(job)) {
         write_dial(options.patient, dial_json(study.points(), *patient));
-        measured.push_back(json_of(study.points().back()));
+        measured.push_back(json_row(study.points().back()));
         measured.back()["after_s"] = passed_s();
     }
     const QualityDial dial = dial_of_points(study.points());
     Json front = Json::array();
-    for (const QualityPoint& point : dial.front()) front.push_back(json_of(point));
+    for (const QualityPoint& point : dial.front()) front.push_back(json_row(point));
     return {{"tetrahedra", patient->mesh.tetrahedra.size()},
             {"reference", dial.front().front().reference},
             {"measured", measured},
@@ -62,12 +62,12 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_dial(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DialChoices>();
     CLI::App& verb = line.add_verb(
         "dial",
         "Measure what the settings of the dial cost and miss on a patient's own body, and leave "
         "them in the case",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_dial(*options, job); });
     verb.add_option("CASE", options->patient, "Case to measure on")->required();
     verb.add_option("--budget", options->budget_s,
                     "Wall time in seconds, after which no further setting is begun")

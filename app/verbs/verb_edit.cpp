@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct EditChoices {
     fs::path patient;
     fs::path edits;
     fs::path out;
@@ -59,7 +59,8 @@ void require_state(const PatientCase& patient, std::size_t index, const std::str
 }
 
 // Refuses by confidence, then offers again, accepts and refuses what was named.
-void decide_bridges(const Options& options, PatientCase& patient, std::vector<TreeEdit>& edits) {
+void decide_bridges(const EditChoices& options, PatientCase& patient,
+                    std::vector<TreeEdit>& edits) {
     std::vector<Bridge>& bridges = patient.corrections.bridges;
     for (std::size_t i = 0; i < bridges.size(); ++i)
         if (bridges[i].confidence < options.refuse_below &&
@@ -82,7 +83,7 @@ void decide_bridges(const Options& options, PatientCase& patient, std::vector<Tr
 }
 
 // What the case's edits become: some of the last taken back, then the file's, then bridges.
-PatientCase corrected(const Options& options, PatientCase patient, Job& job) {
+PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
     std::vector<TreeEdit> edits = patient.corrections.edits;
     if (options.undo > static_cast<int>(edits.size()))
         throw UsageError(std::to_string(options.undo) + " edits cannot be taken back", "--undo",
@@ -112,7 +113,7 @@ Json bridges_of(const PatientCase& patient) {
     return list;
 }
 
-Json run(const Options& options, Job& job) {
+Json run_edit(const EditChoices& options, Job& job) {
     if (!options.out.empty()) require_case_place(options.out);
     job.expect_stages(options.list ? 1 : 4);
     job.begin_stage("Reading the case");
@@ -137,10 +138,10 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_edit(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EditChoices>();
     CLI::App& verb =
         line.add_verb("edit", "Correct a case's tree: links, cuts, branches, roots, systems",
-                      [options](Job& job) { return run(*options, job); });
+                      [options](Job& job) { return run_edit(*options, job); });
     verb.add_option("case", options->patient, "Case to correct")->required();
     verb.add_option("--edits", options->edits, "JSON array of edits, made after those it holds");
     verb.add_option("--undo", options->undo, "Take back so many of the last edits first")

@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct EmbolizeChoices {
     std::filesystem::path place;
     TreeFileOptions tree_file;
     std::string at_mm;
@@ -31,7 +31,7 @@ struct Options {
 };
 
 // A pressure at the tip, and beds beyond the outlets that let the given flow of blood through.
-FlowConditions conditions_of(const Options& options, const FlowNetwork& network, int tip) {
+FlowConditions conditions_of(const EmbolizeChoices& options, const FlowNetwork& network, int tip) {
     FlowConditions conditions;
     conditions.law = options.fluid.law();
     conditions.resident = pure(options.fluid.liquid());
@@ -66,7 +66,7 @@ Chart chart_of(const Embolization& result) {
     return {"Embolization", "Beads injected", "Share", {flow, open}};
 }
 
-Json run(Options options, Job& job) {
+Json run_embolize(EmbolizeChoices options, Job& job) {
     if (!options.plot.empty()) require_chart_file(options.plot);
     for (const auto* file : {&options.csv, &options.plot})
         if (!file->empty()) require_writable(*file);
@@ -111,10 +111,10 @@ Json run(Options options, Job& job) {
 }  // namespace
 
 void add_embolize(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EmbolizeChoices>();
     EmbolizationOptions& embolization = options->embolization;
     CLI::App& verb = line.add_verb("embolize", "Inject beads until the flow stands still",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_embolize(*options, job); });
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
     options->tree_file.add_to(verb);

@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-Json json_of(const ExtremeRow& row) {
+Json json_row(const ExtremeRow& row) {
     Json json{{"name", row.name},
               {"survived", row.survived},
               {"refused", row.refused},
@@ -46,7 +46,7 @@ void add_extremes(CommandLine& line) {
                                              : *suite == "tear" ? tear_cases(*campaign)
                                                                 : extreme_cases();
                           for (const ExtremeRow& row : run_extremes(cases, *filter, job)) {
-                              rows.push_back(json_of(row));
+                              rows.push_back(json_row(row));
                               survived += row.survived;
                               splits += row.splits;
                               if (!row.survived)

@@ -15,7 +15,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct FeedersChoices {
     std::filesystem::path patient;
     int tumour = 0;  // from 1; 0: all
     std::string at_mm;
@@ -33,7 +33,7 @@ std::vector<std::uint8_t> tumours_in(const Mask& organs) {
     return labels;
 }
 
-std::vector<std::uint8_t> wanted_tumours(const Options& options, const Mask& organs) {
+std::vector<std::uint8_t> wanted_tumours(const FeedersChoices& options, const Mask& organs) {
     const std::vector<std::uint8_t> all = tumours_in(organs);
     if (all.empty())
         throw InputError("the case holds no tumour", options.patient.string(),
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> wanted_tumours(const Options& options, const Mask& org
 }
 
 // What of the liver lies about a place counts as the tumour.
-std::vector<std::uint8_t> mark_ball(const Options& options, Mask& organs) {
+std::vector<std::uint8_t> mark_ball(const FeedersChoices& options, Mask& organs) {
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
     const Vec3 at(x, y, z);
     bool any = false;
@@ -78,7 +78,7 @@ Json to_json(const Feeder& feeder, const VesselTree& tree,
     return json;
 }
 
-Json run(const Options& options, Job& job) {
+Json run_feeders(const FeedersChoices& options, Job& job) {
     job.expect_stages(2);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
@@ -108,9 +108,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_feeders(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FeedersChoices>();
     CLI::App& verb = line.add_verb("feeders", "Branches that feed a case's tumours, with shares",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_feeders(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
     auto* tumour =
         verb.add_option("--tumour", options->tumour, "Only this one, from 1 (the largest)")

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int points_per_decade = 40;
 
-struct Options {
+struct FlowCurvesChoices {
     std::filesystem::path out;
     Cone cone{2.15, 1.465, 20.0};  // the common hepatic artery narrowing to the proper one
     std::string format = "png";
@@ -38,7 +38,7 @@ std::vector<Form> forms() {
 }
 
 // Drops against the Reynolds number of blood at the same mass flow.
-void draw_forms(const Options& options) {
+void draw_forms(const FlowCurvesChoices& options) {
     Chart drops{"Drop of total pressure along one vessel",
                 "Reynolds number of blood at the inlet",
                 "Drop (Pa)",
@@ -118,7 +118,7 @@ Json hepatic_arteries() {
     return rows;
 }
 
-Json run(const Options& options) {
+Json run_flow_curves(const FlowCurvesChoices& options) {
     validate(options.cone);
     require_chart_file(options.out / ("flow_forms." + options.format));
     require_writable_folder(options.out);
@@ -133,10 +133,10 @@ Json run(const Options& options) {
 }  // namespace
 
 void add_flow_curves(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FlowCurvesChoices>();
     CLI::App& verb = line.add_verb("flow-curves",
                                    "Compare the forms of the pressure law over the Reynolds number",
-                                   [options](Job&) { return run(*options); });
+                                   [options](Job&) { return run_flow_curves(*options); });
     verb.add_option("OUT", options->out, "Folder for the plots")->required();
     verb.add_option("--r1-mm", options->cone.proximal_radius_mm, "Radius at the inlet")
         ->capture_default_str();

@@ -19,7 +19,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct InjectChoices {
     std::filesystem::path place;
     TreeFileOptions tree_file;
     InjectionOptions injection;
@@ -71,7 +71,7 @@ Json to_json(const InjectionResult& result, const Territory& territory, double m
             {"drug_g", mass_g}};
 }
 
-Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& tip,
+Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreePoint& tip,
                const InjectionResult& result) {
     const InjectionSample& begin = result.series.front();
     const InjectionSample& end = result.series.back();
@@ -125,7 +125,7 @@ Json answer_of(const VesselTree& tree, const Options& options, const TreePoint& 
     return answer;
 }
 
-Json run(Options options, Job& job) {
+Json run_inject(InjectChoices options, Job& job) {
     if (!options.plot.empty()) require_chart_file(options.plot);
     for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
         if (!file->empty()) require_writable(*file);
@@ -161,12 +161,12 @@ Json run(Options options, Job& job) {
 }  // namespace
 
 void add_inject(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<InjectChoices>();
     InjectionOptions& injection = options->injection;
     injection.mass_flow_g_s = default_injection::mass_flow_g_s;
     CLI::App& verb = line.add_verb(
         "inject", "Inject a drug and follow its front through the tree",
-        [options](Job& job) { return run(*options, job); }, summary_of_injection);
+        [options](Job& job) { return run_inject(*options, job); }, summary_of_injection);
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
     options->tree_file.add_to(verb);

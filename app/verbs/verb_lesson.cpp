@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct LessonChoices {
     std::string lesson;
     fs::path recording;
     fs::path patient;
@@ -28,13 +28,13 @@ struct Options {
 };
 
 // A case that a lesson names, relative to its own file; else what the user gave.
-fs::path case_of(const Lesson& lesson, const Options& options) {
+fs::path case_of(const Lesson& lesson, const LessonChoices& options) {
     const bool names_case = lesson.patient != "any" && lesson.patient != "built-in";
     if (!options.patient.empty() || !names_case) return options.patient;
     return fs::path(options.lesson).parent_path() / lesson.patient;
 }
 
-Json run(const Options& options, Job& job) {
+Json run_lesson(const LessonChoices& options, Job& job) {
     if (!options.csv.empty()) require_writable(options.csv);
     const Lesson lesson = find_lesson(options.lesson);
     const Recording recording = read_recording(options.recording);
@@ -53,9 +53,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_lesson(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<LessonChoices>();
     CLI::App& verb = line.add_verb("lesson", "Score a recording of a lesson",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_lesson(*options, job); });
     verb.add_option("lesson", options->lesson,
                     "Lesson: a file, or the name of one that comes with the program, such as "
                     "gentle_pull")

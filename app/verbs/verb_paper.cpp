@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct PaperChoices {
     fs::path patient;  // empty: the built-in one
     fs::path out;
     int threads = 2;
 };
 
-Json run(const Options& options, Job& job) {
+Json run_paper(const PaperChoices& options, Job& job) {
     require_writable(options.out);
     require_empty_or_new(options.out);
     PaperOptions paper{.title = "the built-in patient",
@@ -53,10 +53,10 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_paper(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PaperChoices>();
     CLI::App& verb = line.add_verb(
         "paper", "Make the paper's figures and table anew, as a page with ours beside its own",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_paper(*options, job); });
     verb.add_option("case", options->patient, "Case to show; none: the built-in patient");
     verb.add_option("--out", options->out, "Folder to make, with index.html and its pictures")
         ->required();

@@ -21,7 +21,7 @@ namespace {
 // A patient whose vessels cannot be seen has no truth that a reconstruction could be held against.
 constexpr double least_contrast_hu = 1.0;
 
-struct Options {
+struct PhantomChoices {
     fs::path out;
     PhantomOptions phantom;
     std::int64_t seed = 1;  // signed, so that a minus is seen
@@ -30,7 +30,7 @@ struct Options {
     std::vector<std::string> formats{"dicom", "nifti"};
 };
 
-void parse(Options& options) {
+void parse(PhantomChoices& options) {
     if (options.seed < 0)
         throw InputError(std::to_string(options.seed) + " is no seed", "--seed",
                          "Give a whole number from 0 on");
@@ -54,7 +54,7 @@ void parse(Options& options) {
                              "Choose dicom, nifti or both: dicom,nifti");
 }
 
-Json make(Options options, Job& job) {
+Json make(PhantomChoices options, Job& job) {
     parse(options);
     require_writable(options.out);
     require_own_or_new(options.out, "truth_tree.vtp");
@@ -93,7 +93,7 @@ Json make(Options options, Job& job) {
 }  // namespace
 
 void add_phantom(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PhantomChoices>();
     CLI::App& verb = line.add_verb(
         "phantom", "Make a synthetic patient: a CT with its true vessel tree and masks",
         [options](Job& job) { return make(*options, job); });

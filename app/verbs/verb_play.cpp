@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct PlayChoices {
     fs::path patient;  // CT, case or tree; empty: the built-in patient
     std::string name;
     fs::path out = "out";
@@ -45,7 +45,7 @@ Json table_of(const std::vector<StageTime>& stages) {
     return table;
 }
 
-OpenRequest request_of(const Options& options) {
+OpenRequest request_of(const PlayChoices& options) {
     OpenRequest request{.built_in = options.patient.empty(), .reconstruct = {}};
     request.reconstruct.ct = options.patient;
     request.reconstruct.name = options.name;
@@ -60,7 +60,7 @@ int stage_count_of(const OpenRequest& request) {
 }
 
 // No file or folder is named: it may be called after the patient, and a report is passed on.
-std::string title_of(const Options& options, const PatientCase& patient) {
+std::string title_of(const PlayChoices& options, const PatientCase& patient) {
     if (options.patient.empty()) return "the built-in patient";
     if (!options.name.empty()) return options.name;
     return patient.source.name.empty() ? "a patient" : patient.source.name;
@@ -105,7 +105,7 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
     report.write(file);
 }
 
-Json run(const Options& options, Job& job) {
+Json run_play(const PlayChoices& options, Job& job) {
     const fs::path report = options.out / "report.html";
     require_writable_folder(options.out);
     const BackEndChoice back_end = choose_back_end(options.backend);
@@ -139,9 +139,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_play(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlayChoices>();
     CLI::App& verb = line.add_verb("play", "Play a session without a window: pictures and a report",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_play(*options, job); });
     verb.add_option("--name", options->name, "What the report calls the patient");
     verb.add_option("patient", options->patient, "CT, case or tree; none: the built-in patient");
     verb.add_option("--out", options->out,

@@ -8,14 +8,14 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct PressureDropChoices {
     Cone cone;
     double mass_flow_g_s = 0.0;
     double loss_coefficient = 0.0;
     FluidOptions fluid;
 };
 
-Json run(const Options& options) {
+Json run_pressure_drop(const PressureDropChoices& options) {
     const Cone& cone = options.cone;
     const double m = options.mass_flow_g_s;
     validate(cone);
@@ -53,10 +53,10 @@ Json run(const Options& options) {
 }  // namespace
 
 void add_pressure_drop(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PressureDropChoices>();
     CLI::App& verb =
         line.add_verb("pressure-drop", "Loss of pressure along one conical vessel segment",
-                      [options](Job&) { return run(*options); });
+                      [options](Job&) { return run_pressure_drop(*options); });
     verb.add_option("--r1-mm", options->cone.proximal_radius_mm, "Radius at the inlet")->required();
     verb.add_option("--r2-mm", options->cone.distal_radius_mm, "Radius at the outlet")->required();
     verb.add_option("--length-mm", options->cone.length_mm, "Length")->required();

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct ReconstructChoices {
     ReconstructOptions reconstruct;
     fs::path out;
     fs::path liver_mask;
@@ -83,7 +83,7 @@ VesselSeed parse_seed(const std::string& text) {
     return seed;
 }
 
-void parse(Options& options) {
+void parse(ReconstructChoices& options) {
     static const std::map<std::string, SegmentationMethod> methods{
         {"coherent", SegmentationMethod::coherent},
         {"multi-layer", SegmentationMethod::multi_layer},
@@ -114,7 +114,7 @@ Json to_json(const VoxelCounts& counts) {
 }
 
 // Many CTs: --batch stands in for the one, and --liver-mask names a folder of masks.
-Json run_many(const Options& options, Job& job) {
+Json run_many(const ReconstructChoices& options, Job& job) {
     BatchOptions batch = options.batch;
     if (batch.task > batch.tasks)
         throw UsageError(
@@ -126,7 +126,7 @@ Json run_many(const Options& options, Job& job) {
     return run_batch(batch, job);
 }
 
-Json run(Options options, Job& job) {
+Json run_reconstruct(ReconstructChoices options, Job& job) {
     parse(options);
     if (!options.batch.folder.empty()) return run_many(options, job);
     if (options.reconstruct.ct.empty())
@@ -174,15 +174,20 @@ CLI::Option* add_batch_options(CLI::App& verb, BatchOptions& batch) {
         ->needs(folder)
         ->capture_default_str();
     verb.add_flag("--retry", batch.retry, "Of the batch those that failed, too")->needs(folder);
+    verb.add_flag(
+            "--keep-names", batch.keep_names,
+            "Call patients as their scans are called; else by pseudonyms, which OUT/names.csv "
+            "resolves")
+        ->needs(folder);
     return folder;
 }
 
 }  // namespace
 
 void add_reconstruct(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReconstructChoices>();
     CLI::App& verb = line.add_verb("reconstruct", "Make a patient's case from a contrast CT",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_reconstruct(*options, job); });
     ReconstructOptions& reconstruct = options->reconstruct;
     CLI::Option* ct =
         verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file");

@@ -22,7 +22,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct RenderChoices {
     std::filesystem::path patient;
     std::filesystem::path recording;
     std::filesystem::path out;
@@ -38,7 +38,7 @@ struct Options {
     bool segments = false;
 };
 
-PictureOptions picture_options(const Options& options) {
+PictureOptions picture_options(const RenderChoices& options) {
     PictureOptions picture;
     const std::optional<ViewDirection> view = view_direction_named(options.view);
     if (!view)
@@ -65,7 +65,7 @@ PictureOptions picture_options(const Options& options) {
 }
 
 // Where the drug goes in: the place asked for, else the root of the first system.
-Vec3 injection_point(const Options& options, const VesselTree& tree) {
+Vec3 injection_point(const RenderChoices& options, const VesselTree& tree) {
     if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
     point_of_vessel("--at-mm", {x, y, z}, tree);
@@ -73,7 +73,7 @@ Vec3 injection_point(const Options& options, const VesselTree& tree) {
 }
 
 // The case at rest, with the drug as far as it has come after time_s.
-std::unique_ptr<Session> still_life(const Options& options,
+std::unique_ptr<Session> still_life(const RenderChoices& options,
                                     const std::shared_ptr<const PatientCase>& patient, Job& job) {
     SceneSpec scene = default_scene();
     scene.deform.reset();
@@ -91,7 +91,7 @@ std::unique_ptr<Session> still_life(const Options& options,
 }
 
 // A recorded play up to time_s, or to its end.
-std::unique_ptr<Session> played(const Options& options, const Recording& recording,
+std::unique_ptr<Session> played(const RenderChoices& options, const Recording& recording,
                                 const std::shared_ptr<const PatientCase>& patient, Job& job) {
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError("the recording was made on another patient", options.recording.string(),
@@ -108,7 +108,7 @@ std::unique_ptr<Session> played(const Options& options, const Recording& recordi
     return session;
 }
 
-Json run(const Options& options, Job& job) {
+Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
     require_writable(options.out);
@@ -140,9 +140,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_render(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderChoices>();
     CLI::App& verb = line.add_verb("render", "A picture of a case, without any display",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_render(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
     verb.add_option("--out", options->out, "Picture to write, NAME.png")->required();
     verb.add_option("--recording", options->recording, "Show this recorded play");

@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct ReplayChoices {
     fs::path file;
     fs::path patient;
     std::uint64_t from_step = 0;
     bool verify = false;
 };
 
-Json run(const Options& options, Job& job) {
+Json run_replay(const ReplayChoices& options, Job& job) {
     const Recording recording = read_recording(options.file);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     job.expect_stages(3);
@@ -48,9 +48,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_replay(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReplayChoices>();
     CLI::App& verb = line.add_verb("replay", "Play a recording again and compare every step",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_replay(*options, job); });
     verb.add_option("file", options->file, "Recording")->required();
     verb.add_option("--patient", options->patient,
                     "Case that was recorded; none: the one beside the recording that fits");

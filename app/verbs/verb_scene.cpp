@@ -12,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct SceneChoices {
     std::filesystem::path file;
     std::string backend = "cpu";
 };
@@ -23,7 +23,7 @@ SceneFile scene_of(const std::filesystem::path& file) {
 }
 
 // Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
-Json run(const Options& options, Job& job) {
+Json run_scene(const SceneChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
     const SceneFile scene = scene_of(options.file);
     job.expect_stages(3);
@@ -61,10 +61,10 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_scene(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SceneChoices>();
     CLI::App& verb = line.add_verb(
         "scene", "The parts that a scene builds, their memory, and their cost per frame",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_scene(*options, job); });
     verb.add_option("file", options->file, "Scene file (JSON) or case")->required();
     verb.add_option("--backend", options->backend, "Where the solver runs")
         ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))

@@ -21,7 +21,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct SimulateChoices {
     std::filesystem::path patient;
     std::filesystem::path script;
     std::filesystem::path record;
@@ -43,7 +43,7 @@ void write_final_mesh(const World& world, const std::filesystem::path& file) {
     write_vtu(file, world.deform()->shape());
 }
 
-SceneSpec scene_of(const Options& options, const Script& script) {
+SceneSpec scene_of(const SimulateChoices& options, const Script& script) {
     SceneSpec spec = script.scene.value_or(default_scene());
     if (options.dt_s > 0.0) spec.dt_s = options.dt_s;
     if (options.quality >= 0.0 && spec.deform) spec.deform->quality = options.quality;
@@ -51,7 +51,7 @@ SceneSpec scene_of(const Options& options, const Script& script) {
     return spec;
 }
 
-Json run(const Options& options, Job& job) {
+Json run_simulate(const SimulateChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
     if (!options.record.empty()) require_writable(options.record);
     if (!options.final_mesh.empty()) require_writable(options.final_mesh);
@@ -86,9 +86,9 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_simulate(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SimulateChoices>();
     CLI::App& verb = line.add_verb("simulate", "Play a script on a case and measure",
-                                   [options](Job& job) { return run(*options, job); });
+                                   [options](Job& job) { return run_simulate(*options, job); });
     verb.add_option("case", options->patient, "Case to play on")->required();
     verb.add_option("--script", options->script,
                     "Script, such as the program's own scripts/drag.json")

@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct SkeletonChoices {
     std::filesystem::path mask;
     std::filesystem::path out;
     std::string method = "queue";
@@ -40,7 +40,8 @@ std::vector<Index3> places(const Grid& grid, const std::vector<std::size_t>& off
 }
 
 // Crowded points, regions, exits, centres, paths and the result around the largest region.
-void draw_stages(const Options& options, const Mask& thinned, const UnitWidthStages& stages) {
+void draw_stages(const SkeletonChoices& options, const Mask& thinned,
+                 const UnitWidthStages& stages) {
     const auto largest = std::ranges::max_element(
         stages.regions, {}, [](const CrowdedRegion& r) { return r.voxels.size(); });
     if (largest == stages.regions.end()) return;
@@ -78,7 +79,7 @@ void draw_stages(const Options& options, const Mask& thinned, const UnitWidthSta
     draw("6_unit_width.png", {result});
 }
 
-Json run(const Options& options, Job& job) {
+Json run_skeleton(const SkeletonChoices& options, Job& job) {
     if (!options.out.empty()) require_writable_folder(options.out);
     job.expect_stages(3);
     const Mask mask = read_mask(options.mask, job);
@@ -105,10 +106,10 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_skeleton(CommandLine& line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SkeletonChoices>();
     CLI::App& verb =
         line.add_verb("skeleton", "Thin a vessel mask and show how it gets one voxel wide",
-                      [options](Job& job) { return run(*options, job); });
+                      [options](Job& job) { return run_skeleton(*options, job); });
     verb.add_option("mask", options->mask, "Vessel voxels (NIfTI ...)")->required();
     verb.add_option("--out", options->out, "Folder for a picture of each stage");
     verb.add_option("--method", options->method, "How the mask is thinned")

@@ -14,7 +14,7 @@ namespace hepatica {
 
 namespace {
 
-struct Options {
+struct TradeoffChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
     TradeoffOptions measure;
@@ -24,7 +24,7 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json json_of(const TradeoffPoint& point) {
+Json json_row(const TradeoffPoint& point) {
     Json json{{"element", point.element},
               {"elements", point.elements},
               {"region", point.region},
@@ -55,7 +55,7 @@ std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
     return bodies;
 }
 
-Tradeoff measure(const Options& options, Job& job) {
+Tradeoff measure(const TradeoffChoices& options, Job& job) {
     if (options.patient.empty()) {
         job.expect_stages(2);
         return measure_beam_tradeoff(options.measure, job);
@@ -68,13 +68,13 @@ Tradeoff measure(const Options& options, Job& job) {
     return measure_body_tradeoff(bodies_of(patient, job), how, job);
 }
 
-Json run(const Options& options, Job& job) {
+Json run_tradeoff(const TradeoffChoices& options, Job& job) {
     require_writable_folder(options.out);
     const Tradeoff tradeoff = measure(options, job);
     write_tradeoff(tradeoff, options.out);
     Json points = Json::array(), front = Json::array(), left_out = Json::array();
     for (const TradeoffPoint& point : tradeoff.points) {
-        Json json = json_of(point);
+        Json json = json_row(point);
         json["reference"] = tradeoff.reference;
         if (point.on_front) front.push_back(json);
         (point.not_measured.empty() ? points : left_out).push_back(std::move(json));
@@ -97,11 +97,11 @@ Json run(const Options& options, Job& job) {
 }  // namespace
 
 void add_tradeoff(CommandLine& line) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TradeoffChoices>();
     CLI::App& verb = line.add_verb(
         "tradeoff",
         "Error against cost over the dial, on a beam whose answer is known or on a patient",
-        [options](Job& job) { return run(*options, job); });
+        [options](Job& job) { return run_tradeoff(*options, job); });
     verb.add_option("CASE", options->patient, "A patient's case; without it the clamped beam");
     verb.add_option("--out", options->out, "Folder for tradeoff.csv and tradeoff.svg")->required();
     verb.add_option("--budget", options->measure.budget_s,

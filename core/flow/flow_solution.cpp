@@ -283,7 +283,7 @@ void NetworkFlow::read_back(const HydraulicState& state) {
         if (bed < 0) {
             solution_.outlet_flow_mm3_s.push_back(leave(node));
         } else {
-            const double q = circuit_.elements[bed].open ? state.flow_mm3_s[bed] : 0.0;
+            const double q = state.flow_mm3_s[bed];  // 0 where it is closed
             surplus[node] -= q;
             solution_.outlet_flow_mm3_s.push_back(q);
         }

@@ -5,18 +5,10 @@
 #include <locale>
 #include <sstream>
 
+#include "core/tree/station.h"
+
 namespace hepatica {
 namespace {
-
-Vec3 middle_of(const VesselSegment& segment, double length) {
-    double left = 0.5 * length;
-    for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
-        const Vec3 step = segment.points_mm[i] - segment.points_mm[i - 1];
-        if (left <= step.norm()) return segment.points_mm[i - 1] + left / step.norm() * step;
-        left -= step.norm();
-    }
-    return segment.points_mm.back();
-}
 
 double mean_radius(const VesselSegment& segment, double length) {
     double sum = 0.0;
@@ -44,7 +36,7 @@ std::vector<BranchRow> branch_rows(const VesselTree& tree, std::span<const Branc
         row.strahler_order = segment.strahler_order;
         row.length_mm = length_mm(segment);
         row.radius_mm = mean_radius(segment, row.length_mm);
-        row.middle_mm = middle_of(segment, row.length_mm);
+        row.middle_mm = station_at(segment, 0.5 * row.length_mm).position_mm;
         if (!labels.empty()) {
             row.couinaud = labels[s].segment;
             row.couinaud_confidence = labels[s].confidence;

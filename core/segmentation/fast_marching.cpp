@@ -169,18 +169,17 @@ FloatVolume march_inwards(const Grid& grid, MarchingOrder order, const Inside& i
                 const Index3 at{x, y, z};
                 std::array<double, 3> gap;
                 gap.fill(std::numeric_limits<double>::infinity());
-                bool border = false;
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     const double h = grid.spacing_mm[static_cast<Eigen::Index>(axis)];
                     const auto look = [&](bool exists, std::size_t neighbour) {
                         if (!exists || inside(neighbour)) return;
                         gap[axis] = std::min(gap[axis], gap_to(voxel, neighbour, h));
-                        border = true;
                     };
                     look(at[axis] > 0, voxel - stride[axis]);
                     look(at[axis] + 1 < grid.dims[axis], voxel + stride[axis]);
                 }
-                if (border) front.set(voxel, distance_to_plane(gap));
+                const double nearest = *std::ranges::min_element(gap);
+                if (std::isfinite(nearest)) front.set(voxel, distance_to_plane(gap));
             }
     }
     front.march([&](std::size_t i) { return inside(i) ? 1.0f : never; },

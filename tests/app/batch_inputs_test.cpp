@@ -46,9 +46,25 @@ TEST_F(BatchInputs, RefusesAFolderWithoutCtOrOneThatIsNotThere) {
     EXPECT_THROW(batch_inputs(folder_ / "scans", folder_ / "nowhere"), InputError);
 }
 
+TEST_F(BatchInputs, HavePseudonymsThatStayTheirOwn) {
+    auto inputs = batch_inputs(folder_ / "scans", {});
+    use_pseudonyms(inputs);
+    std::map<std::string, std::string> by_scan;
+    for (const BatchInput& input : inputs) by_scan[input.scan] = input.patient;
+    EXPECT_EQ(by_scan.size(), 4u);
+    // printf carl | sha256sum
+    EXPECT_EQ(by_scan.at("carl"), "P-69bfe1e6");
+    inputs.erase(inputs.begin());  // what is added or taken away renames nobody else
+    use_pseudonyms(inputs);
+    for (const BatchInput& input : inputs) EXPECT_EQ(input.patient, by_scan.at(input.scan));
+    std::vector<BatchInput> twins(2, inputs.front());
+    use_pseudonyms(twins);
+    EXPECT_NE(twins[0].patient, twins[1].patient);
+}
+
 TEST(BatchShares, TogetherAreTheWholeWithoutOverlap) {
     std::vector<BatchInput> inputs;
-    for (int i = 0; i < 11; ++i) inputs.push_back({std::to_string(i), {}, {}});
+    for (int i = 0; i < 11; ++i) inputs.push_back({std::to_string(i), {}, {}, {}});
     for (const int count : {1, 3, 11, 20}) {
         std::map<std::string, int> times;
         std::size_t largest = 0, smallest = 11;

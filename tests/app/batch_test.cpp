@@ -43,7 +43,12 @@ class Batch : public testing::Test {
 
     static fs::path root() { return fs::path(testing::TempDir()) / "hepatica batch"; }
     static std::string path(const std::string& name) { return (root() / name).string(); }
+    // Patients are called as their scans are.
     static std::vector<std::string> call(std::vector<std::string> more = {}) {
+        more.push_back("--keep-names");
+        return call_with_pseudonyms(more);
+    }
+    static std::vector<std::string> call_with_pseudonyms(std::vector<std::string> more = {}) {
         std::vector<std::string> arguments{"reconstruct",  "--batch",      path("scans"),
                                            "--out",        path("out"),    "--liver-mask",
                                            path("livers"), "--tetrahedra", "1500"};
@@ -110,6 +115,46 @@ TEST_F(Batch, GoesOnWhereItWasInterrupted) {
               hash_of(read_case(root() / "out/cases/anton.hep")));  // the same CT
     for (const auto& entry : fs::directory_iterator(root() / "out/cases"))
         EXPECT_EQ(entry.path().extension(), ".hep") << entry.path();
+}
+
+TEST_F(Batch, SaysWhatAScanWasCalledInOneFileAlone) {
+    const Json made = answer(call_with_pseudonyms());
+    EXPECT_EQ(made.at("done"), 2);
+    const std::string names = text_of(root() / "out/names.csv");
+    EXPECT_EQ(names.find("patient,scan\n\"P-"), 0u) << names;
+    EXPECT_EQ(fs::status(root() / "out/names.csv").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+    int searched = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root() / "out")) {
+        const std::string text = entry.is_regular_file() ? text_of(entry.path()) : "";
+        for (const char* scan : {"anton", "berta", "carla"}) {
+            if (entry.path().filename() == "names.csv") {
+                EXPECT_NE(text.find(scan), std::string::npos);
+                continue;
+            }
+            EXPECT_EQ(text.find(scan), std::string::npos) << entry.path();
+            EXPECT_EQ(fs::relative(entry.path(), root()).string().find(scan), std::string::npos);
+        }
+        ++searched;
+    }
+    EXPECT_GT(searched, 20);
+    for (const auto& [patient, state] : states())
+        EXPECT_EQ(fs::exists(root() / "out/cases" / (patient + ".hep")), state == "done");
+    EXPECT_EQ(states().size(), 3u);
+    EXPECT_EQ(answer(call_with_pseudonyms()).at("made_now"), 0);
+}
+
+// One table must not mix what was begun otherwise.
+TEST_F(Batch, GoesOnOnlyAsItWasBegun) {
+    EXPECT_EQ(answer(call({"--task", "2", "--of", "3"})).at("made_now"), 1);
+    const Outcome renamed = run_cli(call_with_pseudonyms());
+    EXPECT_EQ(renamed.exit_code, 1);
+    EXPECT_NE(renamed.errors.find("other options"), std::string::npos) << renamed.errors;
+    const Outcome without_livers = run_cli({"reconstruct", "--batch", path("scans"), "--out",
+                                            path("out"), "--tetrahedra", "1500", "--keep-names"});
+    EXPECT_EQ(without_livers.exit_code, 1);
+    EXPECT_NE(without_livers.errors.find("other options"), std::string::npos)
+        << without_livers.errors;
 }
 
 TEST_F(Batch, SharesOfAnArrayOfJobsMakeTheWhole) {

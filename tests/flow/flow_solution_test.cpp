@@ -254,6 +254,20 @@ TEST(FlowSolution, MurrayResistancesShareTheFlowByTheCubeOfTheRadius) {
     }
 }
 
+TEST(FlowSolution, AnInfiniteResistanceClosesAnOutlet) {
+    Random random(23);
+    const FlowNetwork network = random_tree(random, 31);
+    FlowConditions conditions = conditions_of(PressureLaw::regime, {flow_into(0, 1.0)});
+    conditions.terminal_resistances = murray_terminal_resistances(network, 10.0);
+    conditions.terminal_resistances[1] = std::numeric_limits<double>::infinity();
+    const FlowSolution solution = solve_flow(network, conditions);
+    EXPECT_EQ(solution.outlet_flow_mm3_s[1], 0.0);
+    EXPECT_LT(solution.mass_error_relative, 1e-11);
+    double out = 0.0;
+    for (const double q : solution.outlet_flow_mm3_s) out += q;
+    EXPECT_NEAR(out / solution.inlet_flow_mm3_s[0], 1.0, 1e-11);
+}
+
 TEST(FlowSolution, TheLossCoefficientCostsDynamicPressureInTheBranches) {
     FlowNetwork network;
     network.node_count = 4;

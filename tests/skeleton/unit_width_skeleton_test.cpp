@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "tests/support/test_masks.h"
@@ -69,6 +72,41 @@ TEST(UnitWidthSkeleton, StagesOfACrossWithAThickMiddle) {
     EXPECT_EQ(betti_numbers(stages.skeleton), betti_numbers(mask));
     EXPECT_EQ(stages.skeleton.at(0, 5, 5), 1);
     EXPECT_EQ(stages.skeleton.at(5, 10, 5), 1);
+}
+
+// Sum of the squared distances to the region's voxels over the degree, as it is defined.
+double valence_score(const Mask& mask, const CrowdedRegion& region, std::size_t voxel) {
+    const Index3 p = mask.grid.index_of(voxel);
+    double distances = 0.0;
+    for (const std::size_t other : region.voxels) {
+        const Index3 q = mask.grid.index_of(other);
+        for (std::size_t a = 0; a < 3; ++a) distances += (p[a] - q[a]) * (p[a] - q[a]);
+    }
+    int degree = -1;  // the voxel itself is counted below
+    for (int dz = -1; dz <= 1; ++dz)
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const int x = p[0] + dx, y = p[1] + dy, z = p[2] + dz;
+                degree += mask.grid.contains(x, y, z) && mask.at(x, y, z) != 0;
+            }
+    return distances / degree;
+}
+
+TEST(UnitWidthSkeleton, TheCentreIsTheSpatialMedianOfItsRegion) {
+    int judged = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        std::mt19937_64 random(trial);
+        const Mask mask = thinned(blob_mask(24, 0.1 + 0.4 * uniform(random), random));
+        Job job;
+        for (const CrowdedRegion& region : unit_width_stages(mask, job).regions) {
+            double best = std::numeric_limits<double>::infinity();
+            for (const std::size_t voxel : region.voxels)
+                best = std::min(best, valence_score(mask, region, voxel));
+            EXPECT_DOUBLE_EQ(valence_score(mask, region, region.centre), best) << trial;
+            judged += region.voxels.size() > 3;
+        }
+    }
+    EXPECT_GT(judged, 50);
 }
 
 // A ring of crowded points around a hole: removing all but a star of paths would close the tunnel.

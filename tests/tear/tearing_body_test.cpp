@@ -329,6 +329,28 @@ TEST(TearingBody, GoesOnToTheSameBitsFromTheMiddleOfATear) {
     EXPECT_GT(one->tearing()->report().vertices_split, 20);
 }
 
+TEST(TearingBody, AsleepReportsTheEnergyOfItsTiesAfterARestoreAsWell) {
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    int k = 1;
+    while (k < 300 && stepper->energies().cohesion == 0.0) {
+        stepper->set_grabs(pull_of(body, 20.0, 0.1 * k++));
+        stepper->step(frame_s);
+    }
+    StepReport report;
+    for (int still = 0; still < 2000 && !report.asleep; ++still) report = stepper->step(frame_s);
+    ASSERT_TRUE(report.asleep);
+    EXPECT_GT(report.energy.cohesion, 0.0);
+    EXPECT_EQ(report.energy.cohesion, stepper->energies().cohesion);
+    const auto restored = make_cpu_stepper(body, {});
+    restored->restore(stepper->checkpoint());
+    const StepReport again = restored->step(frame_s);
+    EXPECT_TRUE(again.asleep);
+    EXPECT_EQ(again.energy.cohesion, report.energy.cohesion);
+    EXPECT_EQ(stored_energy(again.energy), stored_energy(report.energy));
+}
+
 TEST(TearingBody, AnotherBackEndGoesOnWithTheTear) {
     BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, {.strength_pa = 1e5});
     clamp_at_0(body);

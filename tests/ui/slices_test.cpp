@@ -8,6 +8,7 @@
 #include "ui/slices/view_layout.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 
@@ -193,6 +194,61 @@ TEST_F(Slices, ZoomAndPanKeepThePlaceUnderTheMouse) {
     const Vec3 near = axial.to_mm(middle + QPointF(10, 0));
     turn_wheel(axial, 4, Qt::ControlModifier);
     EXPECT_LT((axial.to_mm(middle + QPointF(10, 0)) - there).norm(), (near - there).norm());
+}
+
+TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    auto* choice = window_.findChild<QComboBox*>("measure");
+    const Vec3 crosshair = scene().crosshair_mm();
+    const QPoint middle = axial.rect().center();
+    const auto click = [&](int x, int y) {
+        QTest::mouseClick(&axial, Qt::LeftButton, {}, middle + QPoint(x, y));
+    };
+    emit choice->activated(1);
+    EXPECT_EQ(choice->currentText(), "Distance");
+    click(-30, 10);
+    ASSERT_NE(scene().measurements().half_made(), nullptr);
+    click(30, 10);
+    EXPECT_EQ(scene().measurements().half_made(), nullptr);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    const double wide =
+        (axial.to_mm(middle + QPoint(30, 10)) - axial.to_mm(middle + QPoint(-30, 10))).norm();
+    EXPECT_EQ(scene().measurements().made()[0].text,
+              QString("%1 mm").arg(wide, 0, 'f', 1).toStdString());
+    EXPECT_EQ(scene().crosshair_mm(), crosshair) << "a click measured, and did nothing else";
+    emit choice->activated(2);
+    click(-20, 0);
+    click(-20, 20);
+    click(0, 20);
+    ASSERT_EQ(scene().measurements().made().size(), 2u);
+    EXPECT_EQ(scene().measurements().made()[1].text, "90\u00b0");
+    QTest::keyClick(&axial, Qt::Key_Delete);
+    EXPECT_EQ(scene().measurements().made().size(), 1u);
+    QTest::keyClick(&axial, Qt::Key_Escape);
+    EXPECT_EQ(choice->currentText(), "Crosshair");
+    click(-20, 0);
+    EXPECT_NE(scene().crosshair_mm(), crosshair);
+}
+
+TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
+    show_slices();
+    SliceView& coronal = view(SliceDirection::coronal);
+    emit window_.findChild<QComboBox*>("measure")->activated(3);
+    scene().set_crosshair(Vec3(1, 0, 0));  // beside the middle of a vessel of 8 to 10 mm along z
+    QTest::keyClick(&coronal, Qt::Key_Return);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    const Measurement& diameter = scene().measurements().made()[0];
+    EXPECT_EQ(diameter.text, "\u2300 9.0 mm") << "it tapers evenly";
+    EXPECT_LT((diameter.points_mm[0] + diameter.points_mm[1]).norm(), 1e-9)
+        << "about the centreline";
+    EXPECT_NEAR(std::abs((diameter.points_mm[1] - diameter.points_mm[0]).x()), 9.0, 1e-9);
+    scene().set_crosshair(Vec3(40, 0, 0));
+    QTest::keyClick(&coronal, Qt::Key_Return);
+    EXPECT_EQ(scene().measurements().made().size(), 1u);
+    EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("no vessel"));
+    views().clear();
+    EXPECT_TRUE(scene().measurements().made().empty()) << "they were another patient's";
 }
 
 // A case keeps no path; the window's own settings know it, and nobody else.

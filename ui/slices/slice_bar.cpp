@@ -56,6 +56,7 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
+    row->addWidget(measuring_choice());
     row->addStretch();
     row->addWidget(place_);
     connect(presets_, &QComboBox::activated, this, [this](int index) {
@@ -71,6 +72,32 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
         show_place(scene_.crosshair_mm());
     });
     follow_window();
+}
+
+// What a click in a slice is for.
+QWidget* SliceBar::measuring_choice() {
+    auto* choice = new QComboBox;
+    choice->setObjectName("measure");
+    choice->setAccessibleName("What a click in a slice does");
+    choice->addItems({"Crosshair", "Distance", "Angle", "Diameter"});
+    choice->setToolTip(
+        "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
+        "at whose centreline it is taken, with the stenosis against the vessel beside. "
+        "Delete takes the last away, Escape ends measuring");
+    Measurements& measurements = scene_.measurements();
+    connect(choice, &QComboBox::activated, this, [&measurements](int index) {
+        measurements.choose(index == 0 ? std::nullopt
+                                       : std::optional(static_cast<MeasurementKind>(index - 1)));
+    });
+    measurements.on_change([choice, &measurements] {
+        const auto kind = measurements.chosen();
+        choice->setCurrentIndex(kind ? 1 + static_cast<int>(*kind) : 0);
+    });
+    return choice;
+}
+
+void SliceBar::say(const QString& text) {
+    place_->setText(text);
 }
 
 void SliceBar::show_place(const Vec3& position_mm) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Above the slices: presets of the grey window, how the vessels are drawn over the CT, and what
-// lies under the mouse.
+// Above the slices: presets of the grey window, how the vessels are drawn over the CT, what a click
+// measures, and what lies under the mouse.
 #pragma once
 
 #include <QWidget>
@@ -18,8 +18,10 @@ class SliceBar : public QWidget {
     explicit SliceBar(SliceScene& scene, QWidget* parent = nullptr);
 
     void show_place(const Vec3& position_mm);
+    void say(const QString& text);  // until the mouse moves on
 
   private:
+    QWidget* measuring_choice();
     void follow_window();
 
     SliceScene& scene_;

@@ -30,6 +30,7 @@ std::string along(double mm, char positive, char negative) {
 void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
     ct_ = std::move(ct);
     systems_ = std::move(systems);
+    tree_ = tree;
     centrelines_ = centrelines_of(tree);
     Vec3 middle = ct_->grid.to_mm(
         0.5 * Vec3(ct_->grid.dims[0] - 1, ct_->grid.dims[1] - 1, ct_->grid.dims[2] - 1));
@@ -43,6 +44,7 @@ void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const Vess
 }
 
 void SliceScene::show_tree(const VesselTree& tree) {
+    tree_ = tree;
     centrelines_ = centrelines_of(tree);
     tell();
 }
@@ -50,7 +52,9 @@ void SliceScene::show_tree(const VesselTree& tree) {
 void SliceScene::clear() {
     ct_.reset();
     systems_ = {};
+    tree_ = {};
     centrelines_.clear();
+    measurements_.clear();
     tell();
 }
 

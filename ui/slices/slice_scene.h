@@ -10,6 +10,7 @@
 
 #include "core/image/slice.h"
 #include "core/tree/vessel_tree.h"
+#include "ui/slices/measurements.h"
 
 namespace hepatica {
 
@@ -36,6 +37,10 @@ class SliceScene {
     const Volume& ct() const { return *ct_; }  // unless empty
     const Mask& systems() const { return systems_; }
     std::vector<CentrelinePoint> const& centrelines() const { return centrelines_; }
+    const VesselTree& tree() const { return tree_; }
+    // They go with the patient, and have watchers of their own.
+    Measurements& measurements() { return measurements_; }
+    const Measurements& measurements() const { return measurements_; }
 
     const Vec3& crosshair_mm() const { return crosshair_mm_; }
     // Outside of the CT it stays at its border.
@@ -56,6 +61,8 @@ class SliceScene {
     std::shared_ptr<const Volume> ct_;
     Mask systems_;
     std::vector<CentrelinePoint> centrelines_;
+    VesselTree tree_;
+    Measurements measurements_;
     Vec3 crosshair_mm_ = Vec3::Zero();
     GreyWindow window_{};
     double opacity_ = 0.6;

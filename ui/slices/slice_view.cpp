@@ -51,6 +51,17 @@ QImage blend(const std::vector<std::uint8_t>& grey, const std::vector<std::uint8
     return picture;
 }
 
+// Readable on every grey.
+void write_shaded(QPainter& painter, const QRectF& box, Qt::Alignment where, const QString& text,
+                  const QColor& colour) {
+    painter.setPen(Qt::black);
+    painter.drawText(box.translated(1, 1), static_cast<int>(where), text);
+    painter.setPen(colour);
+    painter.drawText(box, static_cast<int>(where), text);
+}
+
+const QColor measured(255, 214, 90);
+
 }  // namespace
 
 SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent)
@@ -65,6 +76,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
         picture_is_old_ = true;
         update();
     });
+    scene_.measurements().on_change([this] { update(); });
 }
 
 int SliceView::slice() const {
@@ -130,6 +142,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_.shows_centrelines()) paint_centrelines(painter);
     paint_crosshair(painter);
+    paint_measurements(painter);
     paint_words(painter);
     if (hasFocus()) paint_focus(painter);
 }
@@ -158,14 +171,47 @@ void SliceView::paint_crosshair(QPainter& painter) const {
     painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
 }
 
+// In the slices that it lies in; of a diameter, in those that cut the lumen along it.
+void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
+    const SliceStack slices = stack();
+    const double here = slices.place_of(scene_.crosshair_mm()).z();
+    const auto& points = measurement.points_mm;
+    double reach_mm = std::max(1.0, slices.slice_mm());
+    if (measurement.kind == MeasurementKind::diameter) reach_mm += (points[1] - points[0]).norm();
+    QPolygonF line;
+    for (const Vec3& point : points) {
+        if (std::abs(slices.place_of(point).z() - here) * slices.slice_mm() > 0.5 * reach_mm)
+            return;
+        line << place_of(point);
+    }
+    const double seen_mm = QLineF(line.front(), line.back()).length() / points_per_mm();
+    if (measurement.kind == MeasurementKind::diameter &&
+        seen_mm < 0.5 * (points[1] - points[0]).norm())
+        return;
+    for (const auto& [colour, width] :
+         {std::pair{QColor(Qt::black), 3.5}, std::pair{measured, 1.6}}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawPolyline(line);
+        for (const QPointF& end : line) painter.drawEllipse(end, 2.0, 2.0);
+    }
+    const QPointF beside = line.back() + QPointF(7, -5);
+    write_shaded(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
+                 Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
+                 measured);
+}
+
+void SliceView::paint_measurements(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    for (const Measurement& made : scene_.measurements().made()) paint_measurement(painter, made);
+    if (const Measurement* half = scene_.measurements().half_made())
+        paint_measurement(painter, *half);
+}
+
 void SliceView::paint_words(QPainter& painter) const {
     const auto [left, right, top, bottom] = stack().edges();
     const QRectF inside = QRectF(rect()).adjusted(8, 6, -8, -6);
     const auto write = [&](Qt::Alignment where, const QString& text) {
-        painter.setPen(Qt::black);
-        painter.drawText(inside.translated(1, 1), static_cast<int>(where), text);
-        painter.setPen(colour_of(palette::text));
-        painter.drawText(inside, static_cast<int>(where), text);
+        write_shaded(painter, inside, where, text, colour_of(palette::text));
     };
     write(Qt::AlignLeft | Qt::AlignVCenter, QChar(left));
     write(Qt::AlignRight | Qt::AlignVCenter, QChar(right));
@@ -187,7 +233,18 @@ void SliceView::paint_focus(QPainter& painter) const {
 void SliceView::mousePressEvent(QMouseEvent* event) {
     if (scene_.empty()) return;
     last_ = event->position();
-    if (event->button() == Qt::LeftButton) scene_.set_crosshair(to_mm(last_));
+    if (event->button() != Qt::LeftButton) return;
+    if (measuring())
+        measure(to_mm(last_));
+    else
+        scene_.set_crosshair(to_mm(last_));
+}
+
+void SliceView::measure(const Vec3& position_mm) {
+    const SliceStack slices = stack();
+    const Vec3 normal = (slices.to_mm(Vec3(0, 0, 1)) - slices.to_mm(Vec3::Zero())).normalized();
+    const std::string refusal = scene_.measurements().add_point(position_mm, normal, scene_.tree());
+    if (!refusal.empty() && say_) say_(QString::fromStdString(refusal));
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
@@ -195,7 +252,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     const QPointF moved = at - std::exchange(last_, at);
     if (event->buttons() & Qt::LeftButton) {
-        scene_.set_crosshair(to_mm(at));
+        if (!measuring()) scene_.set_crosshair(to_mm(at));
     } else if (event->buttons() & Qt::RightButton) {
         const GreyWindow& window = scene_.window();
         scene_.set_window({window.level_hu + hu_per_point * moved.y(),
@@ -208,6 +265,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (measuring()) return mousePressEvent(event);  // two quick clicks are two points
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }
 
@@ -232,8 +290,32 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     step((event->modifiers() & Qt::ShiftModifier) ? 10 * whole : whole);
 }
 
+bool SliceView::measures_with(int key) const {
+    const bool any = scene_.measurements().half_made() || !scene_.measurements().made().empty();
+    switch (key) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Escape:
+            return measuring();
+        case Qt::Key_Delete:
+        case Qt::Key_Backspace:
+            return any;
+        default:
+            return false;
+    }
+}
+
+// Keys of measuring come before the window's own.
+bool SliceView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        measures_with(static_cast<QKeyEvent*>(event)->key()))
+        event->accept();
+    return QWidget::event(event);
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event) {
     if (scene_.empty()) return QWidget::keyPressEvent(event);
+    if (measures_with(event->key())) return measure_by_key(event->key());
     switch (event->key()) {
         case Qt::Key_PageUp:
             return step(1);
@@ -250,6 +332,15 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
         default:
             QWidget::keyPressEvent(event);
     }
+}
+
+void SliceView::measure_by_key(int key) {
+    if (key == Qt::Key_Escape)
+        scene_.measurements().choose(std::nullopt);
+    else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
+        scene_.measurements().remove_last();
+    else
+        measure(scene_.crosshair_mm());
 }
 
 void SliceView::step(int slices) {

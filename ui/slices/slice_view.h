@@ -5,6 +5,8 @@
 //   right drag            grey: width, level middle drag          pan
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
+// While something is being measured a left click, or Enter at the crosshair, sets a point of it;
+// Delete takes the last one away, Escape ends measuring.
 #pragma once
 
 #include <QImage>
@@ -31,9 +33,12 @@ class SliceView : public QWidget {
     const QImage& picture();
 
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
+    // What a click that measures nothing wants to say.
+    void on_say(std::function<void(const QString&)> say) { say_ = std::move(say); }
     void on_double_click(std::function<void()> tell) { double_click_ = std::move(tell); }
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -48,6 +53,12 @@ class SliceView : public QWidget {
     // The crosshair within its slice, by voxels.
     void nudge(int columns, int rows);
     double points_per_mm() const;
+    bool measures_with(int key) const;
+    void measure_by_key(int key);
+    bool measuring() const { return scene_.measurements().chosen().has_value(); }
+    void measure(const Vec3& position_mm);
+    void paint_measurement(QPainter& painter, const Measurement& measurement) const;
+    void paint_measurements(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
     void paint_words(QPainter& painter) const;
@@ -56,6 +67,7 @@ class SliceView : public QWidget {
     SliceScene& scene_;
     SliceDirection direction_;
     std::function<void(const Vec3&)> hover_;
+    std::function<void(const QString&)> say_;
     std::function<void()> double_click_;
     QImage picture_;
     bool picture_is_old_ = true;

@@ -49,6 +49,7 @@ void ViewLayout::build(QWidget* view) {
          {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal}) {
         auto* slice = new SliceView(scene_, direction, area);
         slice->on_hover([this](const Vec3& place) { bar_->show_place(place); });
+        slice->on_say([this](const QString& text) { bar_->say(text); });
         slice->on_double_click([this, slice] { enlarge(enlarged_ ? nullptr : slice); });
         views_[static_cast<std::size_t>(direction)] = slice;
     }

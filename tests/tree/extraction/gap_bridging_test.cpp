@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/tree_extraction.h"
@@ -43,10 +45,11 @@ Scene broken_branch(double from, double to, double hu_in_gap) {
     return scene;
 }
 
-TreeExtraction extraction_of(const Scene& scene, bool with_ct) {
+TreeExtraction extraction_of(const Scene& scene, bool with_ct, const TreeOptions& options = {}) {
     Job job;
     const Mask skeleton = unit_width(thin(scene.mask, ThinningMethod::queue, job), job);
-    return extract_tree_and_bridges(skeleton, scene.mask, with_ct ? &scene.ct : nullptr, {}, job);
+    return extract_tree_and_bridges(skeleton, scene.mask, with_ct ? &scene.ct : nullptr, options,
+                                    job);
 }
 
 }  // namespace
@@ -66,6 +69,16 @@ TEST(GapBridging, BrightGapIsBridgedWithConfidence) {
 
 // No stub of the branch is left on its trunk: the bridge leads to the side of the trunk, which is
 // the first link, and parts it.
+TEST(GapBridging, IsBuiltFromTheConfidenceOnThatIsAskedFor) {
+    const Scene scene = broken_branch(26, 34, 160);
+    const double confidence = extraction_of(scene, true).bridges.at(0).confidence;
+    TreeOptions options;
+    options.bridging.confidence = confidence;
+    EXPECT_TRUE(extraction_of(scene, true, options).bridges.at(0).built);
+    options.bridging.confidence = std::nextafter(confidence, 1.0);
+    EXPECT_FALSE(extraction_of(scene, true, options).bridges.at(0).built);
+}
+
 TEST(GapBridging, BrightGapAtTheWallOfTheTrunkIsBridgedToItsSide) {
     const TreeExtraction found = extraction_of(broken_branch(15, 26, 160), true);
     ASSERT_EQ(found.bridges.size(), 1u);

@@ -290,6 +290,22 @@ TEST(TreeSwc, ComesBackButForTheRadiusAtForks) {
     }
 }
 
+// A fork's point is written once, with the segment that ends there.
+TEST(TreeSwc, HoldsEveryPointOnce) {
+    const VesselTree tree = forked_tree();
+    write_tree(scratch("count.swc"), tree);
+    std::ifstream in(scratch("count.swc"));
+    std::size_t samples = 0, beginnings = 0, expected = 0;
+    for (std::string line; std::getline(in, line);) {
+        samples += !line.starts_with('#');
+        beginnings += line.ends_with(" -1");
+    }
+    for (const VesselSegment& segment : tree.segments)
+        expected += segment.points_mm.size() - (segment.parent < 0 ? 0 : 1);
+    EXPECT_EQ(samples, expected);
+    EXPECT_EQ(beginnings, 1u);
+}
+
 TEST(TreeSwc, MayBeStatedToBeInRas) {
     write_text(scratch("ras.swc"), "1 1 1 2 3 1 -1\n2 1 1 2 9 1 1\n");
     EXPECT_EQ(read_tree(scratch("ras.swc"), {.space = PatientSpace::ras}).segments[0].points_mm[0],

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/lumen_calibre.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/tree/station.h"
+
+namespace hepatica {
+namespace {
+
+// A segment along x whose diameter is `wide` less a dent of the given depth (share) about `at`.
+VesselTree dented(double from_mm, double to_mm, double depth, double at_mm) {
+    VesselTree tree;
+    VesselSegment segment;
+    for (double x = 0.0; x <= 60.0; x += 0.25) {
+        const double healthy = from_mm + x / 60.0 * (to_mm - from_mm);
+        const double dent = depth * std::exp(-std::pow((x - at_mm) / 1.5, 2));
+        segment.points_mm.push_back(Vec3(x, 3.0, -2.0));
+        segment.radii_mm.push_back(0.5 * healthy * (1.0 - dent));
+    }
+    tree.segments.push_back(segment);
+    return tree;
+}
+
+TEST(Station, LiesBetweenThePointsAndStaysOnTheSegment) {
+    VesselSegment segment;
+    segment.points_mm = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 4, 0)};
+    segment.radii_mm = {1.0, 2.0, 4.0};
+    EXPECT_EQ(station_at(segment, 3.0).position_mm, Vec3(2, 1, 0));
+    EXPECT_EQ(station_at(segment, 3.0).radius_mm, 2.5);
+    EXPECT_EQ(station_at(segment, 2.0).position_mm, Vec3(2, 0, 0));
+    EXPECT_EQ(station_at(segment, 2.0).radius_mm, 2.0);
+    EXPECT_EQ(station_at(segment, -1.0).position_mm, segment.points_mm.front());
+    EXPECT_EQ(station_at(segment, 0.0).radius_mm, 1.0);
+    EXPECT_EQ(station_at(segment, 99.0).position_mm, segment.points_mm.back());
+    EXPECT_EQ(station_at(segment, 99.0).radius_mm, 4.0);
+}
+
+TEST(LumenCalibre, OfAVesselThatTapersHasNoStenosis) {
+    const VesselTree tree = dented(10.0, 4.0, 0.0, 30.0);
+    for (const double x : {20.0, 30.0, 41.5}) {
+        const auto found = calibre_at(tree, Vec3(x, 3.0, -2.0));
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->diameter_mm, 10.0 - 0.1 * x, 1e-9);
+        ASSERT_TRUE(found->stenosis);
+        EXPECT_NEAR(*found->stenosis, 0.0, 1e-9);
+    }
+}
+
+TEST(LumenCalibre, FindsAStenosisAndAnAneurysmOfKnownSize) {
+    for (const double depth : {0.5, 0.7, -0.4}) {
+        const VesselTree tree = dented(8.0, 6.0, depth, 30.0);
+        const auto found = calibre_at(tree, Vec3(30.0, 3.0, -2.0));
+        ASSERT_TRUE(found && found->stenosis);
+        EXPECT_NEAR(*found->stenosis, depth, 1e-3);
+        EXPECT_NEAR(*found->reference_mm, 7.0, 0.01);
+        EXPECT_NEAR(found->diameter_mm, 7.0 * (1.0 - depth), 0.01);
+    }
+}
+
+TEST(LumenCalibre, MeasuresAtTheCentrelineOfTheVesselThatWasMeant) {
+    const VesselTree tree = dented(8.0, 8.0, 0.0, 30.0);
+    const auto beside = calibre_at(tree, Vec3(30.1, 7.0, -2.0));  // on the wall
+    ASSERT_TRUE(beside);
+    EXPECT_EQ(beside->segment, 0);
+    EXPECT_LT((beside->position_mm - Vec3(30.1, 3.0, -2.0)).norm(), 1e-9);
+    EXPECT_TRUE(calibre_at(tree, Vec3(30.0, 8.99, -2.0)));
+    EXPECT_FALSE(calibre_at(tree, Vec3(30.0, 9.01, -2.0)));
+    EXPECT_FALSE(calibre_at(VesselTree{}, Vec3::Zero()));
+}
+
+// Half of the 5 to 15 mm must be there on either side.
+TEST(LumenCalibre, SaysNothingOfAStenosisNearAnEnd) {
+    const VesselTree tree = dented(8.0, 6.0, 0.0, 30.0);
+    EXPECT_FALSE(calibre_at(tree, Vec3(9.5, 3.0, -2.0))->stenosis);
+    EXPECT_TRUE(calibre_at(tree, Vec3(10.5, 3.0, -2.0))->stenosis);
+    EXPECT_TRUE(calibre_at(tree, Vec3(49.5, 3.0, -2.0))->stenosis);
+    EXPECT_FALSE(calibre_at(tree, Vec3(50.5, 3.0, -2.0))->stenosis);
+    EXPECT_NEAR(calibre_at(tree, Vec3(0.0, 3.0, -2.0))->diameter_mm, 8.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/measurements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/tree/lumen_calibre.h"
+#include "core/tree/station.h"
+
+namespace hepatica {
+namespace {
+
+std::string formatted(const char* format, double value) {
+    char text[48];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+double angle_deg(const Vec3& a, const Vec3& vertex, const Vec3& b) {
+    const Vec3 u = a - vertex, v = b - vertex;
+    return std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi;
+}
+
+std::string text_of(const Measurement& measurement) {
+    const auto& points = measurement.points_mm;
+    if (measurement.kind == MeasurementKind::angle)
+        return formatted("%.0f\u00b0", angle_deg(points[0], points[1], points[2]));
+    return formatted("%.1f mm", (points[1] - points[0]).norm());
+}
+
+std::string text_of(const LumenCalibre& calibre) {
+    std::string text = formatted("\u2300 %.1f mm", calibre.diameter_mm);
+    if (!calibre.stenosis) return text;
+    const double percent = std::round(100.0 * *calibre.stenosis);
+    if (percent == 0.0) return text;
+    return text +
+           formatted(percent > 0.0 ? ", stenosis %.0f %%" : ", %.0f %% wider", std::abs(percent));
+}
+
+// Across the vessel and within the slice; where the vessel runs through the slice, to the right.
+Vec3 across(const VesselSegment& segment, double arclength_mm, const Vec3& plane_normal) {
+    constexpr double reach_mm = 1.0;
+    const Vec3 along = station_at(segment, arclength_mm + reach_mm).position_mm -
+                       station_at(segment, arclength_mm - reach_mm).position_mm;
+    const Vec3 direction = plane_normal.cross(along);
+    constexpr double nearly_through = 0.1;
+    if (direction.norm() > nearly_through * along.norm()) return direction.normalized();
+    return plane_normal.unitOrthogonal();
+}
+
+}  // namespace
+
+void Measurements::choose(std::optional<MeasurementKind> kind) {
+    kind_ = kind;
+    half_made_ = {};
+    tell();
+}
+
+std::string Measurements::add_point(const Vec3& position_mm, const Vec3& plane_normal,
+                                    const VesselTree& tree) {
+    if (!kind_) return {};
+    if (*kind_ == MeasurementKind::diameter) return add_diameter(position_mm, plane_normal, tree);
+    half_made_.kind = *kind_;
+    half_made_.points_mm.push_back(position_mm);
+    const std::size_t needed = *kind_ == MeasurementKind::angle ? 3 : 2;
+    if (half_made_.points_mm.size() == needed) {
+        half_made_.text = text_of(half_made_);
+        finish();
+    }
+    tell();
+    return {};
+}
+
+std::string Measurements::add_diameter(const Vec3& position_mm, const Vec3& plane_normal,
+                                       const VesselTree& tree) {
+    const auto calibre = calibre_at(tree, position_mm);
+    if (!calibre) return "There is no vessel. Click on one, or measure a distance";
+    const TreePoint place = nearest_point(tree, position_mm);
+    const auto& segment = tree.segments[static_cast<std::size_t>(calibre->segment)];
+    const Vec3 half =
+        0.5 * calibre->diameter_mm * across(segment, place.arclength_mm, plane_normal);
+    half_made_ = {MeasurementKind::diameter,
+                  {calibre->position_mm - half, calibre->position_mm + half},
+                  text_of(*calibre)};
+    finish();
+    tell();
+    return {};
+}
+
+void Measurements::finish() {
+    made_.push_back(std::move(half_made_));
+    half_made_ = {};
+}
+
+void Measurements::remove_last() {
+    if (!half_made_.points_mm.empty())
+        half_made_ = {};
+    else if (!made_.empty())
+        made_.pop_back();
+    tell();
+}
+
+void Measurements::clear() {
+    half_made_ = {};
+    made_.clear();
+    tell();
+}
+
+void Measurements::tell() const {
+    for (const auto& watcher : watchers_) watcher();
+}
+
+}  // namespace hepatica
