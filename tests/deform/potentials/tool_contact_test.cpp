@@ -316,6 +316,31 @@ TEST(ToolContact, IsLedUntilThePadIsHalfPressedOrTheLimitIsReached) {
     EXPECT_GT(met, 0.45 * most);
 }
 
+// One end of a rod is turned into the brick: the torque that resists ends the turn.
+TEST(ToolContact, IsTurnedUntilTheTorqueOfTheLimitIsReached) {
+    const Body body = touchable_brick();
+    PotentialList list(body);
+    Tool rod = single_tool({.centre_mm = Vec3(6, 6, 6.0 + 2.0 + 1.1),
+                            .half_axis_mm = Vec3(4, 0, 0),
+                            .radius_mm = 2.0});
+    rod.pad_mm = 1.0;
+    rod.pressure_pa = 3e5;
+    rod.target_mm = rod.centre_mm();
+    rod.turn_rad = Vec3(0, 0.5, 0);
+    rod.force_limit_un = 1e9;
+    list.set_tool(rod);
+    list.lead_tool(body.rest_positions_mm, 1.0, 0.01);
+    const double most = list.tool_load(body.rest_positions_mm).torque_un_mm.norm();
+    ASSERT_GT(most, 0.0);
+    rod.force_limit_un = 0.3 * most / rod.reach_mm();
+    list.set_tool(rod);
+    list.lead_tool(body.rest_positions_mm, 1.0, 0.01);
+    const Vec3 met = list.tool_load(body.rest_positions_mm).torque_un_mm;
+    EXPECT_LE(met.norm(), 0.3 * most * (1.0 + 1e-9));
+    EXPECT_GT(met.norm(), 0.2 * most);
+    EXPECT_LT(met.y(), 0.0) << "it resists the turn";
+}
+
 TEST(ToolContact, WhatIsRefused) {
     const Body body = touchable_brick();
     PotentialList list(body);

@@ -269,6 +269,30 @@ TEST(LabelledGraph, CrossingVesselsStayWhole) {
     EXPECT_NE(parted.links[0].system, parted.links[1].system);
 }
 
+// The short link within the fork leads a portal vein on; a hepatic vein that only passes one of its
+// ends gets no stub of it.
+TEST(LabelledGraph, NoSystemGetsALinkThatLeadsItNowhere) {
+    VesselGraph graph;
+    for (const Vec3& p : {Vec3(-20, 0, 0), Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0), Vec3(20, 0, 0),
+                          Vec3(-0.5, -20, 0), Vec3(-0.5, 20, 0), Vec3(0.5, 0, 20)})
+        graph.nodes.push_back({p, 1.5});
+    graph.links = {straight_link(graph, 0, 1, 1.5, 1.5), straight_link(graph, 1, 2, 1.5, 1.5),
+                   straight_link(graph, 2, 3, 1.5, 1.5), straight_link(graph, 2, 6, 1.5, 1.5),
+                   straight_link(graph, 1, 4, 1.5, 1.5), straight_link(graph, 1, 5, 1.5, 1.5)};
+    const PieceGraph pieces = pieces_of(graph, nullptr);
+    ASSERT_EQ(pieces.within_fork, (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0}));
+    std::vector<PieceSystem> systems;
+    for (const VesselPiece& piece : pieces.pieces)
+        systems.push_back(
+            {std::abs(piece.centre_mm.y()) > 1.0 ? VascularSystem::hepatic : VascularSystem::portal,
+             0.9});
+    double portal_mm = 0.0, hepatic_mm = 0.0;
+    for (const VesselLink& link : labelled_graph(graph, pieces, systems).links)
+        (link.system == VascularSystem::portal ? portal_mm : hepatic_mm) += length_mm(link);
+    EXPECT_NEAR(portal_mm, 60.0, 0.01);
+    EXPECT_NEAR(hepatic_mm, 40.0, 0.01);
+}
+
 TEST(LoopOpening, ASideBranchThatTouchesEndsClearOfTheLumen) {
     VesselGraph graph;
     for (const Vec3& p : {Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(60, 0, 0), Vec3(100, 0, 0)})
