@@ -66,8 +66,13 @@ std::set<Key> all_nearer(const SurfaceFeatures& features, const std::vector<Vec3
 
 std::set<Key> keys_of(const std::vector<FeaturePair>& pairs) {
     std::set<Key> keys;
-    for (const FeaturePair& pair : pairs)
+    for (const FeaturePair& pair : pairs) {
         EXPECT_TRUE(keys.insert({pair.of_edges ? 1 : 0, pair.first, pair.second}).second);
+        // What has a node in common is never apart.
+        const int of_first = pair.of_edges ? 2 : 1;
+        for (int a = 0; a < of_first; ++a)
+            for (int b = of_first; b < 4; ++b) EXPECT_NE(pair.nodes[a], pair.nodes[b]);
+    }
     return keys;
 }
 

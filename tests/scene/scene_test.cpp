@@ -88,6 +88,16 @@ TEST(SceneSpec, RefusesMisspeltAndImpossibleScenes) {
         EXPECT_THROW(scene_from_json(Json::parse(text)), InputError) << text;
 }
 
+TEST(SceneSpec, NumbersMayLieOnTheirBounds) {
+    for (const double quality : {0.0, 1.0})
+        EXPECT_EQ(scene_from_json(Json{{"deform", {{"quality", quality}}}}).deform->quality,
+                  quality);
+    for (const double dt_s : {1e-4, 1.0})
+        EXPECT_EQ(scene_from_json(Json{{"flow", Json::object()}, {"dt_s", dt_s}}).dt_s, dt_s);
+    for (const double dt_s : {0.99e-4, 1.01})
+        EXPECT_THROW(scene_from_json(Json{{"flow", Json::object()}, {"dt_s", dt_s}}), InputError);
+}
+
 TEST(SceneFile, NamesItsCaseRelativeToItself) {
     const auto folder = std::filesystem::path(testing::TempDir()) / "scenes";
     std::filesystem::create_directories(folder);
