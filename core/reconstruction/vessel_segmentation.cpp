@@ -20,8 +20,8 @@
 #include "core/segmentation/vessel_growth.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/tree_extraction.h"
 #include "core/tree/systems/anatomical_anchors.h"
+#include "core/tree/tree_extraction.h"
 
 namespace hepatica {
 

@@ -8,8 +8,8 @@
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/tree_extraction.h"
 #include "core/tree/files/tree_io.h"
+#include "core/tree/tree_extraction.h"
 #include "tests/support/test_data.h"
 
 namespace hepatica {

@@ -140,6 +140,25 @@ TEST(SceneSpec, NamesTheWall) {
     EXPECT_THROW(scene_from_json(Json{{"deform", {{"wall_mm", -1}}}}), InputError);
 }
 
+TEST(DeformPart, TheHandPullsInProportionToItsWayAndNotAtAllWhereItTookHold) {
+    DeformPart part(*small_patient(), {});
+    const Vec3 held = test::middle_of(small_patient()->tree, 1);
+    part.grab(held);
+    EXPECT_NEAR(part.grab_view()->force_un, 0.0, 1e-6);
+    EXPECT_FALSE(part.grab_view()->at_limit);
+    const Vec3 from = part.grab_view()->point_mm;
+    std::vector<double> force;
+    for (const double way_mm : {0.001, 0.002, 1e6}) {
+        part.move_grab(from + Vec3(0, way_mm, 0));
+        EXPECT_LT((part.grab_view()->point_mm - from).norm(), 1e-9) << "nothing has moved yet";
+        force.push_back(part.grab_view()->force_un);
+    }
+    EXPECT_GT(force[0], 0.0);
+    EXPECT_NEAR(force[1] / force[0], 2.0, 1e-6);
+    EXPECT_TRUE(part.grab_view()->at_limit);
+    EXPECT_LT(force[2], 1e6 * force[0]);
+}
+
 TEST(DeformPart, RefusesAWallThatIsNone) {
     DeformPart part(*small_patient(), {});
     for (const double wall_mm : {-0.5, 1e-9, 101.0, HUGE_VAL, -HUGE_VAL, std::nan("")}) {

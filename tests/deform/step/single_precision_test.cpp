@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/deform/body/body.h"
-#include "core/deform/elements/tetrahedron_element.h"
 #include "core/deform/body/energy_ledger.h"
+#include "core/deform/elements/tetrahedron_element.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
 

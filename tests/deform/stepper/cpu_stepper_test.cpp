@@ -10,8 +10,8 @@
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
-#include "core/deform/step/backward_euler.h"
 #include "core/deform/body/energy_ledger.h"
+#include "core/deform/step/backward_euler.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/random_field.h"
 
