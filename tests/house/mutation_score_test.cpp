@@ -67,7 +67,7 @@ class MutationScore : public testing::Test {
                          testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::path script_ = project_ / "scripts" / "mutation_score";
     fs::path source_ = project_ / "core" / "toy" / "toy.cpp";
-    fs::path copy_ = project_ / "build" / "mutation" / "0" / "source" / "core" / "toy" / "toy.cpp";
+    fs::path copy_ = project_ / "build" / "mutation" / "0" / "core" / "toy" / "toy.cpp";
     std::string before_;
 };
 
