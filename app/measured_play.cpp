@@ -71,7 +71,7 @@ std::string stopped_by(const TearSpec& spec, const TearReport& report) {
     return spec.stop == TearStop::entropy ? "entropy" : "vertices";
 }
 
-Json number_if(bool known, const Json& value) {
+Json value_if(bool known, const Json& value) {
     return known ? value : Json(nullptr);
 }
 
@@ -89,10 +89,10 @@ Json pace_of(const MeasuredPlay& played) {
 
 Json dial_of(bool moves, const FrameStatistics& statistics, const MeasuredPlay& played) {
     const bool known = moves && statistics.expected_error > 0.0;
-    return {{"expected_error", number_if(known, statistics.expected_error)},
-            {"error_reference", number_if(known, statistics.error_reference)},
-            {"quality", number_if(moves, statistics.quality)},
-            {"setting", number_if(moves, statistics.setting)},
+    return {{"expected_error", value_if(known, statistics.expected_error)},
+            {"error_reference", value_if(known, statistics.error_reference)},
+            {"quality", value_if(moves, statistics.quality)},
+            {"setting", value_if(moves, statistics.setting)},
             {"setting_changes", played.setting_changes},
             {"velocity_error_fit", played.velocity_error_fit}};
 }
@@ -103,33 +103,33 @@ Json touch_of(World& world, const MeasuredPlay& played) {
     const bool self = contact && contact->self;
     const bool touches = tools || self;
     return {
-        {"contacts_max", number_if(touches, played.contacts_max)},
-        {"rows_max", number_if(touches, played.rows_max)},
-        {"penetration_max_mm", number_if(touches, played.penetration_max_mm)},
-        {"tool_force_max_un", number_if(tools, played.tool_force_max_un)},
-        {"hand_at_limit_steps", number_if(world.deform() != nullptr, played.hand_at_limit_steps)},
-        {"tool_at_limit_steps", number_if(tools, played.tool_at_limit_steps)},
+        {"contacts_max", value_if(touches, played.contacts_max)},
+        {"rows_max", value_if(touches, played.rows_max)},
+        {"penetration_max_mm", value_if(touches, played.penetration_max_mm)},
+        {"tool_force_max_un", value_if(tools, played.tool_force_max_un)},
+        {"hand_at_limit_steps", value_if(world.deform() != nullptr, played.hand_at_limit_steps)},
+        {"tool_at_limit_steps", value_if(tools, played.tool_at_limit_steps)},
         {"intersections_at_end", self ? Json(crossing_pairs(*world.deform())) : Json(nullptr)},
         {"momentum_error_relative",
-         number_if(self || world.spec().tear, played.momentum_error_relative)}};
+         value_if(self || world.spec().tear, played.momentum_error_relative)}};
 }
 
 Json tear_of(World& world, const MeasuredPlay& played) {
     const std::optional<TearSpec>& spec = world.spec().tear;
     const bool tears = spec.has_value();
     const Bleeding* bleeding = world.bleeding();
-    return {{"joints_broken", number_if(tears, played.tear.joints_broken)},
-            {"joints_parted", number_if(tears, played.tear.joints_parted)},
-            {"vertices_split", number_if(tears, played.tear.vertices_split)},
-            {"pieces", number_if(tears, played.tear.pieces)},
-            {"entropy", number_if(tears, played.tear.entropy_nats)},
-            {"entropy_produced", number_if(tears, played.tear.entropy_produced_nats)},
+    return {{"joints_broken", value_if(tears, played.tear.joints_broken)},
+            {"joints_parted", value_if(tears, played.tear.joints_parted)},
+            {"vertices_split", value_if(tears, played.tear.vertices_split)},
+            {"pieces", value_if(tears, played.tear.pieces)},
+            {"entropy", value_if(tears, played.tear.entropy_nats)},
+            {"entropy_produced", value_if(tears, played.tear.entropy_produced_nats)},
             {"stopped_by", tears ? Json(stopped_by(*spec, played.tear)) : Json(nullptr)},
             {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
             {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
             {"body_mass_error_relative",
              tears ? Json(world.deform()->mass_error_relative()) : Json(nullptr)},
-            {"tear_work_nj", number_if(tears, played.torn_nj)}};
+            {"tear_work_nj", value_if(tears, played.torn_nj)}};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct MeasuredPlay {
 };
 
 // Posts commands[i] before step i; ends early where the session pauses itself. `fit`: also fits the
-// velocity error of eq. (11) to the first two seconds. Throws Cancelled.
+// velocity error of eq. (11) to the first 120 steps. Throws Cancelled.
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
                           bool fit, Job& job);
 

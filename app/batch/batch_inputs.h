@@ -23,8 +23,9 @@ struct BatchInput {
 std::vector<BatchInput> batch_inputs(const std::filesystem::path& folder,
                                      const std::filesystem::path& liver_masks);
 
-// Calls every patient P- and the first eight digits of the SHA-256 of his scan's name, which is the
-// same in every call and says nothing to a reader. Two names with the same digits get more of them.
+// Calls every patient P- and the first eight digits of the SHA-256 of his scan's name, which says
+// nothing to a reader and is the same in every call; of two names with the same digits the later
+// one gets more of them.
 void use_pseudonyms(std::vector<BatchInput>& inputs);
 
 // Every count-th of them, from the number-th on (1 <= number <= count): all shares together are the

@@ -28,8 +28,10 @@ Json read_json(const fs::path& file) {
 
 void open_batch(const fs::path& out, const Json& options) {
     const fs::path mark = out / batch_mark;
-    const Json begun = read_json(mark);
-    if (fs::exists(mark) && begun != options)
+    Json begun = read_json(mark);
+    // Batches of older versions called patients as their scans.
+    if (begun.is_object() && !begun.contains("keep_names")) begun["keep_names"] = true;
+    if (fs::exists(mark) && nlohmann::json(begun) != nlohmann::json(options))
         throw InputError("was begun with other options", out.string(),
                          "Repeat those in " + mark.string() + ", or give another --out");
     fs::create_directories(out / "records");

@@ -61,7 +61,9 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
     } catch (const std::bad_alloc&) {
         failed.reason = "Not enough memory.";
     } catch (const std::exception& error) {
-        failed.reason = std::string("Internal error: ") + error.what();
+        // Its words may hold a path, which is called after the scan.
+        spdlog::error("{}: internal error: {}", input.patient, error.what());
+        failed.reason = "Internal error.";
     }
     failed.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

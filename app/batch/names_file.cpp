@@ -1,23 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/names_file.h"
 
+#include <fstream>
+#include <map>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "app/batch/csv_cell.h"
 #include "core/base/atomic_write.h"
+#include "core/base/error.h"
 
 namespace hepatica {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* heading = "patient,scan";
+
+// A cell that csv_cell has written, from `at` on, which then stands behind it.
+std::optional<std::string> cell_from(const std::string& text, std::size_t& at) {
+    if (at >= text.size() || text[at] != '"') return std::nullopt;
+    std::string cell;
+    for (++at; at < text.size(); ++at) {
+        if (text[at] != '"') {
+            cell += text[at];
+        } else if (at + 1 < text.size() && text[at + 1] == '"') {
+            cell += text[at++];
+        } else {
+            ++at;
+            return cell;
+        }
+    }
+    return std::nullopt;
+}
+
+// Pseudonyms and scans of those that stand there; names may hold line breaks.
+std::map<std::string, std::string> read_names(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::map<std::string, std::string> names;
+    std::size_t at = text.find('\n');
+    while (at != std::string::npos && ++at < text.size()) {
+        const auto patient = cell_from(text, at);
+        const bool comma = patient && at < text.size() && text[at] == ',';
+        const auto scan = comma ? cell_from(text, ++at) : std::nullopt;
+        if (!scan || at >= text.size() || text[at] != '\n')
+            throw InputError("is not as it was written", file.string(),
+                             "Put it right: it alone says which case is whose");
+        names[*patient] = *scan;
+    }
+    return names;
+}
+
+}  // namespace
+
 void write_names(const fs::path& out, const std::vector<BatchInput>& inputs) {
-    std::string table = "patient,scan\n";
-    for (const BatchInput& input : inputs)
-        table += csv_cell(input.patient) + "," + csv_cell(input.scan) + "\n";
     const fs::path file = out / "names.csv";
-    write_text_atomically(file, table);
-    std::error_code ignored;  // some file systems know no owners
-    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, ignored);
+    std::map<std::string, std::string> names = read_names(file);
+    for (const BatchInput& input : inputs) {
+        const auto [entry, is_new] = names.try_emplace(input.patient, input.scan);
+        if (!is_new && entry->second != input.scan)
+            throw InputError("calls two scans " + input.patient, file.string(),
+                             "Give another --out, or rename one of the scans");
+    }
+    std::string table = std::string(heading) + "\n";
+    for (const auto& [patient, scan] : names)
+        table += csv_cell(patient) + "," + csv_cell(scan) + "\n";
+    write_file_atomically(file, [&](const fs::path& temporary) {
+        std::ofstream created(temporary, std::ios::binary);
+        std::error_code ignored;  // some file systems know no owners
+        fs::permissions(temporary, fs::perms::owner_read | fs::perms::owner_write, ignored);
+        created << table;
+        if (!created.flush())
+            throw InputError("cannot be written", file.string(), "Is the disk full?");
+    });
 }
 
 }  // namespace hepatica

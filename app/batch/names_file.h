@@ -9,8 +9,9 @@
 
 namespace hepatica {
 
-// OUT/names.csv, readable by its owner alone; every task of a batch writes the same. Throws
-// InputError.
+// Adds them to OUT/names.csv, which only its owner may read; who stands there already stays, also
+// where the folder of scans has changed since. Every task of a batch writes the same. Throws
+// InputError where it cannot be read or written, or calls two scans by one name.
 void write_names(const std::filesystem::path& out, const std::vector<BatchInput>& inputs);
 
 }  // namespace hepatica

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
+#include <spdlog/spdlog.h>
+
 #include <memory>
+#include <string>
 
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -30,49 +32,62 @@ Json json_row(const ExtremeRow& row) {
     return json;
 }
 
+struct ExtremesChoices {
+    std::string filter;
+    std::string suite = "stability";
+    Campaign campaign;
+    bool verify = false;
+};
+
+Json run_suite(const ExtremesChoices& choices, Job& job) {
+    Json rows = Json::array(), failed = Json::array();
+    int survived = 0, splits = 0;
+    job.expect_stages(1);
+    const auto cases = choices.suite == "touch"  ? touch_cases(choices.campaign)
+                       : choices.suite == "tear" ? tear_cases(choices.campaign)
+                                                 : extreme_cases();
+    for (const ExtremeRow& row : run_extremes(cases, choices.filter, job)) {
+        rows.push_back(json_row(row));
+        survived += row.survived;
+        splits += row.splits;
+        if (row.survived) continue;
+        failed.push_back({{"name", row.name}, {"note", row.note}});
+        if (choices.verify) spdlog::error("{}: {}", row.name, row.note);
+    }
+    if (rows.empty())
+        throw InputError("no row's name contains \"" + choices.filter + "\"", "--filter",
+                         "Leave it out to see all names");
+    if (choices.verify && !failed.empty())
+        throw InputError(
+            std::to_string(failed.size()) + " of " + std::to_string(rows.size()) + " rows fail",
+            "the suite", "Without --verify their numbers are told");
+    return Json{{"cases", rows.size()},
+                {"survived", survived},
+                {"splits", splits},
+                {"failed", failed},
+                {"rows", rows}};
+}
+
 }  // namespace
 
 void add_extremes(CommandLine& line) {
-    const auto filter = std::make_shared<std::string>();
-    const auto suite = std::make_shared<std::string>("stability");
-    const auto campaign = std::make_shared<Campaign>();
+    auto choices = std::make_shared<ExtremesChoices>();
     CLI::App& verb =
         line.add_verb("extremes", "The stability suite: bodies and scenes at the edge, a row each",
-                      [filter, suite, campaign](Job& job) {
-                          Json rows = Json::array(), failed = Json::array();
-                          int survived = 0, splits = 0;
-                          job.expect_stages(1);
-                          const auto cases = *suite == "touch"  ? touch_cases(*campaign)
-                                             : *suite == "tear" ? tear_cases(*campaign)
-                                                                : extreme_cases();
-                          for (const ExtremeRow& row : run_extremes(cases, *filter, job)) {
-                              rows.push_back(json_row(row));
-                              survived += row.survived;
-                              splits += row.splits;
-                              if (!row.survived)
-                                  failed.push_back({{"name", row.name}, {"note", row.note}});
-                          }
-                          if (rows.empty())
-                              throw InputError("no row's name contains \"" + *filter + "\"",
-                                               "--filter", "Leave it out to see all names");
-                          return Json{{"cases", rows.size()},
-                                      {"survived", survived},
-                                      {"splits", splits},
-                                      {"failed", failed},
-                                      {"rows", rows}};
-                      });
-    verb.add_option("--suite", *suite,
+                      [choices](Job& job) { return run_suite(*choices, job); });
+    verb.add_option("--suite", choices->suite,
                     "stability, or a campaign on random trees: touch (in contact) or tear")
         ->check(CLI::IsMember({"stability", "touch", "tear"}))
         ->capture_default_str();
-    verb.add_option("--seed", campaign->seed, "Of the campaign")->capture_default_str();
-    verb.add_option("--trials", campaign->trials, "Of the campaign")
+    verb.add_option("--seed", choices->campaign.seed, "Of the campaign")->capture_default_str();
+    verb.add_option("--trials", choices->campaign.trials, "Of the campaign")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    verb.add_option("--steps", campaign->steps, "Of each trial of the campaign")
+    verb.add_option("--steps", choices->campaign.steps, "Of each trial of the campaign")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    verb.add_option("--filter", *filter, "Only rows whose name contains this");
+    verb.add_option("--filter", choices->filter, "Only rows whose name contains this");
+    verb.add_flag("--verify", choices->verify, "Fail (exit code 1) where a row does");
 }
 
 }  // namespace hepatica

@@ -38,6 +38,11 @@ Json run_replay(const ReplayChoices& options, Job& job) {
         throw InputError(
             "diverged from the recording at step " + std::to_string(*result.diverged_at),
             options.file.string(), "Another build of the program or another processor made it");
+    if (result.diverged_at)
+        spdlog::warn(
+            "it diverged from the recording at step {}: another build of the program or "
+            "another processor made it",
+            *result.diverged_at);
     Json answer{{"steps", result.steps}, {"began_at", result.began_at}};
     answer["diverged_at"] = result.diverged_at ? Json(*result.diverged_at) : Json(nullptr);
     answer["state_hash"] = to_hex(result.state_hash);

@@ -19,6 +19,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
 #include "core/image/dicom_rle.h"
 #include "core/image/dicom_series.h"
@@ -194,10 +195,10 @@ void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks) {
     for (const auto& [kept, repeat] : series.repeated) {
         const DicomSlice& original = series.slices[kept];
         if (!std::ranges::equal(read_pixels(original), read_pixels(repeat), is_same))
-            throw InputError("lies in the same place as " + original.file.filename().string() +
-                                 " but shows something else",
-                             repeat.file.string(),
-                             "Put each phase of the contrast into a folder of its own");
+            throw InputError(
+                "lies in the same place as " + quoted_name(original.file.filename().string()) +
+                    " but shows something else",
+                repeat.file.string(), "Put each phase of the contrast into a folder of its own");
     }
     if (!series.repeated.empty())
         remarks.push_back(std::to_string(series.repeated.size()) +

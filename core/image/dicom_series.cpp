@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/median.h"
+#include "core/base/quoted_name.h"
 
 namespace hepatica {
 
@@ -42,16 +43,16 @@ std::string millimetres(double value) {
 void require_same_frame(const DicomSlice& slice, const DicomSlice& first) {
     if (slice.rows != first.rows || slice.columns != first.columns)
         reject(slice, "has " + std::to_string(slice.columns) + " x " + std::to_string(slice.rows) +
-                          " pixels, but " + first.file.filename().string() + " has " +
+                          " pixels, but " + quoted_name(first.file.filename().string()) + " has " +
                           std::to_string(first.columns) + " x " + std::to_string(first.rows));
     if ((slice.row_axis - first.row_axis).norm() > axis_tolerance ||
         (slice.column_axis - first.column_axis).norm() > axis_tolerance)
-        reject(slice, "is oriented otherwise than " + first.file.filename().string());
+        reject(slice, "is oriented otherwise than " + quoted_name(first.file.filename().string()));
     if (std::abs(slice.row_spacing_mm - first.row_spacing_mm) > 1e-3 * first.row_spacing_mm ||
         std::abs(slice.column_spacing_mm - first.column_spacing_mm) >
             1e-3 * first.column_spacing_mm)
         reject(slice, "has pixels of " + millimetres(slice.column_spacing_mm) + ", but " +
-                          first.file.filename().string() + " of " +
+                          quoted_name(first.file.filename().string()) + " of " +
                           millimetres(first.column_spacing_mm));
 }
 
@@ -104,8 +105,8 @@ void require_even_gaps(const std::vector<DicomSlice>& slices) {
     for (std::size_t i = 1; i < slices.size(); ++i) {
         const double gap_mm = slices[i].along_normal_mm() - slices[i - 1].along_normal_mm();
         if (std::abs(gap_mm - usual_mm) <= gap_tolerance * usual_mm) continue;
-        const std::string where = "between " + slices[i - 1].file.filename().string() + " and " +
-                                  slices[i].file.filename().string();
+        const std::string where = "between " + quoted_name(slices[i - 1].file.filename().string()) +
+                                  " and " + quoted_name(slices[i].file.filename().string());
         const double missing = gap_mm / usual_mm - 1.0;
         const long whole = std::lround(missing);
         if (whole >= 1 && std::abs(missing - static_cast<double>(whole)) <= gap_tolerance)

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
+#include "core/base/quoted_name.h"
 #include "core/image/memory_limit.h"
 
 namespace hepatica {
@@ -177,8 +178,9 @@ void require_affordable(const VoxelFile& file, int target_bytes) {
     std::error_code error;
     const std::uint64_t stored = fs::file_size(file.data_file, error);
     if (error)
-        throw InputError("its data file " + file.data_file.filename().string() + " is missing",
-                         place, "Keep both files in one folder");
+        throw InputError(
+            "its data file " + quoted_name(file.data_file.filename().string()) + " is missing",
+            place, "Keep both files in one folder");
     const std::uint64_t data = stored > file.data_offset ? stored - file.data_offset : 0;
     const std::uint64_t claimed =
         bytes_of(file.dims[0], file.dims[1], file.dims[2], bytes_per_value(file.type));

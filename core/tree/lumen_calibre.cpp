@@ -36,15 +36,30 @@ std::optional<double> reference_at(const VesselSegment& segment, double place_mm
 
 std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& position_mm,
                                        double margin_mm, double near_mm, double far_mm) {
-    if (tree.segments.empty()) return std::nullopt;
-    const TreePoint nearest = nearest_point(tree, position_mm);
-    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(nearest.segment)];
-    const Station here = station_at(segment, nearest.arclength_mm);
-    if (nearest.distance_mm > here.radius_mm + margin_mm) return std::nullopt;
-    LumenCalibre calibre{nearest.segment, here.position_mm, 2.0 * here.radius_mm, {}, {}};
-    calibre.reference_mm = reference_at(segment, nearest.arclength_mm, near_mm, far_mm);
+    // How far outside the wall; inside of the lumen how far from its axis in radii, less 1: below
+    // 0.
+    double best = margin_mm;
+    std::optional<LumenCalibre> found;
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        const NearestStation place = nearest_station(tree.segments[s], position_mm);
+        const Station here = station_at(tree.segments[s], place.arclength_mm);
+        const double beyond_mm = place.distance_mm - here.radius_mm;
+        const double score = beyond_mm < 0.0 ? beyond_mm / here.radius_mm : beyond_mm;
+        if (score > best || (found && score == best)) continue;
+        best = score;
+        found = {static_cast<int>(s),
+                 place.arclength_mm,
+                 here.position_mm,
+                 2.0 * here.radius_mm,
+                 {},
+                 {}};
+    }
+    if (!found) return std::nullopt;
+    LumenCalibre& calibre = *found;
+    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(calibre.segment)];
+    calibre.reference_mm = reference_at(segment, calibre.arclength_mm, near_mm, far_mm);
     if (calibre.reference_mm) calibre.stenosis = 1.0 - calibre.diameter_mm / *calibre.reference_mm;
-    return calibre;
+    return found;
 }
 
 }  // namespace hepatica

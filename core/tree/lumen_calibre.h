@@ -12,6 +12,7 @@ namespace hepatica {
 
 struct LumenCalibre {
     int segment = -1;
+    double arclength_mm = 0.0;
     Vec3 position_mm = Vec3::Zero();  // on the centreline
     double diameter_mm = 0.0;
     // Expected there, and by what share of it the lumen is narrower (below 0: wider). Nothing where
@@ -20,9 +21,10 @@ struct LumenCalibre {
     std::optional<double> stenosis;
 };
 
-// Of the vessel whose lumen holds the place, or whose wall is at most `margin_mm` away; nothing
-// where there is none. The reference is fitted to the diameters from `near_mm` to `far_mm` along
-// the same segment on either side, of which half must be there at least.
+// Of the vessel whose lumen holds the place, of several the one whose axis is nearest in radii; or
+// else of that whose wall is nearest, at most `margin_mm` away; nothing where there is none. The
+// reference is fitted to the diameters from `near_mm` to `far_mm` along the same segment on either
+// side, of which half must be there at least.
 std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& position_mm,
                                        double margin_mm = 2.0, double near_mm = 5.0,
                                        double far_mm = 15.0);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/tree/station.h"
 
 namespace hepatica {
 
@@ -73,17 +74,9 @@ TreePoint nearest_point(const VesselTree& tree, const Vec3& position_mm) {
     TreePoint best;
     best.distance_mm = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
-        const std::vector<Vec3>& points = tree.segments[s].points_mm;
-        double start_mm = 0.0;
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const Vec3 edge = points[i] - points[i - 1];
-            const double share =
-                std::clamp((position_mm - points[i - 1]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-            const double distance_mm = (points[i - 1] + share * edge - position_mm).norm();
-            if (distance_mm < best.distance_mm)
-                best = {static_cast<int>(s), start_mm + share * edge.norm(), distance_mm};
-            start_mm += edge.norm();
-        }
+        const NearestStation place = nearest_station(tree.segments[s], position_mm);
+        if (place.distance_mm < best.distance_mm)
+            best = {static_cast<int>(s), place.arclength_mm, place.distance_mm};
     }
     return best;
 }

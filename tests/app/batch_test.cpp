@@ -118,8 +118,14 @@ TEST_F(Batch, GoesOnWhereItWasInterrupted) {
 }
 
 TEST_F(Batch, SaysWhatAScanWasCalledInOneFileAlone) {
+    // Its failure names another file: that of its data, which is missing.
+    const fs::path header = root() / "scans/dora.mhd";
+    std::ofstream(header) << "ObjectType = Image\nNDims = 3\nDimSize = 9 9 9\n"
+                             "ElementType = MET_SHORT\nElementDataFile = dora.raw\n";
     const Json made = answer(call_with_pseudonyms());
+    fs::remove(header);
     EXPECT_EQ(made.at("done"), 2);
+    EXPECT_EQ(made.at("failed"), 2);
     const std::string names = text_of(root() / "out/names.csv");
     EXPECT_EQ(names.find("patient,scan\n\"P-"), 0u) << names;
     EXPECT_EQ(fs::status(root() / "out/names.csv").permissions(),
@@ -127,7 +133,7 @@ TEST_F(Batch, SaysWhatAScanWasCalledInOneFileAlone) {
     int searched = 0;
     for (const auto& entry : fs::recursive_directory_iterator(root() / "out")) {
         const std::string text = entry.is_regular_file() ? text_of(entry.path()) : "";
-        for (const char* scan : {"anton", "berta", "carla"}) {
+        for (const char* scan : {"anton", "berta", "carla", "dora"}) {
             if (entry.path().filename() == "names.csv") {
                 EXPECT_NE(text.find(scan), std::string::npos);
                 continue;
@@ -140,8 +146,19 @@ TEST_F(Batch, SaysWhatAScanWasCalledInOneFileAlone) {
     EXPECT_GT(searched, 20);
     for (const auto& [patient, state] : states())
         EXPECT_EQ(fs::exists(root() / "out/cases" / (patient + ".hep")), state == "done");
-    EXPECT_EQ(states().size(), 3u);
+    EXPECT_EQ(states().size(), 4u);
+    // One scan fewer: his name is not forgotten, for his record stays.
     EXPECT_EQ(answer(call_with_pseudonyms()).at("made_now"), 0);
+    EXPECT_EQ(text_of(root() / "out/names.csv"), names);
+}
+
+TEST_F(Batch, OfAVersionWithoutPseudonymsGoesOn) {
+    EXPECT_EQ(answer(call({"--task", "2", "--of", "3"})).at("made_now"), 1);
+    Json begun = Json::parse(text_of(root() / "out/batch.json"));
+    begun.erase("keep_names");
+    std::ofstream(root() / "out/batch.json") << begun.dump(2);
+    EXPECT_EQ(run_cli(call_with_pseudonyms({"--task", "2", "--of", "3"})).exit_code, 1);
+    EXPECT_EQ(answer(call({"--task", "2", "--of", "3"})).at("made_now"), 0);
 }
 
 // One table must not mix what was begun otherwise.

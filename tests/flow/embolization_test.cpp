@@ -129,6 +129,25 @@ TEST(Embolization, TheFlowGoesWhereNoBeadsAre) {
     EXPECT_GT(result.end.volume_flow_mm3_s[2], before.volume_flow_mm3_s[2]);
 }
 
+// However little flows: what counts is where to, and not how many mm3/s.
+TEST(Embolization, BeadsOfABatchStayBehindTheOnesThatPluggedTheWay) {
+    FlowNetwork network = fork(0.8, 0.8);
+    network.cones[1].distal_radius_mm = network.cones[2].distal_radius_mm = 0.15;
+    EmbolizationOptions options;
+    options.beads = {"large", 350.0, 0.0, 1.2e-3, ""};
+    options.bead_count = options.batch = 20;
+    for (const double resistance : {0.05, 1e5}) {
+        Job job;
+        const Embolization result =
+            embolize(network, under_pressure(network, resistance), 0, options, job);
+        EXPECT_EQ(result.lodged_in_segment[0], 0);
+        EXPECT_GT(result.lodged_in_segment[1], 0);
+        EXPECT_GT(result.lodged_in_segment[2], 0);
+        EXPECT_EQ(result.lodged_in_segment[1] + result.lodged_in_segment[2], 20) << resistance;
+        EXPECT_EQ(result.passed, 0);
+    }
+}
+
 TEST(Embolization, BeadsNarrowerThanTheCapillariesPass) {
     Random random(72);
     const FlowNetwork network = random_tree(random, 15);

@@ -152,9 +152,9 @@ TEST(Layers, TheCheckItselfObjects) {
     EXPECT_EQ(objection("core/scene/world.cpp", "core/flow/fluid.h"), "");
 }
 
-// Folders within a room (core/tree/systems) that its files lie in, and those that they include.
-// Files at the room's root are left out: the smallest of them are used by all folders, the largest
-// use all.
+// Folders beside each other (rooms, or within a room core/tree/systems) that files lie in, and
+// those that they include. Files at the room's root are left out: the smallest of them are used by
+// all folders, the largest use all.
 using FolderArrows = std::map<std::string, std::set<std::string>>;
 
 FolderArrows arrows_among_folders(const fs::path& layer) {

@@ -52,13 +52,13 @@ class MutationScore : public testing::Test {
     }
     void TearDown() override { fs::remove_all(project_); }
 
-    std::string answer(const std::string& arguments) {
+    std::string answer(const std::string& arguments, bool succeeds = true) {
         FILE* const pipe =
             popen(("'" + script_.string() + "' " + arguments + " 2>&1").c_str(), "r");
         std::string output;
         for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
             output += static_cast<char>(c);
-        EXPECT_EQ(pclose(pipe), 0) << output;
+        EXPECT_EQ(pclose(pipe) == 0, succeeds) << output;
         return output;
     }
 
@@ -98,6 +98,21 @@ TEST_F(MutationScore, TellsNoticedFromSurvivedAndLeavesTheCheckoutAsItWas) {
     EXPECT_NE(again.find("`- -> +` | noticed"), std::string::npos) << again;
 }
 
+TEST_F(MutationScore, SaysTheSameHoweverManyAreTriedAtOnce) {
+    const std::string one = answer("toy 100 7 --at-once 1");
+    EXPECT_EQ(answer("toy 100 7 --at-once 3"), one);
+    // The first of them, in the order of the draw.
+    const std::string two = answer("toy 2 7 --at-once 3");
+    EXPECT_EQ(one.substr(0, two.find("\n\n")), two.substr(0, two.find("\n\n")));
+}
+
+TEST_F(MutationScore, EndsWhereTheTestsFailWithoutAMutant) {
+    std::ofstream(project_ / "toy_tests.cpp") << "int main() { return 1; }\n";
+    EXPECT_NE(answer("toy 100 7 --at-once 2", false).find("does not pass without a mutant"),
+              std::string::npos);
+    EXPECT_EQ(text_of(source_), before_);
+}
+
 // Killed while a mutant is in place, it leaves that in its copy alone, and the next run mends it.
 TEST_F(MutationScore, LeavesTheCheckoutAsItWasEvenWhenItIsKilled) {
     std::ofstream(project_ / "toy_tests.cpp")
@@ -106,7 +121,7 @@ TEST_F(MutationScore, LeavesTheCheckoutAsItWasEvenWhenItIsKilled) {
            "int main() { if (untested(2, 3) != 6) sleep(60); return larger(2, 3) == 3 ? 0 : 1; }\n";
     // The shell says its own number before it becomes the script.
     FILE* const pipe =
-        popen(("echo $$; exec '" + script_.string() + "' toy 100 7 2>&1").c_str(), "r");
+        popen(("echo $$; exec '" + script_.string() + "' toy 100 7 --at-once 1 2>&1").c_str(), "r");
     int process = 0;
     ASSERT_EQ(std::fscanf(pipe, "%d", &process), 1);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);

@@ -223,7 +223,7 @@ TEST(BadDicom, WithASliceMissingIsRefusedByItsNeighbours) {
     const DicomFolder one;
     fs::remove(one.slice(4));
     const std::string message = one.refusal_of_folder();
-    EXPECT_NE(message.find("1 slice is missing between slice_0003.dcm and slice_0005.dcm"),
+    EXPECT_NE(message.find("1 slice is missing between “slice_0003.dcm” and “slice_0005.dcm”"),
               std::string::npos)
         << message;
     const DicomFolder two;

@@ -77,6 +77,25 @@ TEST_F(TrialOfLedgers, FailsWhereTheLedgerLeavesALossOpen) {
     }
 }
 
+// Gaps between energies and forces, of a body of 100 nJ: some small enough, and one that is not.
+TEST_F(TrialOfLedgers, KeepsTheLargestGapOfTheAuditAndFailsWhereItIsTooLarge) {
+    const auto with_gap = [](double gap_nj) {
+        StepReport report = of_100_nj();
+        report.energy.nonlinear_loss = -gap_nj;
+        report.audit_gap_nj = gap_nj;
+        return report;
+    };
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.check_energy(of_100_nj()));
+    EXPECT_TRUE(trial.check_energy(with_gap(5e-4))) << row_.note;
+    const double found = row_.audit_gap;
+    EXPECT_NEAR(found, 5e-4 / 200.0, 1e-8);  // of 100 before and 100 after
+    EXPECT_TRUE(trial.check_energy(with_gap(1e-4)));
+    EXPECT_EQ(row_.audit_gap, found);
+    EXPECT_FALSE(trial.check_energy(with_gap(1e-2)));
+    EXPECT_NE(row_.note.find("energies and forces differ"), std::string::npos) << row_.note;
+}
+
 // A loss at first must not hide that energy is made later.
 TEST_F(TrialOfLedgers, JudgesEveryStepAlone) {
     Trial trial(*stepper_, row_);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/tree/station.h"
 
@@ -69,6 +70,29 @@ TEST(LumenCalibre, MeasuresAtTheCentrelineOfTheVesselThatWasMeant) {
     EXPECT_TRUE(calibre_at(tree, Vec3(30.0, 8.99, -2.0)));
     EXPECT_FALSE(calibre_at(tree, Vec3(30.0, 9.01, -2.0)));
     EXPECT_FALSE(calibre_at(VesselTree{}, Vec3::Zero()));
+}
+
+// The wide vessel's axis is farther away than the thin one's, and yet its lumen is clicked.
+TEST(LumenCalibre, IsThatOfTheLumenAndNotOfTheNearestAxis) {
+    VesselTree tree;
+    for (const auto& [y, radius] : {std::pair{0.0, 7.0}, std::pair{9.0, 1.0}}) {
+        VesselSegment segment;
+        segment.points_mm = {Vec3(0, y, 0), Vec3(60, y, 0)};
+        segment.radii_mm = {radius, radius};
+        tree.segments.push_back(segment);
+    }
+    const auto measured = [&](double y) { return calibre_at(tree, Vec3(30, y, 0)); };
+    EXPECT_EQ(measured(5.0)->segment, 0);
+    EXPECT_EQ(measured(6.9)->segment, 0);
+    EXPECT_EQ(measured(7.3)->segment, 0) << "outside of both: the nearer wall";
+    EXPECT_EQ(measured(7.7)->segment, 1);
+    EXPECT_EQ(measured(8.5)->segment, 1);
+    EXPECT_EQ(measured(5.0)->diameter_mm, 14.0);
+    EXPECT_NEAR(measured(5.0)->arclength_mm, 30.0, 1e-12);
+    tree.segments[1].points_mm = {Vec3(0, 4, 0), Vec3(60, 4, 0)};  // one within the other
+    EXPECT_EQ(measured(3.7)->segment, 1);
+    EXPECT_EQ(measured(2.0)->segment, 0);
+    EXPECT_FALSE(measured(-9.1));
 }
 
 // Half of the 5 to 15 mm must be there on either side.

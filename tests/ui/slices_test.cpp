@@ -223,7 +223,14 @@ TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {
     click(0, 20);
     ASSERT_EQ(scene().measurements().made().size(), 2u);
     EXPECT_EQ(scene().measurements().made()[1].text, "90\u00b0");
+    click(0, 0);
+    QTest::mouseDClick(&axial, Qt::LeftButton, {}, middle);
+    ASSERT_NE(scene().measurements().half_made(), nullptr);
+    EXPECT_EQ(scene().measurements().half_made()->points_mm.size(), 1u);
+    QTest::keyClick(&axial, Qt::Key_Delete);  // what was half made
     QTest::keyClick(&axial, Qt::Key_Delete);
+    EXPECT_EQ(scene().measurements().made().size(), 1u);
+    QTest::keyClick(&axial, Qt::Key_Delete, Qt::ControlModifier);  // not ours
     EXPECT_EQ(scene().measurements().made().size(), 1u);
     QTest::keyClick(&axial, Qt::Key_Escape);
     EXPECT_EQ(choice->currentText(), "Crosshair");
@@ -239,14 +246,26 @@ TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
     QTest::keyClick(&coronal, Qt::Key_Return);
     ASSERT_EQ(scene().measurements().made().size(), 1u);
     const Measurement& diameter = scene().measurements().made()[0];
-    EXPECT_EQ(diameter.text, "\u2300 9.0 mm") << "it tapers evenly";
+    EXPECT_EQ(diameter.text, "\u2300 9.0 mm, stenosis 0 %") << "it tapers evenly";
     EXPECT_LT((diameter.points_mm[0] + diameter.points_mm[1]).norm(), 1e-9)
         << "about the centreline";
     EXPECT_NEAR(std::abs((diameter.points_mm[1] - diameter.points_mm[0]).x()), 9.0, 1e-9);
+    EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("9.0 mm"));
+    // The vessel runs through the axial slices: there it is measured to the right.
+    QTest::keyClick(&view(SliceDirection::axial), Qt::Key_Return);
+    ASSERT_EQ(scene().measurements().made().size(), 2u);
+    const auto& across = scene().measurements().made()[1].points_mm;
+    EXPECT_NEAR(std::abs((across[1] - across[0]).x()), 9.0, 1e-9);
+    QTest::keyClick(&coronal, Qt::Key_Delete);
     scene().set_crosshair(Vec3(40, 0, 0));
     QTest::keyClick(&coronal, Qt::Key_Return);
     EXPECT_EQ(scene().measurements().made().size(), 1u);
     EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("no vessel"));
+    scene().show_tree(patient_->tree);
+    EXPECT_TRUE(scene().measurements().made().empty()) << "it was a diameter of another tree";
+    scene().set_crosshair(Vec3(0, 0, 0));
+    QTest::keyClick(&coronal, Qt::Key_Return);
+    EXPECT_EQ(scene().measurements().made().size(), 1u);
     views().clear();
     EXPECT_TRUE(scene().measurements().made().empty()) << "they were another patient's";
 }

@@ -32,22 +32,21 @@ std::string text_of(const Measurement& measurement) {
 
 std::string text_of(const LumenCalibre& calibre) {
     std::string text = formatted("\u2300 %.1f mm", calibre.diameter_mm);
-    if (!calibre.stenosis) return text;
+    if (!calibre.stenosis) return text + ", too near its end to judge a stenosis";
     const double percent = std::round(100.0 * *calibre.stenosis);
-    if (percent == 0.0) return text;
     return text +
-           formatted(percent > 0.0 ? ", stenosis %.0f %%" : ", %.0f %% wider", std::abs(percent));
+           formatted(percent < 0.0 ? ", %.0f %% wider" : ", stenosis %.0f %%", std::abs(percent));
 }
 
 // Across the vessel and within the slice; where the vessel runs through the slice, to the right.
-Vec3 across(const VesselSegment& segment, double arclength_mm, const Vec3& plane_normal) {
+Vec3 across(const VesselSegment& segment, double arclength_mm, const SlicePlane& plane) {
     constexpr double reach_mm = 1.0;
     const Vec3 along = station_at(segment, arclength_mm + reach_mm).position_mm -
                        station_at(segment, arclength_mm - reach_mm).position_mm;
-    const Vec3 direction = plane_normal.cross(along);
+    const Vec3 direction = plane.normal.cross(along);
     constexpr double nearly_through = 0.1;
     if (direction.norm() > nearly_through * along.norm()) return direction.normalized();
-    return plane_normal.unitOrthogonal();
+    return plane.right;
 }
 
 }  // namespace
@@ -58,35 +57,35 @@ void Measurements::choose(std::optional<MeasurementKind> kind) {
     tell();
 }
 
-std::string Measurements::add_point(const Vec3& position_mm, const Vec3& plane_normal,
+std::string Measurements::add_point(const Vec3& position_mm, const SlicePlane& plane,
                                     const VesselTree& tree) {
     if (!kind_) return {};
-    if (*kind_ == MeasurementKind::diameter) return add_diameter(position_mm, plane_normal, tree);
+    if (*kind_ == MeasurementKind::diameter) return add_diameter(position_mm, plane, tree);
     half_made_.kind = *kind_;
     half_made_.points_mm.push_back(position_mm);
     const std::size_t needed = *kind_ == MeasurementKind::angle ? 3 : 2;
+    std::string told;
     if (half_made_.points_mm.size() == needed) {
-        half_made_.text = text_of(half_made_);
+        told = half_made_.text = text_of(half_made_);
         finish();
     }
     tell();
-    return {};
+    return told;
 }
 
-std::string Measurements::add_diameter(const Vec3& position_mm, const Vec3& plane_normal,
+std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane& plane,
                                        const VesselTree& tree) {
     const auto calibre = calibre_at(tree, position_mm);
     if (!calibre) return "There is no vessel. Click on one, or measure a distance";
-    const TreePoint place = nearest_point(tree, position_mm);
     const auto& segment = tree.segments[static_cast<std::size_t>(calibre->segment)];
-    const Vec3 half =
-        0.5 * calibre->diameter_mm * across(segment, place.arclength_mm, plane_normal);
+    const Vec3 half = 0.5 * calibre->diameter_mm * across(segment, calibre->arclength_mm, plane);
+    const std::string told = text_of(*calibre);
     half_made_ = {MeasurementKind::diameter,
                   {calibre->position_mm - half, calibre->position_mm + half},
-                  text_of(*calibre)};
+                  told};
     finish();
     tell();
-    return {};
+    return told;
 }
 
 void Measurements::finish() {
@@ -99,6 +98,13 @@ void Measurements::remove_last() {
         half_made_ = {};
     else if (!made_.empty())
         made_.pop_back();
+    tell();
+}
+
+void Measurements::remove_diameters() {
+    std::erase_if(made_, [](const Measurement& measurement) {
+        return measurement.kind == MeasurementKind::diameter;
+    });
     tell();
 }
 

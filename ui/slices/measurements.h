@@ -22,6 +22,12 @@ struct Measurement {
     std::string text;  // empty while it is being made
 };
 
+// The slice in which a point is set.
+struct SlicePlane {
+    Vec3 normal = Vec3::UnitZ();
+    Vec3 right = Vec3::UnitX();  // on the screen
+};
+
 // UI thread.
 class Measurements {
   public:
@@ -32,12 +38,13 @@ class Measurements {
     void choose(std::optional<MeasurementKind> kind);
     std::optional<MeasurementKind> chosen() const { return kind_; }
 
-    // Returns what to tell the person where the point is of no use, else an empty text. A diameter
-    // lies across the vessel, in the plane with this normal.
-    std::string add_point(const Vec3& position_mm, const Vec3& plane_normal,
-                          const VesselTree& tree);
+    // Returns what to tell the person: what has been measured, or why the point is of no use; else
+    // an empty text. A diameter lies across the vessel, in the plane.
+    std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
     void remove_last();  // first what is half made
     void clear();        // of another patient
+    // Diameters were those of a tree that has been corrected since.
+    void remove_diameters();
 
     const std::vector<Measurement>& made() const { return made_; }
     const Measurement* half_made() const {
@@ -46,7 +53,7 @@ class Measurements {
 
   private:
     void finish();
-    std::string add_diameter(const Vec3& position_mm, const Vec3& plane_normal,
+    std::string add_diameter(const Vec3& position_mm, const SlicePlane& plane,
                              const VesselTree& tree);
     void tell() const;
 

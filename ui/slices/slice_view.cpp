@@ -171,7 +171,8 @@ void SliceView::paint_crosshair(QPainter& painter) const {
     painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
 }
 
-// In the slices that it lies in; of a diameter, in those that cut the lumen along it.
+// In the slices through any of its points, as seen from there; of a diameter, in those that cut the
+// lumen along it.
 void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
     const SliceStack slices = stack();
     const double here = slices.place_of(scene_.crosshair_mm()).z();
@@ -179,11 +180,13 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
     double reach_mm = std::max(1.0, slices.slice_mm());
     if (measurement.kind == MeasurementKind::diameter) reach_mm += (points[1] - points[0]).norm();
     QPolygonF line;
+    bool here_at_all = false;
     for (const Vec3& point : points) {
-        if (std::abs(slices.place_of(point).z() - here) * slices.slice_mm() > 0.5 * reach_mm)
-            return;
+        const double off_mm = std::abs(slices.place_of(point).z() - here) * slices.slice_mm();
+        here_at_all |= off_mm <= 0.5 * reach_mm;
         line << place_of(point);
     }
+    if (!here_at_all) return;
     const double seen_mm = QLineF(line.front(), line.back()).length() / points_per_mm();
     if (measurement.kind == MeasurementKind::diameter &&
         seen_mm < 0.5 * (points[1] - points[0]).norm())
@@ -242,9 +245,11 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 
 void SliceView::measure(const Vec3& position_mm) {
     const SliceStack slices = stack();
-    const Vec3 normal = (slices.to_mm(Vec3(0, 0, 1)) - slices.to_mm(Vec3::Zero())).normalized();
-    const std::string refusal = scene_.measurements().add_point(position_mm, normal, scene_.tree());
-    if (!refusal.empty() && say_) say_(QString::fromStdString(refusal));
+    const Vec3 origin = slices.to_mm(Vec3::Zero());
+    const SlicePlane plane{(slices.to_mm(Vec3::UnitZ()) - origin).normalized(),
+                           (slices.to_mm(Vec3::UnitX()) - origin).normalized()};
+    const std::string told = scene_.measurements().add_point(position_mm, plane, scene_.tree());
+    if (!told.empty() && say_) say_(QString::fromStdString(told));
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
@@ -265,7 +270,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (measuring()) return mousePressEvent(event);  // two quick clicks are two points
+    if (measuring()) return;  // its second click sets no point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }
 
@@ -290,16 +295,18 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     step((event->modifiers() & Qt::ShiftModifier) ? 10 * whole : whole);
 }
 
-bool SliceView::measures_with(int key) const {
-    const bool any = scene_.measurements().half_made() || !scene_.measurements().made().empty();
-    switch (key) {
+bool SliceView::measures_with(const QKeyEvent& event) const {
+    if (event.modifiers() & ~Qt::KeypadModifier) return false;
+    switch (event.key()) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
         case Qt::Key_Escape:
             return measuring();
+        // Also where nothing is left: one press too many must not remove the drug or reset the
+        // play.
         case Qt::Key_Delete:
         case Qt::Key_Backspace:
-            return any;
+            return measuring() || !scene_.measurements().made().empty();
         default:
             return false;
     }
@@ -307,15 +314,14 @@ bool SliceView::measures_with(int key) const {
 
 // Keys of measuring come before the window's own.
 bool SliceView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride &&
-        measures_with(static_cast<QKeyEvent*>(event)->key()))
+    if (event->type() == QEvent::ShortcutOverride && measures_with(*static_cast<QKeyEvent*>(event)))
         event->accept();
     return QWidget::event(event);
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
     if (scene_.empty()) return QWidget::keyPressEvent(event);
-    if (measures_with(event->key())) return measure_by_key(event->key());
+    if (measures_with(*event)) return measure_by_key(event->key());
     switch (event->key()) {
         case Qt::Key_PageUp:
             return step(1);

@@ -33,7 +33,7 @@ class SliceView : public QWidget {
     const QImage& picture();
 
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
-    // What a click that measures nothing wants to say.
+    // What has been measured, or why a click measured nothing.
     void on_say(std::function<void(const QString&)> say) { say_ = std::move(say); }
     void on_double_click(std::function<void()> tell) { double_click_ = std::move(tell); }
 
@@ -53,7 +53,7 @@ class SliceView : public QWidget {
     // The crosshair within its slice, by voxels.
     void nudge(int columns, int rows);
     double points_per_mm() const;
-    bool measures_with(int key) const;
+    bool measures_with(const QKeyEvent& event) const;
     void measure_by_key(int key);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     void measure(const Vec3& position_mm);

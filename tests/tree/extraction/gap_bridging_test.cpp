@@ -67,8 +67,6 @@ TEST(GapBridging, BrightGapIsBridgedWithConfidence) {
     EXPECT_LT(nearest_point(found.tree, Vec3(21.5, 30, 15)).distance_mm, 1.0);
 }
 
-// No stub of the branch is left on its trunk: the bridge leads to the side of the trunk, which is
-// the first link, and parts it.
 TEST(GapBridging, IsBuiltFromTheConfidenceOnThatIsAskedFor) {
     const Scene scene = broken_branch(26, 34, 160);
     const double confidence = extraction_of(scene, true).bridges.at(0).confidence;
@@ -79,6 +77,8 @@ TEST(GapBridging, IsBuiltFromTheConfidenceOnThatIsAskedFor) {
     EXPECT_FALSE(extraction_of(scene, true, options).bridges.at(0).built);
 }
 
+// No stub of the branch is left on its trunk: the bridge leads to the side of the trunk, which is
+// the first link, and parts it.
 TEST(GapBridging, BrightGapAtTheWallOfTheTrunkIsBridgedToItsSide) {
     const TreeExtraction found = extraction_of(broken_branch(15, 26, 160), true);
     ASSERT_EQ(found.bridges.size(), 1u);
