@@ -47,7 +47,7 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     opacity->setToolTip("How strongly the vessels' voxels are drawn over the CT");
     opacity->setRange(0, 100);
     opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
-    opacity->setMaximumWidth(110);
+    opacity->setFixedWidth(80);  // what stands beside it keeps its place while the text changes
     auto* centrelines = new QCheckBox("Centrelines");
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
