@@ -32,7 +32,7 @@ std::string text_of(const Measurement& measurement) {
 
 std::string text_of(const LumenCalibre& calibre) {
     std::string text = formatted("\u2300 %.1f mm", calibre.diameter_mm);
-    if (!calibre.stenosis) return text + ", too near its end to judge a stenosis";
+    if (!calibre.stenosis) return text;
     const double percent = std::round(100.0 * *calibre.stenosis);
     return text +
            formatted(percent < 0.0 ? ", %.0f %% wider" : ", stenosis %.0f %%", std::abs(percent));
@@ -79,13 +79,14 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
     if (!calibre) return "There is no vessel. Click on one, or measure a distance";
     const auto& segment = tree.segments[static_cast<std::size_t>(calibre->segment)];
     const Vec3 half = 0.5 * calibre->diameter_mm * across(segment, calibre->arclength_mm, plane);
-    const std::string told = text_of(*calibre);
+    const std::string text = text_of(*calibre);
     half_made_ = {MeasurementKind::diameter,
                   {calibre->position_mm - half, calibre->position_mm + half},
-                  told};
+                  text};
     finish();
     tell();
-    return told;
+    // Too long to stand beside the vessel.
+    return calibre->stenosis ? text : text + ", too near its end to judge a stenosis";
 }
 
 void Measurements::finish() {
