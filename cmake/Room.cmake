@@ -23,7 +23,7 @@ function(hepatica_tests name)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_options(${name}_tests PRIVATE
         $<$<COMPILE_LANGUAGE:CXX>:${HEPATICA_COMPILE_OPTIONS}>)
-    target_link_libraries(${name}_tests PRIVATE ${TESTS_LINK} GTest::gmock GTest::gtest)
+    target_link_libraries(${name}_tests PRIVATE ${TESTS_LINK} hepatica_test_support GTest::gmock GTest::gtest)
     gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
         PROPERTIES LABELS "${name};${TESTS_LABELS}" TIMEOUT 300)
 endfunction()
