@@ -41,14 +41,19 @@ std::map<std::string, std::string> read_names(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     std::map<std::string, std::string> names;
-    std::size_t at = text.find('\n');
-    while (at != std::string::npos && ++at < text.size()) {
+    if (text.empty()) return names;
+    const auto check = [&](bool as_written) {
+        if (!as_written)
+            throw InputError("is not as it was written", file.string(),
+                             "Put it right: it alone says which case is whose");
+    };
+    const std::string first_line = std::string(heading) + "\n";
+    check(text.starts_with(first_line));
+    for (std::size_t at = first_line.size(); at < text.size(); ++at) {
         const auto patient = cell_from(text, at);
         const bool comma = patient && at < text.size() && text[at] == ',';
         const auto scan = comma ? cell_from(text, ++at) : std::nullopt;
-        if (!scan || at >= text.size() || text[at] != '\n')
-            throw InputError("is not as it was written", file.string(),
-                             "Put it right: it alone says which case is whose");
+        check(scan && at < text.size() && text[at] == '\n');
         names[*patient] = *scan;
     }
     return names;
