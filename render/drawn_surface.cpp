@@ -6,6 +6,7 @@
 #include <vtkFloatArray.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -51,6 +52,12 @@ DrawnSurface::DrawnSurface()
     look.SetSpecularPower(28.0);
     look.BackfaceCullingOn();
     drug_overlay::attach(*actor_, *mapper_);
+}
+
+void DrawnSurface::set_clip(vtkPlane* plane) {
+    mapper_->RemoveAllClippingPlanes();
+    if (plane) mapper_->AddClippingPlane(plane);
+    actor_->GetProperty()->SetBackfaceCulling(plane == nullptr);
 }
 
 vtkActor* DrawnSurface::actor() const {

@@ -15,13 +15,14 @@
 class vtkActor;
 class vtkFloatArray;
 class vtkOpenGLPolyDataMapper;
+class vtkPlane;
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
 namespace hepatica {
 
 // Belongs to one OpenGL context; not thread-safe. Closed surfaces only: what faces away from the
-// eye is not drawn.
+// eye is not drawn, unless the surface is cut open.
 class DrawnSurface {
   public:
     DrawnSurface();
@@ -31,6 +32,9 @@ class DrawnSurface {
     void set_positions(std::span<const float> positions_mm, std::span<const float> normals);
     void set_colours(std::span<const std::uint8_t> rgba);
     void set_arrival(std::span<const float> arrival_s);
+
+    // Draws only what is on the plane's positive side, and the inside that it lays open; null: all.
+    void set_clip(vtkPlane* plane);
 
     vtkActor* actor() const;
     vtkOpenGLPolyDataMapper* mapper() const;

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -30,7 +31,10 @@ const char* const ghost = R"(//VTK::Light::Impl
 
 }  // namespace
 
-GhostActor::GhostActor() : actor_(vtkSmartPointer<vtkActor>::New()) {
+GhostActor::GhostActor()
+    : mapper_(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New()),
+      actor_(vtkSmartPointer<vtkActor>::New()) {
+    actor_->SetMapper(mapper_);
     vtkProperty& look = *actor_->GetProperty();
     look.SetColor(palette::liver[0], palette::liver[1], palette::liver[2]);
     look.SetOpacity(0.5);  // below 1, so that VTK draws it in the pass for translucent surfaces
@@ -65,9 +69,7 @@ void GhostActor::set_surface(const TriangleMesh& surface) {
     polydata->SetPoints(points);
     polydata->SetPolys(cells);
     polydata->GetPointData()->SetNormals(normals);
-    vtkNew<vtkOpenGLPolyDataMapper> mapper;
-    mapper->SetInputData(polydata);
-    actor_->SetMapper(mapper);
+    mapper_->SetInputData(polydata);
     empty_ = geometry.triangles().empty();
     apply_visibility();
 }
@@ -75,6 +77,12 @@ void GhostActor::set_surface(const TriangleMesh& surface) {
 void GhostActor::set_visible(bool visible) {
     visible_ = visible;
     apply_visibility();
+}
+
+void GhostActor::set_clip(vtkPlane* plane) {
+    mapper_->RemoveAllClippingPlanes();
+    if (plane) mapper_->AddClippingPlane(plane);
+    actor_->GetProperty()->SetBackfaceCulling(plane == nullptr);
 }
 
 void GhostActor::apply_visibility() {

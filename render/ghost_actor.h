@@ -8,6 +8,8 @@
 #include "core/mesh/tet_mesh.h"
 
 class vtkActor;
+class vtkOpenGLPolyDataMapper;
+class vtkPlane;
 
 namespace hepatica {
 
@@ -17,11 +19,14 @@ class GhostActor {
 
     void set_surface(const TriangleMesh& surface);  // an empty one shows nothing
     void set_visible(bool visible);
+    // Draws only what is on the plane's positive side; null: all.
+    void set_clip(vtkPlane* plane);
     vtkActor* actor() const { return actor_; }
 
   private:
     void apply_visibility();
 
+    vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
     vtkSmartPointer<vtkActor> actor_;
     bool visible_ = true;
     bool empty_ = true;

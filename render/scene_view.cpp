@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkPlane.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -95,6 +96,8 @@ struct SceneView::Parts {
     MarkActors marks{*renderer};
     Annotations annotations;
     OrientationMarker orientation;
+    vtkNew<vtkPlane> clip_plane;
+    std::optional<ClipPlane> clip;
     DrugView drug;
     double pixel_ratio = 1.0;
     bool annotated = true;
@@ -207,6 +210,19 @@ void SceneView::set_liver(const TriangleMesh& surface) {
 void SceneView::set_liver_visible(bool visible) {
     parts_->liver.set_visible(visible);
 }
+
+void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
+    parts_->clip = plane;
+    if (plane) {
+        parts_->clip_plane->SetOrigin(plane->point_mm.x(), plane->point_mm.y(),
+                                      plane->point_mm.z());
+        parts_->clip_plane->SetNormal(plane->inward.x(), plane->inward.y(), plane->inward.z());
+    }
+    vtkPlane* drawn = plane ? parts_->clip_plane.Get() : nullptr;
+    parts_->tree.set_clip(drawn);
+    parts_->liver.set_clip(drawn);
+}
+
 void SceneView::set_caption(const std::string& text) {
     parts_->annotations.set_caption(text);
 }
@@ -273,7 +289,7 @@ ViewRay SceneView::ray_through(const Pixel& pixel) const {
 
 SurfacePick SceneView::pick(const Pixel& pixel) const {
     const ViewRay ray = ray_through(pixel);
-    return pick_surface(parts_->tree.surface(), ray.origin_mm, ray.direction);
+    return pick_surface(parts_->tree.surface(), ray.origin_mm, ray.direction, parts_->clip);
 }
 
 Vec3 SceneView::point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const {

@@ -14,6 +14,7 @@
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
 #include "render/camera.h"
+#include "render/clip_plane.h"
 #include "render/surface_geometry.h"
 
 class vtkCamera;
@@ -79,6 +80,8 @@ class SceneView {
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
     void set_liver_visible(bool visible);
+    // Cuts vessels and liver open; none shows them whole.
+    void set_clip(const std::optional<ClipPlane>& plane);
     void set_caption(const std::string& text);
     void set_annotations_visible(bool visible);
     // Whether vessels that are near tearing are coloured, from the next frame on; not at first.
@@ -89,6 +92,7 @@ class SceneView {
     void look_from(ViewDirection direction);
     vtkCamera& camera();
 
+    // Of what is drawn: what is clipped away is not met.
     SurfacePick pick(const Pixel& pixel) const;
     ViewAxes axes() const;
     ViewRay ray_through(const Pixel& pixel) const;

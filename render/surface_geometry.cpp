@@ -16,6 +16,27 @@ Eigen::Map<const Vec3f> vertex(const std::vector<float>& values, int index) {
     return Eigen::Map<const Vec3f>(values.data() + 3 * static_cast<std::size_t>(index));
 }
 
+// Distances along a ray between which it runs through what a plane leaves.
+struct Stretch {
+    double begin = 0.0;
+    double end = std::numeric_limits<double>::infinity();
+};
+
+Stretch stretch_drawn(const Vec3& origin_mm, const Vec3& direction,
+                      const std::optional<ClipPlane>& clip) {
+    Stretch drawn;
+    if (!clip) return drawn;
+    const double inside_mm = (origin_mm - clip->point_mm).dot(clip->inward);
+    const double approach = direction.dot(clip->inward);
+    if (approach > 0.0)
+        drawn.begin = std::max(0.0, -inside_mm / approach);
+    else if (approach < 0.0)
+        drawn.end = -inside_mm / approach;  // below 0 where nothing is left
+    else if (inside_mm < 0.0)
+        drawn.end = 0.0;
+    return drawn;
+}
+
 }  // namespace
 
 SurfaceGeometry::Change SurfaceGeometry::update(const Frame& frame) {
@@ -83,9 +104,10 @@ void SurfaceGeometry::compute_normals() {
 }
 
 SurfacePick pick_surface(const SurfaceGeometry& surface, const Vec3& origin_mm,
-                         const Vec3& direction) {
+                         const Vec3& direction, const std::optional<ClipPlane>& clip) {
+    const Stretch drawn = stretch_drawn(origin_mm, direction, clip);
     SurfacePick best;
-    best.distance = std::numeric_limits<double>::infinity();
+    best.distance = drawn.end;
     const auto& triangles = surface.triangles();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const Vec3 a = vertex(surface.positions_mm(), triangles[t][0]).cast<double>();
@@ -102,7 +124,7 @@ SurfacePick pick_surface(const SurfaceGeometry& surface, const Vec3& origin_mm,
         const double v = direction.dot(q) / determinant;
         if (!(v >= 0.0 && u + v <= 1.0)) continue;
         const double distance = ac.dot(q) / determinant;
-        if (!(distance > 0.0 && distance < best.distance)) continue;
+        if (!(distance > drawn.begin && distance < best.distance)) continue;
         best.distance = distance;
         best.triangle = static_cast<int>(t);
         best.weights = {1.0 - u - v, u, v};

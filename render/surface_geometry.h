@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/vector.h"
 #include "core/scene/frame.h"
+#include "render/clip_plane.h"
 
 namespace hepatica {
 
@@ -56,8 +58,9 @@ struct SurfacePick {
 };
 
 // Tests every triangle (about a millisecond for 100,000); triangle -1 where nothing is hit in
-// front of the origin. Both sides of a triangle count.
+// front of the origin. Both sides of a triangle count. With a plane only what it leaves is met.
 SurfacePick pick_surface(const SurfaceGeometry& surface, const Vec3& origin_mm,
-                         const Vec3& direction);
+                         const Vec3& direction,
+                         const std::optional<ClipPlane>& clip = std::nullopt);
 
 }  // namespace hepatica

@@ -90,6 +90,11 @@ void TreeActor::set_warnings(bool shown) {
     take_colours();
 }
 
+void TreeActor::set_clip(vtkPlane* plane) {
+    plain_.set_clip(plane);
+    rounded_.set_clip(plane);
+}
+
 void TreeActor::set_fade(double near_mm, double far_mm) {
     for (vtkActor* actor : actors()) drug_overlay::set_fade(*actor, near_mm, far_mm);
 }

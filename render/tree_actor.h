@@ -16,6 +16,8 @@
 #include "render/rounded_surface.h"
 #include "render/surface_geometry.h"
 
+class vtkPlane;
+
 namespace hepatica {
 
 // Belongs to one OpenGL context; not thread-safe.
@@ -41,6 +43,9 @@ class TreeActor {
     void set_warnings(bool shown);
     // Depths (mm from the camera) between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
+
+    // See DrawnSurface::set_clip().
+    void set_clip(vtkPlane* plane);
 
     // One of them is visible at a time.
     std::array<vtkActor*, 2> actors() const { return {plain_.actor(), rounded_.actor()}; }

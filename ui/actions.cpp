@@ -85,6 +85,14 @@ constexpr std::array table{
     ActionSpec{view_inferior, "&View", "&Inferior", "I", "Look from the feet"},
     ActionSpec{toggle_annotations, "&View", "Le&gend and scale", "G",
                "Show legend, scale bar and orientation", true},
+    ActionSpec{toggle_liver, "&View", "Li&ver", "V",
+               "Show the surface of the liver around the vessels", true, true},
+    ActionSpec{toggle_clip, "&View", "&Open the view", "O",
+               "Take away what lies in front of a plane across the line of sight", true, true},
+    ActionSpec{clip_deeper, "&View", "Open it &deeper", "D",
+               "Move that plane 2 mm away from where it was put", false, true},
+    ActionSpec{clip_less_deep, "&View", "Open it less dee&p", "Shift+D",
+               "Move that plane 2 mm back", false, true},
     ActionSpec{toggle_slices, "&View", "Slices of the C&T", "F7",
                "Axial, coronal and sagittal slices of the CT beside the vessels", true},
     ActionSpec{toggle_branches, "&View", "Table of &branches", "F6",
@@ -100,7 +108,7 @@ constexpr std::array table{
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 16> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 17> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
@@ -116,6 +124,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> gestures{{
     {"Left drag on a slice", "move the crosshair; wheel: the slice, with Shift ten of them"},
     {"Right drag on a slice", "grey window: its width to the right, its level down"},
     {"Double-click on a slice", "enlarge it, and back; Ctrl + wheel zooms, middle drag pans"},
+    {"Alt + wheel with the view open", "move the plane that opens it"},
     {"Drop a file or folder", "open it"},
 }};
 

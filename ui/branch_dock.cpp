@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/opening/patient_image.h"
 #include "core/patient/liver_segments.h"
 #include "core/tree/territories/couinaud_segments.h"
 #include "render/palette.h"
@@ -44,15 +45,9 @@ QTableWidgetItem* segment(int couinaud) {
 // The labels of the portal vein's branches; none where no liver or no portal vein is known.
 std::vector<BranchLabel> labels_of(const PatientCase& patient,
                                    const std::filesystem::path& folder) {
-    PatientCase voxels;
-    const Mask* organs = &patient.organs;
-    if (organs->voxels.empty() && !folder.empty()) {
-        voxels.source = patient.source;
-        add_voxels(folder, voxels);
-        organs = &voxels.organs;
-    }
-    if (organs->voxels.empty()) return {};
-    const auto portal = label_portal_vein(patient.tree, liver_of(*organs));
+    const Mask organs = organ_voxels(patient, folder);
+    if (organs.voxels.empty()) return {};
+    const auto portal = label_portal_vein(patient.tree, liver_of(organs));
     return portal ? portal->branches : std::vector<BranchLabel>{};
 }
 

@@ -27,6 +27,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/liver_keeper.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/paths.h"
@@ -100,6 +101,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_play();
     connect_tools();
     connect_views();
+    connect_context();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
@@ -343,6 +345,40 @@ void MainWindow::connect_tools() {
         const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
         if (draws || view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
     });
+}
+
+// What stands around the vessels, and the plane that opens the view.
+void MainWindow::connect_context() {
+    QAction& liver = (*actions_)[ActionId::toggle_liver];
+    LiverKeeper::Screen screen;
+    screen.show = [this](const TriangleMesh& surface) {
+        view_->scene().set_liver(surface);
+        view_->draw_again();
+    };
+    screen.none = [this] {
+        messages_->show_notice(
+            "This case knows no liver. Reconstruct the CT, with a mask of the liver where the "
+            "program does not find it by itself.");
+    };
+    screen.failed = [this](const Failure& failure) { fail("The liver's surface", failure); };
+    liver_ = std::make_unique<LiverKeeper>(std::move(screen));
+    actions_->on(ActionId::toggle_liver, [this, &liver] {
+        view_->scene().set_liver_visible(liver.isChecked());
+        liver_->set_wanted(liver.isChecked());
+        view_->draw_again();
+    });
+    QAction& open = (*actions_)[ActionId::toggle_clip];
+    actions_->on(ActionId::toggle_clip, [this, &open] {
+        ClipControl& clip = view_->mouse().clip();
+        open.isChecked() ? clip.open_at(view_->scene().axes().focus_mm) : clip.close();
+        view_->draw_again();
+    });
+    const auto shift = [this](double by_mm) {
+        view_->mouse().clip().shift(by_mm);
+        view_->draw_again();
+    };
+    actions_->on(ActionId::clip_deeper, [shift] { shift(clip_step_mm); });
+    actions_->on(ActionId::clip_less_deep, [shift] { shift(-clip_step_mm); });
 }
 
 void MainWindow::connect_views() {

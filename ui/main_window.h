@@ -26,6 +26,7 @@ class DialKeeper;
 class EditPanel;
 class InjectPanel;
 class LessonDock;
+class LiverKeeper;
 class MessageBar;
 class MessageLog;
 class ProgressStrip;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_tools();
     void connect_views();
+    void connect_context();
     void build_slices(QWidget* parent);
     void build_lessons();
 
@@ -160,6 +162,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
+    std::unique_ptr<LiverKeeper> liver_;
 };
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "ui/dial_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/liver_keeper.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -44,6 +45,11 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     editing_->show_body();
     corrected ? view_layout_->show_corrected(patient_->patient)
               : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    if (!corrected) {
+        // A plane through the one before would cut this one anywhere.
+        if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
+        liver_->show_patient(patient_->patient, patient_->folder);
+    }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     if (!corrected) show_warnings();

@@ -97,6 +97,7 @@ void MouseTool::double_click(const Pixel& at) {
 }
 
 void MouseTool::wheel(double steps, const MouseModifiers& modifiers) {
+    if (modifiers.alt) return clip_.shift(clip_step_mm * steps);
     if (mode_ == MouseMode::tool && !modifiers.control) return hand_.shift_depth(steps);
     view_.zoom_by(std::pow(1.15, steps));
 }

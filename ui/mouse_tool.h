@@ -5,6 +5,7 @@
 //   left drag on a vessel    pull it                left drag beside the vessels   orbit
 //   right drag               orbit                  middle drag, Shift + left      pan
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
+//   Alt + wheel              move the plane that opens the view
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
 // the tool in depth, Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
@@ -19,6 +20,7 @@
 
 #include "core/session/command.h"
 #include "render/scene_view.h"
+#include "ui/clip_control.h"
 #include "ui/tool_hand.h"
 
 namespace hepatica {
@@ -29,6 +31,7 @@ enum class MouseMode { pull, inject, edit, tool, cut, weaken };
 struct MouseModifiers {
     bool shift = false;
     bool control = false;
+    bool alt = false;
 };
 
 // UI thread; view must outlive it.
@@ -51,6 +54,7 @@ class MouseTool {
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
     ToolHand& hand() { return hand_; }
+    ClipControl& clip() { return clip_; }
 
     // How far, in pixels, a press may move and still be a click. Follows the pixel ratio.
     void set_click_radius(double pixels) { click_radius_px_ = pixels; }
@@ -82,6 +86,7 @@ class MouseTool {
     SceneView& view_;
     Callbacks callbacks_;
     ToolHand hand_;
+    ClipControl clip_{view_};
     MouseMode mode_ = MouseMode::pull;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click

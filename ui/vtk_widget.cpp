@@ -19,7 +19,8 @@ namespace {
 
 MouseModifiers modifiers_of(const QSinglePointEvent& event) {
     return {event.modifiers().testFlag(Qt::ShiftModifier),
-            event.modifiers().testFlag(Qt::ControlModifier)};
+            event.modifiers().testFlag(Qt::ControlModifier),
+            event.modifiers().testFlag(Qt::AltModifier)};
 }
 
 MouseButton button_of(const QMouseEvent& event) {
@@ -174,7 +175,9 @@ void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
-    mouse_->wheel(event->angleDelta().y() / 120.0, modifiers_of(*event));
+    // With Alt held, some systems turn the wheel's direction by a right angle.
+    const QPoint turned = event->angleDelta();
+    mouse_->wheel((turned.y() != 0 ? turned.y() : turned.x()) / 120.0, modifiers_of(*event));
     draw_again();
 }
 

@@ -17,6 +17,7 @@
 #include "core/session/recording_file.h"
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
+#include "render/organ_surface.h"
 
 namespace hepatica {
 
@@ -36,6 +37,7 @@ struct RenderChoices {
     double zoom = 1.0;
     bool bare = false;
     bool segments = false;
+    bool liver = false;
 };
 
 PictureOptions picture_options(const RenderChoices& options) {
@@ -108,6 +110,14 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
     return session;
 }
 
+TriangleMesh liver_of_case(const RenderChoices& options, const PatientCase& patient, Job& job) {
+    TriangleMesh liver = organ_surface(patient.organs, organ_label::liver, job);
+    if (liver.triangles.empty())
+        throw InputError("the case knows no liver", options.patient.string(),
+                         "leave --liver out, or reconstruct with --liver-mask");
+    return liver;
+}
+
 Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
@@ -115,7 +125,8 @@ Json run_render(const RenderChoices& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(
-        options.segments ? read_case(options.patient) : read_case_without_voxels(options.patient));
+        options.segments || options.liver ? read_case(options.patient)
+                                          : read_case_without_voxels(options.patient));
     const std::unique_ptr<Session> session =
         options.recording.empty()
             ? still_life(options, patient, job)
@@ -130,6 +141,7 @@ Json run_render(const RenderChoices& options, Job& job) {
     colour_vessels(session->world(), *patient, options.segments, picture);
     picture.bridges = views_of(open_bridges(*patient));
     picture.caption = patient->source.name;
+    if (options.liver) picture.liver = liver_of_case(options, *patient, job);
     const OffscreenPicture drawn = draw_frame(frame, picture);
     write_png(options.out, drawn.picture);
     return {{"renderer", drawn.renderer},
@@ -158,6 +170,7 @@ void add_render(CommandLine& line) {
     verb.add_option("--size", options->size, "WIDTH,HEIGHT in pixels");
     verb.add_flag("--segments", options->segments,
                   "Colour portal branches by the liver segment that they supply");
+    verb.add_flag("--liver", options->liver, "Show the surface of the liver around the vessels");
     verb.add_flag("--bare", options->bare, "Without legend, scale bar and orientation");
 }
 

@@ -16,6 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Those of the case on disk.
+PatientCase voxels_of(const PatientCase& patient, const fs::path& folder) {
+    PatientCase voxels;
+    voxels.source = patient.source;
+    add_voxels(folder, voxels);
+    return voxels;
+}
+
 bool is_image_of(const PatientCase& patient, const Volume& ct) {
     const std::string& wanted = patient.source.image_sha256;
     return wanted.empty() || digest_of(ct) == wanted;
@@ -58,10 +66,12 @@ Volume image_of(const PatientCase& patient, const fs::path& place, Job& job) {
 
 Mask system_voxels(const PatientCase& patient, const fs::path& folder) {
     if (!patient.mask.voxels.empty() || folder.empty()) return patient.mask;
-    PatientCase voxels;
-    voxels.source = patient.source;
-    add_voxels(folder, voxels);
-    return std::move(voxels.mask);
+    return std::move(voxels_of(patient, folder).mask);
+}
+
+Mask organ_voxels(const PatientCase& patient, const fs::path& folder) {
+    if (!patient.organs.voxels.empty() || folder.empty()) return patient.organs;
+    return std::move(voxels_of(patient, folder).organs);
 }
 
 }  // namespace hepatica

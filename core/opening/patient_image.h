@@ -22,4 +22,7 @@ Volume image_of(const PatientCase& patient, const std::filesystem::path& place, 
 // read without them; empty where there are none. Throws InputError as read_case() does.
 Mask system_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
+// Likewise the labels of organs, see organ_label.
+Mask organ_voxels(const PatientCase& patient, const std::filesystem::path& folder);
+
 }  // namespace hepatica

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "core/image/volume_reader.h"
@@ -66,6 +68,15 @@ TEST_F(Feeders, TheCaseHoldsSegmentsThatSumToTheLiver) {
                        "200,150"})
                   .exit_code,
               0);
+    EXPECT_EQ(run_cli({"render", path("t.hep"), "--liver", "--out", path("liver.png"), "--size",
+                       "200,150"})
+                  .exit_code,
+              0);
+    const auto bytes = [&](const char* name) {
+        std::ifstream in(path(name), std::ios::binary);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    };
+    EXPECT_NE(bytes("liver.png"), bytes("t.png"));
 }
 
 TEST_F(Feeders, SharesOfATumourSumToOneAndAreNamed) {

@@ -93,6 +93,16 @@ TEST_F(SceneViewPicture, of_two_systems_a_highlight_and_the_liver) {
     expect_matches_baseline(picture(), "systems_bare");
 }
 
+TEST_F(SceneViewPicture, of_vessels_and_liver_cut_open) {
+    view_.show(fake_frame());
+    view_.set_liver(testing::sphere(Vec3(0, 0, 0), 62.0));
+    const Picture whole = picture();
+    view_.set_clip(ClipPlane{Vec3(0, 0, 0), Vec3(-0.8, 0.6, 0.0)});
+    expect_matches_baseline(picture(), "opened");
+    view_.set_clip(std::nullopt);
+    EXPECT_EQ(picture().rgb, whole.rgb);
+}
+
 TEST_F(SceneViewPicture, keeps_up_with_a_change_of_topology) {
     Frame frame = fake_frame();
     view_.show(frame);

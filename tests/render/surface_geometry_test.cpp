@@ -83,6 +83,30 @@ TEST(SurfaceGeometry, a_ray_away_from_the_surface_or_without_one_meets_nothing) 
     EXPECT_GE(pick_surface(surface, Vec3::Zero(), Vec3::UnitX()).triangle, 0);
 }
 
+// A ray through the middle of a sphere of radius 4, which a plane cuts in many ways.
+TEST(SurfaceGeometry, a_ray_meets_only_what_a_plane_leaves) {
+    SurfaceGeometry surface;
+    surface.update(sphere_frame(Vec3(10, 0, 0), 4.0));
+    const auto distance = [&](const Vec3& point, const Vec3& inward) {
+        return pick_surface(surface, Vec3::Zero(), Vec3::UnitX(), ClipPlane{point, inward});
+    };
+    constexpr double near = 6.0, far = 14.0, tolerance = 0.15;
+    // The plane in front of it, through it, and behind it: what is nearer to the eye is gone.
+    EXPECT_NEAR(distance(Vec3(2, 9, 9), Vec3::UnitX()).distance, near, tolerance);
+    EXPECT_NEAR(distance(Vec3(10, 9, 9), Vec3::UnitX()).distance, far, tolerance);
+    EXPECT_EQ(distance(Vec3(15, 9, 9), Vec3::UnitX()).triangle, -1);
+    EXPECT_NEAR(distance(Vec3(-5, 0, 0), Vec3::UnitX()).distance, near, tolerance);
+    // Turned about, what is farther is gone.
+    EXPECT_EQ(distance(Vec3(2, 0, 0), -Vec3::UnitX()).triangle, -1);
+    EXPECT_NEAR(distance(Vec3(10, 0, 0), -Vec3::UnitX()).distance, near, tolerance);
+    EXPECT_EQ(distance(Vec3(-5, 0, 0), -Vec3::UnitX()).triangle, -1);
+    // Along the ray: all of it or nothing.
+    EXPECT_NEAR(distance(Vec3(0, -1, 0), Vec3::UnitY()).distance, near, tolerance);
+    EXPECT_EQ(distance(Vec3(0, 1, 0), Vec3::UnitY()).triangle, -1);
+    // Across at 45 degrees: it leaves what lies beyond x = 10 on the ray.
+    EXPECT_NEAR(distance(Vec3(10, 0, 0), Vec3(1, 1, 0).normalized()).distance, far, tolerance);
+}
+
 TEST(SurfaceGeometry, follows_positions_without_rebuilding) {
     SurfaceGeometry surface;
     Frame frame = sphere_frame(Vec3::Zero(), 1.0);

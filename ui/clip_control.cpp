@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/clip_control.h"
+
+namespace hepatica {
+
+void ClipControl::open_at(const Vec3& point_mm) {
+    plane_ = ClipPlane{point_mm, view_.axes().forward};
+    view_.set_clip(plane_);
+}
+
+void ClipControl::close() {
+    plane_.reset();
+    view_.set_clip(plane_);
+}
+
+void ClipControl::shift(double by_mm) {
+    if (!plane_) return;
+    plane_->point_mm += by_mm * plane_->inward;
+    view_.set_clip(plane_);
+}
+
+}  // namespace hepatica
