@@ -8,35 +8,15 @@
 #include <cmath>
 
 #include "core/mesh/brick_mesh.h"
-#include "tests/contact/random_features.h"
+#include "tests/contact/bodies.h"
 
 namespace hepatica {
 namespace {
 
+using test::capsule_of;
 using test::RandomFeatures;
-
-struct Soup {
-    std::vector<Vec3> vertices;
-    SurfacePatches surface;
-};
-
-Soup soup_of(RandomFeatures& random, int triangles, double size) {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<int, 3>> corners;
-    for (int t = 0; t < triangles; ++t) {
-        const Vec3 at = random.point(size);
-        for (int a = 0; a < 3; ++a) vertices.push_back(at + random.point(1.5));
-        corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-    }
-    return {vertices, SurfacePatches(corners)};
-}
-
-Capsule capsule_of(RandomFeatures& random) {
-    Capsule capsule;
-    capsule.radius_mm = random.in(0.3, 1.5);
-    if (random.whole(2) == 0) capsule.half_axis_mm = random.point(2);
-    return capsule;
-}
+using test::Soup;
+using test::soup_of;
 
 // Of the capsule moved by `by`, to triangle t.
 double gap_to(const Capsule& capsule, const Vec3& by, const Soup& soup,

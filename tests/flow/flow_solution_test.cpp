@@ -14,6 +14,7 @@
 namespace hepatica {
 namespace {
 
+using testing_flow::add_loops;
 using testing_flow::Random;
 using testing_flow::random_tree;
 
@@ -28,20 +29,6 @@ FlowConditions conditions_of(PressureLaw law, std::vector<Inlet> inlets) {
     conditions.law = law;
     conditions.inlets = std::move(inlets);
     return conditions;
-}
-
-// Adds links between random nodes, so that the network has loops.
-void add_loops(Random& random, FlowNetwork& network, int count) {
-    for (int i = 0; i < count; ++i) {
-        FlowSegment s;
-        s.proximal_node = random.integer(0, network.node_count - 1);
-        s.distal_node = random.integer(0, network.node_count - 1);
-        if (s.proximal_node == s.distal_node) continue;
-        s.first_cone = static_cast<int>(network.cones.size());
-        s.tree_segment = static_cast<int>(network.segments.size());
-        network.cones.push_back({random.uniform(0.3, 1.5), random.uniform(0.3, 1.5), 20.0});
-        network.segments.push_back(s);
-    }
 }
 
 // The solution is right if every node keeps what it gets and every segment's drop is the law's:

@@ -68,4 +68,53 @@ inline FlowNetwork random_tree(Random& random, int segments, double root_radius_
     return network;
 }
 
+// A binary tree of straight conical vessels, depth first, Murray's radii.
+inline void grow(VesselTree& tree, Random& random, int parent, int node, double radius,
+                 int generations) {
+    const double length = radius * random.uniform(4.0, 12.0);
+    const double distal = radius * random.uniform(0.8, 1.0);
+    const Vec3 direction =
+        Vec3(1.0, random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)).normalized();
+    const Vec3 start = tree.nodes[node].position_mm;
+    const int end = static_cast<int>(tree.nodes.size());
+    tree.nodes.push_back({start + length * direction, distal});
+    VesselSegment s;
+    s.proximal_node = node;
+    s.distal_node = end;
+    s.parent = parent;
+    for (int i = 0; i <= 8; ++i) {
+        s.points_mm.push_back(start + length * i / 8.0 * direction);
+        s.radii_mm.push_back(radius + (distal - radius) * i / 8.0);
+    }
+    const int id = static_cast<int>(tree.segments.size());
+    tree.segments.push_back(s);
+    if (generations == 0) return;
+    const double share = random.uniform(0.3, 0.7);
+    grow(tree, random, id, end, distal * std::cbrt(share), generations - 1);
+    grow(tree, random, id, end, distal * std::cbrt(1.0 - share), generations - 1);
+}
+
+inline VesselTree make_tree(std::uint64_t seed, int generations) {
+    Random random(seed);
+    VesselTree tree;
+    tree.nodes.push_back({Vec3::Zero(), 2.5});
+    grow(tree, random, -1, 0, 2.5, generations);
+    validate(tree);
+    return tree;
+}
+
+// Links between random nodes, so that the network has loops.
+inline void add_loops(Random& random, FlowNetwork& network, int count) {
+    for (int i = 0; i < count; ++i) {
+        FlowSegment s;
+        s.proximal_node = random.integer(0, network.node_count - 1);
+        s.distal_node = random.integer(0, network.node_count - 1);
+        if (s.proximal_node == s.distal_node) continue;
+        s.first_cone = static_cast<int>(network.cones.size());
+        s.tree_segment = static_cast<int>(network.segments.size());
+        network.cones.push_back({random.uniform(0.3, 1.5), random.uniform(0.3, 1.5), 20.0});
+        network.segments.push_back(s);
+    }
+}
+
 }  // namespace hepatica::testing_flow

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a law, a cut line and a checkpoint may say, at their limits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/mesh/brick_mesh.h"
+#include "core/tear/tearing.h"
+
+namespace hepatica {
+namespace {
+
+TEST(TearLimits, OfTheLaw) {
+    const auto with = [](auto change) {
+        TearLaw law;
+        change(law);
+        validate(law);
+    };
+    EXPECT_NO_THROW(validate(TearLaw{}));
+    for (const double wrong : {0.0, -1.0, std::nan(""), -HUGE_VAL}) {
+        EXPECT_THROW(with([&](TearLaw& l) { l.strength_pa = wrong; }), InputError) << wrong;
+        EXPECT_THROW(with([&](TearLaw& l) { l.fracture_energy_j_m2 = wrong; }), InputError);
+        EXPECT_THROW(with([&](TearLaw& l) { l.tear_factor = wrong; }), InputError) << wrong;
+    }
+    EXPECT_THROW(with([](TearLaw& l) { l.strength_pa = HUGE_VAL; }), InputError);
+    EXPECT_THROW(with([](TearLaw& l) { l.fracture_energy_j_m2 = HUGE_VAL; }), InputError);
+    EXPECT_NO_THROW(with([](TearLaw& l) { l.tear_factor = 1e-300; }));
+    EXPECT_NO_THROW(with([](TearLaw& l) { l.strength_pa = 1e-300; }));
+    EXPECT_NO_THROW(with([](TearLaw& l) { l.fracture_energy_j_m2 = 1e-300; }));
+    EXPECT_NO_THROW(with([](TearLaw& l) { l.entropy_budget_nats = 0.0; }));
+    EXPECT_THROW(with([](TearLaw& l) { l.entropy_budget_nats = -1e-300; }), InputError);
+    EXPECT_NO_THROW(with([](TearLaw& l) { l.vertex_budget = 0; }));
+    EXPECT_THROW(with([](TearLaw& l) { l.vertex_budget = -1; }), InputError);
+}
+
+TEST(TearLimits, OfTheStrengthAlongACutLine) {
+    const TetMesh mesh = kuhn_brick(Vec3(2, 1, 1), {2, 1, 1});
+    Tearing tearing(mesh, {}, {});
+    const int last = static_cast<int>(tearing.topology().joints().size()) - 1;
+    for (const double wrong : {-1e-300, std::nan(""), HUGE_VAL})
+        EXPECT_THROW(tearing.weaken(std::vector{0}, wrong), InputError) << wrong;
+    EXPECT_THROW(tearing.weaken(std::vector{-1}, 0.5), InputError);
+    EXPECT_THROW(tearing.weaken(std::vector{last + 1}, 0.5), InputError);
+    tearing.weaken(std::vector{0, last}, 0.5);
+    tearing.weaken(std::vector{last}, 0.5);
+    EXPECT_EQ(tearing.state().weakened, (std::vector{0, last}));
+    EXPECT_EQ(tearing.state().weakness, (std::vector{0.5, 0.25}));
+    tearing.weaken(std::vector{0}, 0.0);
+    EXPECT_EQ(tearing.state().weakness, (std::vector{0.0, 0.25}));
+    // What has parted bears nothing that could be weakened.
+    tearing.cut(std::vector{1});
+    tearing.weaken(std::vector{1}, 0.5);
+    EXPECT_EQ(tearing.state().weakened, (std::vector{0, last}));
+}
+
+// A joint whose load is its limit parts, and none below it; without neighbours, which would part
+// with it.
+TEST(TearLimits, AJointPartsAtItsLimitAndNotBelow) {
+    const TetMesh mesh = kuhn_brick(Vec3(1, 1, 1), {1, 1, 1});
+    const TearLaw law{.strength_pa = 1024.0, .fracture_energy_j_m2 = 1.0, .bare_limit = true};
+    for (const double share : {1.0, 0.999}) {
+        Tearing tearing(mesh, law, {});
+        const std::size_t count = mesh.tetrahedra.size();
+        const std::vector<Mat3> stress(count, Mat3(share * 1024.0 * Mat3::Identity()));
+        const std::vector<double> energy(count, 1.0), mass(mesh.vertices_mm.size(), 1.0);
+        std::vector<double> load;
+        tearing.find_loads({stress, energy, mesh.vertices_mm, mass}, 0.0, load);
+        ASSERT_EQ(load.size(), tearing.topology().joints().size());
+        for (const double value : load) EXPECT_NEAR(value, share, 1e-12);
+        // Rounding decides at the limit itself: a hair above it all part.
+        const std::vector<Mat3> more(count, Mat3((share + 1e-9) * 1024.0 * Mat3::Identity()));
+        EXPECT_EQ(tearing.part_overloaded({more, energy, mesh.vertices_mm, mass}), share == 1.0);
+        EXPECT_EQ(tearing.report().joints_parted, share == 1.0 ? static_cast<int>(load.size()) : 0);
+    }
+}
+
+// A budget of n vertices is used up by the n-th; one of entropy by what exceeds it.
+TEST(TearLimits, OfTheBudgets) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    const std::vector<double> energy(mesh.tetrahedra.size(), 1.0);
+    const std::vector<Mat3> stress(mesh.tetrahedra.size(), Mat3(Mat3::Zero()));
+    const auto stopped_with = [&](TearLaw law) {
+        Tearing tearing(mesh, law, {});
+        tearing.measure({stress, energy, mesh.vertices_mm, {}});
+        tearing.cut(
+            tearing.crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3), mesh.vertices_mm));
+        EXPECT_EQ(tearing.report().vertices_split, 4);
+        EXPECT_EQ(tearing.report().pieces, 2);
+        tearing.measure({stress, energy, mesh.vertices_mm, {}});
+        EXPECT_EQ(tearing.state().stopped, tearing.report().stopped);
+        return tearing.report().stopped;
+    };
+    EXPECT_TRUE(stopped_with({.stop = TearStop::vertices, .vertex_budget = 4}));
+    EXPECT_FALSE(stopped_with({.stop = TearStop::vertices, .vertex_budget = 5}));
+    EXPECT_FALSE(stopped_with({.vertex_budget = 0}));
+    EXPECT_TRUE(stopped_with({.stop = TearStop::entropy, .entropy_budget_nats = 0.0}));
+    EXPECT_FALSE(stopped_with({.stop = TearStop::entropy, .entropy_budget_nats = 10.0}));
+}
+
+TEST(TearLimits, OfACheckpoint) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    Tearing tearing(mesh, {}, {});
+    tearing.weaken(std::vector{2, 3}, 0.5);
+    tearing.cut(
+        tearing.crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3), mesh.vertices_mm));
+    const TearState good = tearing.state();
+    ASSERT_GT(good.parted.size(), 1u);
+    ASSERT_GT(good.tetrahedra.size(), 1u);
+    const auto refused = [&](const char* what, auto change) {
+        TearState state = good;
+        change(state);
+        Tearing other(mesh, {}, {});
+        EXPECT_THROW(other.restore(state), InputError) << what;
+        EXPECT_EQ(other.report().joints_parted, 0) << what;
+    };
+    Tearing other(mesh, {}, {});
+    EXPECT_NO_THROW(other.restore(good));
+    EXPECT_EQ(other.report(), tearing.report());
+    const int joints = static_cast<int>(tearing.topology().joints().size());
+    refused("a corner too few", [](TearState& s) { s.corners.pop_back(); });
+    refused("an opening too few", [](TearState& s) { s.most_mm.pop_back(); });
+    refused("a factor too few", [](TearState& s) { s.weakness.pop_back(); });
+    refused("order of tetrahedra", [](TearState& s) { s.tetrahedra[1] = s.tetrahedra[0]; });
+    refused("a tetrahedron too far",
+            [&](TearState& s) { s.tetrahedra.back() = static_cast<int>(mesh.tetrahedra.size()); });
+    refused("order of joints", [](TearState& s) { s.parted[1] = s.parted[0]; });
+    refused("a joint too far", [&](TearState& s) { s.parted.back() = joints; });
+    refused("a joint below 0", [&](TearState& s) { s.parted.front() = -1; });
+    refused("a weak joint too far", [&](TearState& s) { s.weakened.back() = joints; });
+    refused("order of weak joints", [](TearState& s) { s.weakened[1] = s.weakened[0]; });
+    refused("an opening below 0", [](TearState& s) { s.most_mm[1] = -1e-9; });
+    refused("an opening of no number", [](TearState& s) { s.most_mm[1] = std::nan(""); });
+    refused("a factor below 0", [](TearState& s) { s.weakness[1] = -1e-9; });
+}
+
+}  // namespace
+}  // namespace hepatica
