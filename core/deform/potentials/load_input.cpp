@@ -62,8 +62,9 @@ void validate_tool(const Tool& tool, bool touchable) {
         require(positive(part.shape.radius_mm),
                 "has a radius of " + number_text(part.shape.radius_mm) + " mm");
     }
-    require(tool.target_mm.allFinite() && tool.turn_rad.allFinite() && tool.led_over_s > 0.0,
+    require(tool.target_mm.allFinite() && tool.turn_rad.allFinite(),
             "has a target that is not finite");
+    require(positive(tool.led_over_s), "was led over " + number_text(tool.led_over_s) + " s");
     for (const double opening : {tool.opening_mm, tool.opening_target_mm})
         require(opening >= 0.0 && std::isfinite(opening),
                 "is open by " + number_text(opening) + " mm");

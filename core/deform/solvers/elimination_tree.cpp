@@ -249,7 +249,8 @@ Subtrees weigh_subtrees(const EliminationTree& tree) {
     return subtrees;
 }
 
-// Small subtrees are one chain each; above them a chain runs up to where it is joined by another.
+// Small subtrees are one chain each, in the first stage; above them a chain runs up to where it is
+// joined by another.
 class ChainPlan {
   public:
     explicit ChainPlan(const EliminationTree& tree)
@@ -290,18 +291,22 @@ class ChainPlan {
         begin_chain(top, std::move(all), 0);
     }
 
-    // A chain goes on from the child with the most work if that is the only large one.
+    // A chain goes on from the only large child if all others are done in earlier stages than its.
     void climb(int s) {
         const Supernode& own = tree_.supernodes[s];
-        int large = 0, continued = -1, latest = 0;
+        int large = 0, continued = -1, after_small = 0, after_all = 0;
         for (int c = own.children_begin; c < own.children_end; ++c) {
             const int child = tree_.children[c];
-            latest = std::max(latest, stage_[chain_of_[child]] + 1);
-            if (is_small(child)) continue;
+            const int after = stage_[chain_of_[child]] + 1;
+            after_all = std::max(after_all, after);
+            if (is_small(child)) {
+                after_small = std::max(after_small, after);
+                continue;
+            }
             ++large;
             continued = chain_of_[child];
         }
-        if (large != 1) return begin_chain(s, {s}, latest);
+        if (large != 1 || stage_[continued] < after_small) return begin_chain(s, {s}, after_all);
         chains_[continued].push_back(s);
         chain_of_[s] = continued;
     }

@@ -24,8 +24,8 @@ QualityDial::QualityDial(std::vector<QualityPoint> measured) {
     std::vector<double> cost, error;
     for (const QualityPoint& point : measured) {
         if (!std::isfinite(point.frame_ms) || !(point.frame_ms > 0.0) ||
-            !std::isfinite(point.error_relative))
-            throw InputError("a measurement is not finite", "the dial", "Measure again");
+            !std::isfinite(point.error_relative) || point.error_relative < 0.0)
+            throw InputError("a measurement is not finite or below 0", "the dial", "Measure again");
         cost.push_back(point.frame_ms);
         error.push_back(point.error_relative);
     }

@@ -82,6 +82,7 @@ TEST(LoadLimits, OfTools) {
          [](Tool& t) { t.target_mm.x() = infinite; },
          [](Tool& t) { t.turn_rad.x() = infinite; },
          [](Tool& t) { t.led_over_s = 0.0; },
+         [](Tool& t) { t.led_over_s = infinite; },
          [](Tool& t) { t.opening_mm = -least; },
          [](Tool& t) { t.opening_mm = infinite; },
          [](Tool& t) { t.opening_target_mm = -least; },

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -203,6 +204,60 @@ TEST(EliminationTree, AnalysisHoldsTheRowsOfSupernodesAlone) {
 #endif
     EXPECT_GT(tree.factor_blocks, 20000000U);
     EXPECT_LT(tree.rows.size(), 1000000U);
+}
+
+// Cliques of the given sizes, each tied to the last vertices, which are a clique, too.
+BlockMatrix cliques_on_a_root(const std::vector<int>& sizes, int root) {
+    const int rows = std::accumulate(sizes.begin(), sizes.end(), root);
+    std::vector<int> clique(static_cast<std::size_t>(rows), -1);  // -1: the root
+    int row = 0;
+    for (std::size_t c = 0; c < sizes.size(); ++c)
+        for (int k = 0; k < sizes[c]; ++k) clique[row++] = static_cast<int>(c);
+    BlockMatrix matrix;
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < rows; ++j) {
+            if (clique[i] >= 0 && clique[j] >= 0 && clique[i] != clique[j]) continue;
+            if (i == j) matrix.diagonal.push_back(static_cast<int>(matrix.column.size()));
+            matrix.column.push_back(j);
+            matrix.block.push_back(i == j ? Mat3(200.0 * Mat3::Identity()) : Mat3::Ones());
+        }
+        matrix.row_begin.push_back(static_cast<int>(matrix.column.size()));
+    }
+    return matrix;
+}
+
+// Chains of one stage run beside each other: what a front takes from its children must be there.
+TEST(EliminationTree, ChildrenComeInAnEarlierStageOrEarlierInTheChain) {
+    std::mt19937 random(11);
+    int fronts_with_children = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        std::vector<int> sizes;
+        for (int c = 0; c < 1 + trial % 6; ++c)
+            sizes.push_back(1 + static_cast<int>(random() % 60));
+        const BlockMatrix matrix = cliques_on_a_root(sizes, 1 + static_cast<int>(random() % 30));
+        std::vector<int> order(static_cast<std::size_t>(matrix.rows()));
+        std::iota(order.begin(), order.end(), 0);
+        const EliminationTree tree = analyse(matrix, order);
+        std::vector<std::array<int, 3>> place(
+            tree.supernodes.size());  // stage, chain, in the chain
+        for (std::size_t stage = 0; stage < tree.stages.size(); ++stage)
+            for (std::size_t chain = 0; chain < tree.stages[stage].size(); ++chain)
+                for (int k = tree.stages[stage][chain].begin; k < tree.stages[stage][chain].end;
+                     ++k)
+                    place[tree.chain_supernodes[k]] = {static_cast<int>(stage),
+                                                       static_cast<int>(chain), k};
+        for (std::size_t s = 0; s < tree.supernodes.size(); ++s)
+            for (int c = tree.supernodes[s].children_begin; c < tree.supernodes[s].children_end;
+                 ++c) {
+                const auto& child = place[tree.children[c]];
+                const bool in_order = child[0] == place[s][0] && child[1] == place[s][1]
+                                          ? child[2] < place[s][2]
+                                          : child[0] < place[s][0];
+                EXPECT_TRUE(in_order) << "trial " << trial << ", front " << s;
+                ++fronts_with_children;
+            }
+    }
+    EXPECT_GT(fronts_with_children, 60);
 }
 
 TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {

@@ -31,9 +31,11 @@ TEST(QualityDial, TurnsFromCheapestToMostAccurate) {
         EXPECT_EQ(dial.at(dial.quality_of(i)).frame_ms, dial.front()[i].frame_ms);
 }
 
-TEST(QualityDial, RefusesAnEmptyTable) {
+TEST(QualityDial, RefusesWhatIsNoMeasurement) {
     EXPECT_THROW(QualityDial({}), InputError);
     EXPECT_THROW(QualityDial({point(0, 0.1)}), InputError);
+    EXPECT_THROW(QualityDial({point(1, -0.001)}), InputError);
+    EXPECT_NO_THROW(QualityDial({point(1, 0.0)}));
 }
 
 }  // namespace
