@@ -102,7 +102,9 @@ int main(int argc, char** argv) {
         request.cache = cache;
         return load_patient(request, job);
     };
-    MainWindow window(settings, {load, write_case});
+    MainWindow::Patients patients{load, write_case};
+    patients.keep = write_case;
+    MainWindow window(settings, std::move(patients));
     window.on_first_picture([&] {
         if (options.startup_report) {
             print_report(seconds_since_process_start(), window.view().renderer_name(),

@@ -25,6 +25,8 @@ constexpr std::array table{
                "Reconstruct the vessels of a DICOM series"},
     ActionSpec{open_ct_file, "&File", "Open CT f&ile…", "Ctrl+I",
                "Reconstruct the vessels of a volume: NIfTI, MetaImage or NRRD"},
+    ActionSpec{open_unsaved, "&File", "Open &unsaved work", "",
+               "Open what an earlier run of the program left without having saved it"},
     ActionSpec{reconstruct, "&File", "&Reconstruct with options…", "Ctrl+R",
                "Choose liver mask, seeds and window before reconstructing"},
     ActionSpec{built_in, "&File", "&Built-in patient", "Ctrl+B",

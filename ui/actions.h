@@ -19,6 +19,7 @@ enum class ActionId {
     open_case,
     open_ct_folder,
     open_ct_file,
+    open_unsaved,
     reconstruct,
     built_in,
     save_case,

@@ -105,6 +105,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
+    offer_unsaved_work();
 
     figures_timer_ = new QTimer(this);
     figures_timer_->setSingleShot(true);
@@ -225,6 +226,10 @@ void MainWindow::build_lessons() {
 }
 
 void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questions) {
+    const QString kept = settings_.recovery_folder();
+    recovery_ = std::make_unique<Recovery>(
+        to_path(kept), kept.isEmpty() ? Recovery::Write() : patients.keep,
+        [this](const Failure& failure) { fail("Keeping a copy of unsaved work", failure); });
     PatientKeeper::Screen screen;
     screen.show = [this](LoadedPatient patient, bool corrected) {
         show_patient(std::move(patient), corrected);
@@ -293,6 +298,7 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });
     actions_->on(ActionId::open_ct_folder, [this] { ask_for_ct(true); });
     actions_->on(ActionId::open_ct_file, [this] { ask_for_ct(false); });
+    actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
     actions_->on(ActionId::built_in, [this] { open(OpenRequest{true, {}}); });
     actions_->on(ActionId::reconstruct, [this] { ask_for_reconstruction(); });
     actions_->on(ActionId::save_case, [this] { keeper_->save(); });

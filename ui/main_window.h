@@ -94,6 +94,8 @@ class MainWindow : public QMainWindow {
 
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
+    void offer_unsaved_work();
+    void open_unsaved_work();
     std::optional<std::filesystem::path> ask_where_ct_lies();
     void ask_for_ct(bool folder);
     void ask_for_reconstruction();
@@ -160,6 +162,7 @@ class MainWindow : public QMainWindow {
     bool may_close_ = false;
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
+    std::unique_ptr<Recovery> recovery_;
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
     std::unique_ptr<LiverKeeper> liver_;

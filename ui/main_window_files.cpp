@@ -2,6 +2,7 @@
 // What the window opens and saves: dialogs, drops and files, and how it closes.
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -139,6 +140,28 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
     process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 
+void MainWindow::offer_unsaved_work() {
+    const auto left = recovery_->left_behind();
+    if (left.empty()) return;
+    const QString when =
+        QFileInfo(to_text(left.front())).lastModified().toString("d MMM yyyy, hh:mm");
+    messages_->show_notice(
+        QString("The program ended without saving %1 (%2)%3. The work is not lost: it stays under "
+                "File > Open unsaved work until it is saved or let go.")
+            .arg(to_text(left.front().stem()), when,
+                 left.size() > 1 ? QString(", and %1 more").arg(left.size() - 1) : QString()),
+        "Open it", [this] { open_unsaved_work(); });
+}
+
+void MainWindow::open_unsaved_work() {
+    const auto left = recovery_->left_behind();
+    if (left.empty()) return messages_->show_notice("No earlier run left unsaved work.");
+    OpenRequest request;
+    request.reconstruct.ct = left.front();
+    request.unsaved_copy = true;
+    open(request);
+}
+
 void MainWindow::ask_for_ct(bool folder) {
     const QString path =
         folder ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
@@ -193,6 +216,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!may_close_) return event->ignore();
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();
+    recovery_->end();
     view_layout_->clear();
     branches_->clear();
     curves_->clear();

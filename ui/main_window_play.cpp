@@ -115,6 +115,7 @@ void MainWindow::show_workspace() {
     setWindowTitle(QString::fromStdString(workspace.title()) + "[*] - Hepatica");
     setWindowModified(workspace.dirty());
     view_->scene().set_caption(workspace.title());
+    recovery_->follow(workspace);
     editing_->update_panel();
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/patient/liver_segments.h"
+#include "core/opening/patient_image.h"
 
 namespace hepatica {
 
@@ -63,7 +63,8 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
             // std::function wants to be copied, a loaded patient does not.
             auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
             return [this, request, loaded] {
-                if (!request.built_in) screen_.remember(request.reconstruct.ct);
+                if (!request.built_in && !request.unsaved_copy)
+                    screen_.remember(request.reconstruct.ct);
                 arrived(request, loaded);
             };
         };
@@ -218,11 +219,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
     return [this, folder, patient = workspace_.patient(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage("Writing the case");
-        PatientCase whole = *patient;
-        if (!voxels.empty() && whole.mask.voxels.empty()) {
-            add_voxels(voxels, whole);
-            label_segments(whole, job);
-        }
+        const PatientCase whole = whole_case(*patient, voxels, job);
         ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
             workspace_.saved(folder, edits);

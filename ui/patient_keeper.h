@@ -13,6 +13,7 @@
 #include "core/patient/corrections.h"
 #include "ui/job_queue.h"
 #include "ui/patient_loader.h"
+#include "ui/recovery.h"
 #include "ui/workspace.h"
 
 namespace hepatica {
@@ -37,6 +38,8 @@ class PatientKeeper {
         // Those that the person is asked about before one is read; none: there is no choice.
         std::function<std::vector<SeriesDescription>(const OpenRequest&, Job&)> list_series =
             series_to_choose_from;
+        // Copies of what is not saved, see Recovery; none: there are none.
+        Recovery::Write keep{};
     };
     // Answered by a person, at once; a test answers them itself.
     struct Questions {

@@ -87,9 +87,17 @@ void Settings::remember_image(const std::string& sha256, const QString& path) {
 
 QString Settings::recordings_folder() const {
     if (!store_) return QDir::tempPath() + "/hepatica-recordings";
+    return data_folder() + "/recordings";
+}
+
+QString Settings::recovery_folder() const {
+    return store_ ? data_folder() + "/recovery" : QString();
+}
+
+QString Settings::data_folder() const {
     if (store_->format() == QSettings::IniFormat)  // a file of its own
-        return QFileInfo(store_->fileName()).absolutePath() + "/recordings";
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recordings";
+        return QFileInfo(store_->fileName()).absolutePath();
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
 }
 
 QString Settings::last_folder() const {

@@ -39,11 +39,14 @@ class Settings {
 
     // Where plays of lessons are kept: with the user's data, in safe mode with what is temporary.
     QString recordings_folder() const;
+    // Where copies of unsaved work are kept; empty in safe mode, which keeps none.
+    QString recovery_folder() const;
 
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 
   private:
+    QString data_folder() const;
     void set_recent_files(const QStringList& files);
 
     std::unique_ptr<QSettings> store_;  // null in safe mode

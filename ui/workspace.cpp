@@ -10,6 +10,7 @@ void Workspace::open(const OpenedPatient& opened) {
     patient_ = opened.patient;
     folder_ = opened.folder;
     image_ = opened.image;
+    kept_copy_ = opened.kept_copy;
     saved_edits_ = patient_->corrections.edits;
     never_saved_ = opened.worth_saving;
     undone_.clear();

@@ -31,6 +31,9 @@ class Workspace {
     // The CT that it was reconstructed from since the program began; else empty.
     const std::filesystem::path& image() const { return image_; }
 
+    // The copy of unsaved work that it was opened from; else empty.
+    const std::filesystem::path& kept_copy() const { return kept_copy_; }
+
     // --- corrections: of an open patient only
     // -----------------------------------------------------
     const Edits& edits() const { return edits_; }  // that are wanted
@@ -62,6 +65,7 @@ class Workspace {
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
     std::filesystem::path image_;
+    std::filesystem::path kept_copy_;
     Edits edits_;
     Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;

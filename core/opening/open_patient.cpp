@@ -115,6 +115,11 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     } else if (!fs::exists(path)) {
         throw InputError("there is no such file or folder", path.string(),
                          "check the name, and that its disk is connected");
+    } else if (request.unsaved_copy) {
+        job.begin_stage("Reading the case");
+        opened.patient = std::make_shared<const PatientCase>(read_case(path));
+        opened.kept_copy = path;
+        opened.worth_saving = true;
     } else if (is_case(path)) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));

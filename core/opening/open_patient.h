@@ -20,6 +20,8 @@ struct OpenRequest {
     bool built_in = false;           // the synthetic patient; `reconstruct` is not read
     ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
     BuiltInCache cache{};            // keeps the built-in patient from one start to the next
+    // `ct` is a copy of what was not saved: it is read whole, and lies nowhere yet.
+    bool unsaved_copy = false;
 };
 
 // What the built-in patient is called.
@@ -33,6 +35,7 @@ struct OpenedPatient {
     std::shared_ptr<const PatientCase> patient;
     std::filesystem::path folder;  // the case on disk, which holds the voxels too; empty: none yet
     std::filesystem::path image;   // the CT it was reconstructed from just now; else empty
+    std::filesystem::path kept_copy{};  // of what was not saved, which it was read from; else empty
     // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
     bool worth_saving = false;
     std::vector<std::string> warnings;

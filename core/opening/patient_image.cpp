@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/image_digest.h"
+#include "core/patient/liver_segments.h"
 #include "core/reconstruction/built_in_patient.h"
 
 namespace hepatica {
@@ -72,6 +73,14 @@ Mask system_voxels(const PatientCase& patient, const fs::path& folder) {
 Mask organ_voxels(const PatientCase& patient, const fs::path& folder) {
     if (!patient.organs.voxels.empty() || folder.empty()) return patient.organs;
     return std::move(voxels_of(patient, folder).organs);
+}
+
+PatientCase whole_case(const PatientCase& patient, const fs::path& folder, Job& job) {
+    PatientCase whole = patient;
+    if (folder.empty() || !whole.mask.voxels.empty()) return whole;
+    add_voxels(folder, whole);
+    label_segments(whole, job);
+    return whole;
 }
 
 }  // namespace hepatica

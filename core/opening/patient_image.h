@@ -25,4 +25,9 @@ Mask system_voxels(const PatientCase& patient, const std::filesystem::path& fold
 // Likewise the labels of organs, see organ_label.
 Mask organ_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
+// The patient with his voxels, those of the case in `folder` where he was read without them, and
+// with the segments of the liver that belong to his present tree. Throws InputError as read_case()
+// does, Cancelled.
+PatientCase whole_case(const PatientCase& patient, const std::filesystem::path& folder, Job& job);
+
 }  // namespace hepatica
