@@ -91,12 +91,12 @@ int main(int argc, char** argv) {
     // Qt takes the user's locale; with a decimal comma in it, numbers in files and shaders break.
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);
-    apply_theme(application);
+    Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
+    apply_theme(application, theme_named(settings.theme()));
     if (const QString problem = opengl_problem(); !problem.isEmpty()) {
         if (!options.quit_after_start) QMessageBox::critical(nullptr, "Hepatica", problem);
         return refuse(problem);
     }
-    Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
     const BuiltInCache cache = options.safe_mode ? BuiltInCache{} : users_cache();
     const auto load = [&cache](OpenRequest request, Job& job) {
         request.cache = cache;

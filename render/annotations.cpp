@@ -47,7 +47,6 @@ vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkUnsigne
     mapper->SetInputData(polydata);
     auto actor = vtkSmartPointer<vtkActor2D>::New();
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(palette::text[0], palette::text[1], palette::text[2]);
     renderer.AddActor2D(actor);
     return actor;
 }
@@ -119,6 +118,14 @@ Annotations::Annotations(vtkRenderer& renderer)
     bar_label_->GetTextProperty()->SetJustificationToCentered();
     caption_ = text_actor(renderer);
     caption_->GetTextProperty()->SetVerticalJustificationToTop();
+    set_look(dark_look);
+}
+
+void Annotations::set_look(const ViewLook& look) {
+    look_ = look;
+    for (const auto& actor : {marker_, bar_})
+        actor->GetProperty()->SetColor(look.text[0], look.text[1], look.text[2]);
+    shown_ = {};  // everything is placed anew
 }
 
 void Annotations::set_caption(const std::string& text) {
@@ -142,7 +149,7 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const DrugV
     update_scale_bar(size, camera);
     const double r = size.pixel_ratio;
     place_text(*caption_, visible_ ? caption_text_ : std::string(), margin_pt * r,
-               size.height - margin_pt * r, 12.0 * r, palette::faint_text);
+               size.height - margin_pt * r, 12.0 * r, look_.faint_text);
 }
 
 void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
@@ -166,13 +173,12 @@ void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
     const int decimals = decimals_for(drug.end_s);
     const std::string title =
         "Drug arrival (s)   now " + formatted(std::min(drug.time_s, 1e6), decimals) + " s";
-    place_text(*legend_title_, shown ? title : "", x, y + height + 7.0 * r, 11.5 * r,
-               palette::text);
+    place_text(*legend_title_, shown ? title : "", x, y + height + 7.0 * r, 11.5 * r, look_.text);
     for (std::size_t t = 0; t < legend_ticks_.size(); ++t) {
         const double place = static_cast<double>(t) / static_cast<double>(legend_ticks_.size() - 1);
         const std::string label = formatted(drug.end_s * place * place, t == 0 ? 0 : decimals);
         place_text(*legend_ticks_[t], shown ? label : "", x + width * place,
-                   margin_pt * r - 2.0 * r, 11.0 * r, palette::faint_text);
+                   margin_pt * r - 2.0 * r, 11.0 * r, look_.faint_text);
     }
 }
 
@@ -183,7 +189,7 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const double longest_mm = mm_per_pixel * std::min(140.0 * r, 0.3 * size.width);
     const bool shown = visible_ && std::isfinite(longest_mm) && longest_mm > 0.0;
     bar_->SetVisibility(shown);
-    if (!shown) return place_text(*bar_label_, "", 0, 0, 1, palette::text);
+    if (!shown) return place_text(*bar_label_, "", 0, 0, 1, look_.text);
     const double length_mm = round_length_below(longest_mm);
     const double width = length_mm / mm_per_pixel;
     const double x = 0.5 * (size.width - width);
@@ -194,7 +200,7 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     bar_points_->Modified();
     const int decimals = length_mm < 1.0 ? 1 : 0;
     place_text(*bar_label_, formatted(length_mm, decimals) + " mm", x + 0.5 * width, y + 8.0 * r,
-               11.0 * r, palette::text);
+               11.0 * r, look_.text);
 }
 
 }  // namespace hepatica

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/scene/frame.h"
+#include "render/view_look.h"
 
 class vtkActor2D;
 class vtkCamera;
@@ -37,6 +38,7 @@ class Annotations {
     void update(const PictureSize& size, vtkCamera& camera, const DrugView& drug);
     void set_caption(const std::string& text);
     void set_visible(bool visible) { visible_ = visible; }
+    void set_look(const ViewLook& look);
 
   private:
     // Everything that the marks show or depend on.
@@ -51,6 +53,7 @@ class Annotations {
     void update_legend(const PictureSize& size, const DrugView& drug);
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
 
+    ViewLook look_ = dark_look;
     Shown shown_;
     bool visible_ = true;
     std::string caption_text_;

@@ -87,7 +87,7 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
     remove_actors();
     bridges_ = std::move(bridges);
     for (const BridgeView& bridge : bridges_) {
-        const Colour& colour = bridge.chosen ? palette::text : palette::bridge;
+        const Colour& colour = bridge.chosen ? text_colour_ : palette::bridge;
         // Tubes, because not every driver draws lines wider than a pixel.
         vtkNew<vtkTubeFilter> rods;
         rods->SetInputData(dashes(bridge.path_mm));
@@ -113,13 +113,18 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
     set_pixel_ratio(pixel_ratio_);
 }
 
+void BridgeActor::set_text_colour(const Colour& colour) {
+    text_colour_ = colour;
+    set_bridges(bridges_);
+}
+
 void BridgeActor::set_pixel_ratio(double pixel_ratio) {
     pixel_ratio_ = pixel_ratio;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const bool chosen = bridges_[i].chosen;
         style_text(*labels_[i]->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)),
-                   chosen ? palette::text : palette::bridge);
+                   chosen ? text_colour_ : palette::bridge);
         const int away = static_cast<int>(std::lround(6.0 * pixel_ratio));
         labels_[i]->SetDisplayOffset(away, away);
     }

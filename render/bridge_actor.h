@@ -11,6 +11,8 @@
 #include "core/base/vector.h"
 #include "core/tree/extraction/gap_bridging.h"
 
+#include "render/palette.h"
+
 class vtkActor;
 class vtkBillboardTextActor3D;
 class vtkRenderer;
@@ -33,6 +35,8 @@ class BridgeActor {
     BridgeActor(const BridgeActor&) = delete;
     BridgeActor& operator=(const BridgeActor&) = delete;
 
+    // The colour of one that is chosen.
+    void set_text_colour(const Colour& colour);
     void set_bridges(std::vector<BridgeView> bridges);
     const std::vector<BridgeView>& bridges() const { return bridges_; }
     // Of the letters; follows the screen.
@@ -45,6 +49,7 @@ class BridgeActor {
     std::vector<BridgeView> bridges_;
     std::vector<vtkSmartPointer<vtkActor>> lines_;
     std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;
+    Colour text_colour_ = palette::text;
     double pixel_ratio_ = 1.0;
 };
 

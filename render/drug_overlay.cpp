@@ -33,7 +33,7 @@ const char* const shade = R"(//VTK::Light::Impl
     // A dark outline sets one vessel off from the one behind it; distance fades towards the back.
     gl_FragData[0].rgb *= 0.45 + 0.55 * smoothstep(0.0, 0.55, facing);
     float depth = clamp((-vertexVC.z - fadeNear) / max(fadeFar - fadeNear, 1e-3), 0.0, 1.0);
-    gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3(0.055, 0.066, 0.085), 0.62 * depth);
+    gl_FragData[0].rgb = mix(gl_FragData[0].rgb, fadeInto, 0.62 * depth);
   }
 )";
 
@@ -56,6 +56,7 @@ void attach(vtkActor& actor, vtkOpenGLPolyDataMapper& mapper) {
     shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, shade, false);
     set_time(actor, DrugView{});
     set_fade(actor, 0.0, 1e6);
+    set_distance(actor, palette::distance);
 }
 
 void set_time(vtkActor& actor, const DrugView& drug) {
@@ -69,6 +70,12 @@ void set_fade(vtkActor& actor, double near_mm, double far_mm) {
     vtkUniforms* uniforms = actor.GetShaderProperty()->GetFragmentCustomUniforms();
     uniforms->SetUniformf("fadeNear", static_cast<float>(near_mm));
     uniforms->SetUniformf("fadeFar", static_cast<float>(far_mm));
+}
+
+void set_distance(vtkActor& actor, const Colour& colour) {
+    const float into[] = {static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                          static_cast<float>(colour[2])};
+    actor.GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("fadeInto", into);
 }
 
 }  // namespace hepatica::drug_overlay

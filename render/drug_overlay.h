@@ -4,6 +4,8 @@
 // frame; no geometry is uploaded for it, at rest or while the vessel moves.
 #pragma once
 
+#include "render/palette.h"
+
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
 
@@ -28,6 +30,8 @@ void set_time(vtkActor& actor, const DrugView& drug);
 
 // Depths (mm before the camera) between which colours fade into the background.
 void set_fade(vtkActor& actor, double near_mm, double far_mm);
+// The colour into which they fade.
+void set_distance(vtkActor& actor, const Colour& colour);
 
 }  // namespace drug_overlay
 }  // namespace hepatica

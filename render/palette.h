@@ -17,6 +17,7 @@ namespace palette {
 
 inline constexpr Colour background_top{0.110, 0.129, 0.157};
 inline constexpr Colour background_bottom{0.043, 0.051, 0.066};
+inline constexpr Colour distance{0.055, 0.066, 0.085};
 inline constexpr Colour liver{0.62, 0.36, 0.31};
 inline constexpr Colour grab_line{0.30, 0.95, 0.85};
 inline constexpr Colour tool{0.74, 0.77, 0.80};

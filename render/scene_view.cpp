@@ -107,11 +107,8 @@ struct SceneView::Parts {
 
 SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
     vtkRenderer& renderer = *parts_->renderer;
-    const Colour& top = palette::background_top;
-    const Colour& bottom = palette::background_bottom;
     renderer.SetGradientBackground(true);
-    renderer.SetBackground(bottom[0], bottom[1], bottom[2]);
-    renderer.SetBackground2(top[0], top[1], top[2]);
+    set_look(dark_look);
     renderer.AutomaticLightCreationOff();
     // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
     // one from the right, and a weak one from below, which keeps undersides readable where a card
@@ -221,6 +218,14 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     vtkPlane* drawn = plane ? parts_->clip_plane.Get() : nullptr;
     parts_->tree.set_clip(drawn);
     parts_->liver.set_clip(drawn);
+}
+
+void SceneView::set_look(const ViewLook& look) {
+    parts_->renderer->SetBackground(look.bottom[0], look.bottom[1], look.bottom[2]);
+    parts_->renderer->SetBackground2(look.top[0], look.top[1], look.top[2]);
+    parts_->tree.set_distance(look.distance);
+    parts_->annotations.set_look(look);
+    parts_->bridges.set_text_colour(look.text);
 }
 
 void SceneView::set_caption(const std::string& text) {

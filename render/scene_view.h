@@ -16,6 +16,7 @@
 #include "render/camera.h"
 #include "render/clip_plane.h"
 #include "render/surface_geometry.h"
+#include "render/view_look.h"
 
 class vtkCamera;
 class vtkRenderWindow;
@@ -82,6 +83,7 @@ class SceneView {
     void set_liver_visible(bool visible);
     // Cuts vessels and liver open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
+    void set_look(const ViewLook& look);  // dark at first
     void set_caption(const std::string& text);
     void set_annotations_visible(bool visible);
     // Whether vessels that are near tearing are coloured, from the next frame on; not at first.

@@ -99,6 +99,10 @@ void TreeActor::set_fade(double near_mm, double far_mm) {
     for (vtkActor* actor : actors()) drug_overlay::set_fade(*actor, near_mm, far_mm);
 }
 
+void TreeActor::set_distance(const Colour& colour) {
+    for (vtkActor* actor : actors()) drug_overlay::set_distance(*actor, colour);
+}
+
 void TreeActor::show_one() {
     const bool some = !surface_.triangles().empty();
     plain_.actor()->SetVisibility(some && !is_rounded_);

@@ -44,6 +44,8 @@ class TreeActor {
     // Depths (mm from the camera) between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
+    // The colour into which it fades.
+    void set_distance(const Colour& colour);
     // See DrawnSurface::set_clip().
     void set_clip(vtkPlane* plane);
 

@@ -3,6 +3,7 @@
 #include "ui/main_window.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -38,6 +39,7 @@
 #include "ui/recent_menu.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
+#include "ui/theme.h"
 #include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
@@ -102,6 +104,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_tools();
     connect_views();
     connect_context();
+    connect_themes();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
@@ -385,6 +388,26 @@ void MainWindow::connect_context() {
     };
     actions_->on(ActionId::clip_deeper, [shift] { shift(clip_step_mm); });
     actions_->on(ActionId::clip_less_deep, [shift] { shift(-clip_step_mm); });
+}
+
+void MainWindow::connect_themes() {
+    constexpr std::array ids{ActionId::theme_dark, ActionId::theme_light,
+                             ActionId::theme_high_contrast};
+    auto* group = new QActionGroup(this);
+    const Theme& now = theme_named(settings_.theme());
+    for (std::size_t t = 0; t < ids.size(); ++t) {
+        const Theme& theme = themes()[t];
+        QAction& action = (*actions_)[ids[t]];
+        group->addAction(&action);
+        action.setChecked(&theme == &now);
+        actions_->on(ids[t], [this, &theme] {
+            settings_.set_theme(theme.name);
+            apply_theme(*qApp, theme);
+            view_->scene().set_look(theme.view);
+            view_->draw_again();
+        });
+    }
+    view_->scene().set_look(now.view);
 }
 
 void MainWindow::connect_views() {

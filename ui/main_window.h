@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
     void connect_tools();
     void connect_views();
     void connect_context();
+    void connect_themes();
     void build_slices(QWidget* parent);
     void build_lessons();
 

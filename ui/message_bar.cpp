@@ -15,6 +15,7 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), label_(new QLabel(this)), offer_(new QPushButton(this)) {
     setObjectName("messageBar");
     label_->setWordWrap(true);
+    label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     offer_->setObjectName("offer");
     connect(offer_, &QPushButton::clicked, this, [this] {

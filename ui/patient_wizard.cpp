@@ -90,7 +90,6 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     column->addLayout(form_);
     problem_->setObjectName("problem");
     problem_->setWordWrap(true);
-    problem_->setStyleSheet("color: #f0a090");
     column->addWidget(problem_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     QPushButton* go = buttons->addButton("Reconstruct", QDialogButtonBox::AcceptRole);

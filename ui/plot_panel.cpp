@@ -17,10 +17,14 @@
 namespace hepatica {
 namespace {
 
-const QColor ink(0xc9, 0xd0, 0xd8);
-const QColor grid_line(0x33, 0x3c, 0x47);
 const QColor marker_line(0xff, 0xc4, 0x66);
 const QColor event_line(0xff, 0x6b, 0x5e);
+
+QColor grid_line(const QPalette& palette) {
+    QColor faint = palette.color(QPalette::Text);
+    faint.setAlphaF(0.2f);
+    return faint;
+}
 
 // Okabe and Ito's sky blue and orange stand out on a dark ground.
 QColor colour_of(std::size_t curve) {
@@ -95,17 +99,17 @@ void PlotView::paint_axes(QPainter& painter) const {
     const QRectF area = frame();
     for (const double x : axis_ticks(x_end_)) {
         const QPointF foot = place(x, 0);
-        painter.setPen(grid_line);
+        painter.setPen(grid_line(palette()));
         painter.drawLine(foot, QPointF(foot.x(), area.top()));
-        painter.setPen(ink);
+        painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(foot.x() - 30, foot.y() + 3, 60, 16), Qt::AlignCenter,
                          QString::number(x));
     }
     for (const double y : axis_ticks(y_end_)) {
         const QPointF foot = place(0, y);
-        painter.setPen(grid_line);
+        painter.setPen(grid_line(palette()));
         painter.drawLine(foot, QPointF(area.right(), foot.y()));
-        painter.setPen(ink);
+        painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(0, foot.y() - 8, area.left() - 6, 16),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(y));
     }

@@ -16,6 +16,7 @@ const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
+const char* const theme_key = "theme";
 
 }  // namespace
 
@@ -98,6 +99,14 @@ QString Settings::data_folder() const {
     if (store_->format() == QSettings::IniFormat)  // a file of its own
         return QFileInfo(store_->fileName()).absolutePath();
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+}
+
+QString Settings::theme() const {
+    return store_ ? store_->value(theme_key).toString() : QString();
+}
+
+void Settings::set_theme(const QString& name) {
+    if (store_) store_->setValue(theme_key, name);
 }
 
 QString Settings::last_folder() const {

@@ -42,6 +42,10 @@ class Settings {
     // Where copies of unsaved work are kept; empty in safe mode, which keeps none.
     QString recovery_folder() const;
 
+    // See theme_named(); empty: none was chosen.
+    QString theme() const;
+    void set_theme(const QString& name);
+
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 

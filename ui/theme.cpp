@@ -5,40 +5,160 @@
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace hepatica {
 namespace {
 
+// Names in braces stand for the theme's colours.
 const char* const rules = R"(
-QToolTip { color: #e3e6ea; background: #2a323d; border: 1px solid #465160; padding: 4px; }
-QMainWindow::separator { background: #14181e; width: 4px; height: 4px; }
-QToolBar { background: #1d232b; border: none; spacing: 4px; padding: 4px; }
+QToolTip { color: {text}; background: {button}; border: 1px solid {frame}; padding: 4px; }
+QMainWindow::separator { background: {frame}; width: 4px; height: 4px; }
+QToolBar { background: {bar}; border: none; spacing: 4px; padding: 4px; }
 QToolBar QToolButton { padding: 5px 10px; border-radius: 4px; }
-QToolBar QToolButton:hover { background: #2c3541; }
-QToolBar QToolButton:checked { background: #3c6aa8; color: white; }
-QStatusBar { background: #1a1f26; color: #aab3bf; }
+QToolBar QToolButton:hover { background: {button_hover}; }
+QToolBar QToolButton:checked { background: {accent}; color: {accent_text}; }
+QStatusBar { background: {bar}; color: {quiet}; }
 QStatusBar::item { border: none; }
 QDockWidget { font-weight: 600; }
-QDockWidget::title { background: #1d232b; padding: 7px 10px; }
-QGroupBox { border: 1px solid #2f3843; border-radius: 6px; margin-top: 16px; padding: 6px; }
-QGroupBox::title { subcontrol-origin: margin; left: 8px; color: #aab3bf; }
-QPushButton { padding: 5px 12px; border-radius: 4px; background: #2c3541; border: 1px solid #3a4552; }
-QPushButton:hover { background: #35404e; }
-QPushButton:disabled { color: #68717d; background: #22282f; }
-QPushButton:default { background: #3c6aa8; border-color: #4f7dbb; color: white; }
-QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid #566270; border-radius: 3px;
-    background: #181d24; }
-QCheckBox::indicator:checked { background: #4f8fd6; border-color: #7db3f0; }
-QProgressBar { border: none; border-radius: 3px; background: #262d36; height: 8px; }
-QProgressBar::chunk { background: #4f8fd6; border-radius: 3px; }
-QFrame#messageBar { background: #5a2b2b; }
-QFrame#messageBar[kind="notice"] { background: #3a3f2a; }
-QFrame#messageBar QLabel { color: #f2e9e6; }
-QFrame#progressStrip { background: #1d232b; }
-QFrame#welcome { background: rgba(24, 29, 36, 235); border: 1px solid #36404c; border-radius: 12px; }
-QLabel#welcomeTitle { font-size: 22px; font-weight: 600; color: #eef1f4; }
-QLabel#quiet { color: #97a1ad; }
+QDockWidget::title { background: {bar}; padding: 7px 10px; }
+QGroupBox { border: 1px solid {frame}; border-radius: 6px; margin-top: 16px; padding: 6px; }
+QGroupBox::title { subcontrol-origin: margin; left: 8px; color: {quiet}; }
+QPushButton { padding: 5px 12px; border-radius: 4px; background: {button}; border: 1px solid {frame}; }
+QPushButton:hover { background: {button_hover}; }
+QPushButton:disabled { color: {disabled}; background: {window}; }
+QPushButton:default { background: {accent}; border-color: {accent_border}; color: {accent_text}; }
+QPushButton:focus { border-color: {link}; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid {quiet}; border-radius: 3px;
+    background: {base}; }
+QCheckBox::indicator:checked { background: {accent_border}; border-color: {link}; }
+QProgressBar { border: none; border-radius: 3px; background: {button}; height: 8px; }
+QProgressBar::chunk { background: {accent_border}; border-radius: 3px; }
+QFrame#messageBar { background: {failure}; }
+QFrame#messageBar[kind="notice"] { background: {notice}; }
+QFrame#messageBar QLabel { color: {message_text}; }
+QFrame#progressStrip { background: {bar}; }
+QFrame#welcome { background: {base}; border: 1px solid {frame}; border-radius: 12px; }
+QLabel#welcomeTitle { font-size: 22px; font-weight: 600; color: {title}; }
+QLabel#quiet { color: {quiet}; }
+QLabel#problem { color: {problem}; }
 )";
+
+QColor rgb(unsigned value) {
+    return QColor::fromRgb(value);
+}
+
+const std::array<Theme, 3>& all_themes() {
+    static const std::array<Theme, 3> all{{
+        {.name = "dark",
+         .window = rgb(0x20262e),
+         .base = rgb(0x181d24),
+         .bar = rgb(0x1c222a),
+         .button = rgb(0x2c3541),
+         .button_hover = rgb(0x35404e),
+         .frame = rgb(0x3a4552),
+         .text = rgb(0xdee2e7),
+         .quiet = rgb(0xaab3bf),
+         .disabled = rgb(0x68717d),
+         .title = rgb(0xeef1f4),
+         .accent = rgb(0x3c6aa8),
+         .accent_border = rgb(0x4f8fd6),
+         .accent_text = rgb(0xffffff),
+         .link = rgb(0x7db3f0),
+         .failure = rgb(0x5a2b2b),
+         .notice = rgb(0x3a3f2a),
+         .message_text = rgb(0xf2e9e6),
+         .problem = rgb(0xf0a090),
+         .view = dark_look},
+        {.name = "light",
+         .window = rgb(0xeef0f3),
+         .base = rgb(0xffffff),
+         .bar = rgb(0xe3e6eb),
+         .button = rgb(0xfafbfc),
+         .button_hover = rgb(0xdfe6f0),
+         .frame = rgb(0xb4bcc7),
+         .text = rgb(0x1c2128),
+         .quiet = rgb(0x4c5663),
+         .disabled = rgb(0x9099a5),
+         .title = rgb(0x11151a),
+         .accent = rgb(0x2f66b0),
+         .accent_border = rgb(0x3f7ccb),
+         .accent_text = rgb(0xffffff),
+         .link = rgb(0x1d56a5),
+         .failure = rgb(0xf6d3cf),
+         .notice = rgb(0xf1eccb),
+         .message_text = rgb(0x2a1d14),
+         .problem = rgb(0xa32213),
+         .view = light_look},
+        {.name = "high-contrast",
+         .window = rgb(0x000000),
+         .base = rgb(0x1c1c1c),
+         .bar = rgb(0x000000),
+         .button = rgb(0x4a4a4a),
+         .button_hover = rgb(0x3a3a3a),
+         .frame = rgb(0xffffff),
+         .text = rgb(0xffffff),
+         .quiet = rgb(0xffffff),
+         .disabled = rgb(0xa8a8a8),
+         .title = rgb(0xffffff),
+         .accent = rgb(0xffe100),
+         .accent_border = rgb(0xffe100),
+         .accent_text = rgb(0x000000),
+         .link = rgb(0x7fd4ff),
+         .failure = rgb(0x5c0000),
+         .notice = rgb(0x2b2b00),
+         .message_text = rgb(0xffffff),
+         .problem = rgb(0xff9a8a),
+         .view = high_contrast_look},
+    }};
+    return all;
+}
+
+QString style_sheet(const Theme& theme) {
+    QString sheet = rules;
+    const std::array<std::pair<const char*, QColor>, 18> colours{
+        {{"window", theme.window},
+         {"base", theme.base},
+         {"bar", theme.bar},
+         {"button", theme.button},
+         {"button_hover", theme.button_hover},
+         {"frame", theme.frame},
+         {"text", theme.text},
+         {"quiet", theme.quiet},
+         {"disabled", theme.disabled},
+         {"title", theme.title},
+         {"accent", theme.accent},
+         {"accent_border", theme.accent_border},
+         {"accent_text", theme.accent_text},
+         {"link", theme.link},
+         {"failure", theme.failure},
+         {"notice", theme.notice},
+         {"message_text", theme.message_text},
+         {"problem", theme.problem}}};
+    for (const auto& [name, colour] : colours)
+        sheet.replace(QString("{%1}").arg(name), colour.name());
+    return sheet;
+}
+
+QPalette palette_of(const Theme& theme) {
+    QPalette palette;
+    palette.setColor(QPalette::Window, theme.window);
+    palette.setColor(QPalette::WindowText, theme.text);
+    palette.setColor(QPalette::Base, theme.base);
+    palette.setColor(QPalette::AlternateBase, theme.bar);
+    palette.setColor(QPalette::Text, theme.text);
+    palette.setColor(QPalette::PlaceholderText, theme.disabled);
+    palette.setColor(QPalette::Button, theme.button);
+    palette.setColor(QPalette::ButtonText, theme.text);
+    palette.setColor(QPalette::Highlight, theme.accent);
+    palette.setColor(QPalette::HighlightedText, theme.accent_text);
+    palette.setColor(QPalette::Link, theme.link);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, theme.disabled);
+    return palette;
+}
 
 // Fusion, but a click on a slider's groove takes the handle there instead of a page nearer.
 class Style : public QProxyStyle {
@@ -54,25 +174,20 @@ class Style : public QProxyStyle {
 
 }  // namespace
 
-void apply_theme(QApplication& application) {
+std::span<const Theme> themes() {
+    return all_themes();
+}
+
+const Theme& theme_named(const QString& name) {
+    const auto found =
+        std::ranges::find_if(themes(), [&](const Theme& theme) { return name == theme.name; });
+    return found == themes().end() ? themes().front() : *found;
+}
+
+void apply_theme(QApplication& application, const Theme& theme) {
     application.setStyle(new Style);
-    QPalette palette;
-    palette.setColor(QPalette::Window, QColor(0x20, 0x26, 0x2e));
-    palette.setColor(QPalette::WindowText, QColor(0xde, 0xe2, 0xe7));
-    palette.setColor(QPalette::Base, QColor(0x18, 0x1d, 0x24));
-    palette.setColor(QPalette::AlternateBase, QColor(0x1e, 0x24, 0x2c));
-    palette.setColor(QPalette::Text, QColor(0xde, 0xe2, 0xe7));
-    palette.setColor(QPalette::PlaceholderText, QColor(0x7c, 0x86, 0x92));
-    palette.setColor(QPalette::Button, QColor(0x2c, 0x35, 0x41));
-    palette.setColor(QPalette::ButtonText, QColor(0xde, 0xe2, 0xe7));
-    palette.setColor(QPalette::Highlight, QColor(0x3c, 0x6a, 0xa8));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, QColor(0x7d, 0xb3, 0xf0));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        palette.setColor(QPalette::Disabled, role, QColor(0x68, 0x71, 0x7d));
-    }
-    application.setPalette(palette);
-    application.setStyleSheet(rules);
+    application.setPalette(palette_of(theme));
+    application.setStyleSheet(style_sheet(theme));
 }
 
 }  // namespace hepatica

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tool_icons.h"
 
+#include <QGuiApplication>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPalette>
 
 namespace hepatica {
 namespace {
@@ -11,7 +13,12 @@ namespace {
 // Paints in a square of 16 x 16.
 using Draw = void (*)(QPainter&);
 
-const QColor bright(0xde, 0xe2, 0xe7), vessel(0x8f, 0x86, 0xd8), touch(0x4d, 0xf2, 0xd9);
+const QColor vessel(0x8f, 0x86, 0xd8), touch(0x1f, 0xc4, 0xac);
+
+// As writing on buttons, which stands out in every theme.
+QColor bright() {
+    return QGuiApplication::palette().color(QPalette::ButtonText);
+}
 
 QPen pen(const QColor& colour, double width) {
     return {QBrush(colour), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
@@ -38,7 +45,7 @@ void draw_inject(QPainter& p) {
 }
 
 void draw_edit(QPainter& p) {
-    p.setPen(pen(bright, 1.8));
+    p.setPen(pen(bright(), 1.8));
     p.drawLine(QPointF(3, 13), QPointF(12, 4));
     p.drawLine(QPointF(10, 2.5), QPointF(13.5, 6));
     p.setPen(pen(vessel, 1.8));
@@ -57,24 +64,24 @@ void draw_ball(QPainter& p) {
 void draw_rod(QPainter& p) {
     p.setPen(pen(QColor(0x77, 0x80, 0x8c), 5.5));
     p.drawLine(QPointF(12, 12.5), QPointF(4.5, 4));
-    p.setPen(pen(bright, 2.0));
+    p.setPen(pen(bright(), 2.0));
     p.drawLine(QPointF(11, 12), QPointF(4.2, 4.4));
 }
 
 void draw_forceps(QPainter& p) {
-    p.setPen(pen(bright, 2.0));
+    p.setPen(pen(bright(), 2.0));
     p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(7, 10.5), QPointF(2, 4.5)}));
     p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(10.5, 7), QPointF(4.5, 2)}));
 }
 
 void draw_hook(QPainter& p) {
-    p.setPen(pen(bright, 2.4));
+    p.setPen(pen(bright(), 2.4));
     p.drawPolyline(QPolygonF({QPointF(13.5, 13.5), QPointF(4.5, 4.5), QPointF(9.5, 2.5)}));
 }
 
 void draw_blade(QPainter& p) {
     p.setPen(Qt::NoPen);
-    p.setBrush(bright);
+    p.setBrush(bright());
     p.drawPolygon(QPolygonF({QPointF(2, 14), QPointF(9.5, 4), QPointF(12, 6.5)}));
     p.setPen(pen(QColor(0x77, 0x80, 0x8c), 2.6));
     p.drawLine(QPointF(11, 5), QPointF(14, 2));
@@ -83,7 +90,7 @@ void draw_blade(QPainter& p) {
 void draw_cut_line(QPainter& p) {
     p.setPen(pen(vessel, 4.0));
     p.drawLine(QPointF(2, 11), QPointF(14, 5));
-    QPen dashed = pen(bright, 1.6);
+    QPen dashed = pen(bright(), 1.6);
     dashed.setDashPattern({1.5, 1.8});
     p.setPen(dashed);
     p.drawLine(QPointF(5, 2), QPointF(11, 14));

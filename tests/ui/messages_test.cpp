@@ -33,6 +33,15 @@ TEST_F(Messages, a_divergence_offers_the_last_good_state_and_a_click_restores_it
     EXPECT_EQ(window_.messages().text(), "");
 }
 
+TEST_F(Messages, a_text_shows_its_letters_as_they_are) {
+    MessageBar& bar = window_.messages();
+    const QString text = "File > Open <unsaved> & more";
+    bar.show_notice(text);
+    EXPECT_EQ(bar.text(), text);
+    // A label that guesses would show the escapes of a text in which no tag stands.
+    EXPECT_EQ(bar.findChild<QLabel*>()->textFormat(), Qt::RichText);
+}
+
 TEST_F(Messages, a_failure_stays_in_the_log_after_the_next_job) {
     window_.open(folder_.filePath("no_image.nii"));
     ASSERT_TRUE(testing::wait_for([&] { return !window_.busy(); }));

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The looks of the window: what is written can be read in each of them, and the one that was chosen
+// stays.
+#include "ui/theme.h"
+
+#include <cmath>
+
+#include "tests/ui/fake_window_test.h"
+
+namespace hepatica::testing {
+namespace {
+
+// Relative luminance and contrast ratio as WCAG 2.1 defines them.
+double luminance(const QColor& colour) {
+    const auto linear = [](double channel) {
+        return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+    const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
+    return std::max(one, other) / std::min(one, other);
+}
+QColor colour_of(const Colour& colour) {
+    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                            static_cast<float>(colour[2]));
+}
+
+TEST(Themes, KeepTextReadable) {
+    for (const Theme& theme : themes()) {
+        // Level AA asks for 4.5 to 1, level AAA for 7 to 1.
+        const double least = std::string_view(theme.name) == "high-contrast" ? 7.0 : 4.5;
+        const std::initializer_list<std::pair<QColor, QColor>> pairs{
+            {theme.text, theme.window},
+            {theme.text, theme.base},
+            {theme.text, theme.bar},
+            {theme.text, theme.button},
+            {theme.text, theme.button_hover},
+            {theme.quiet, theme.window},
+            {theme.quiet, theme.bar},
+            {theme.quiet, theme.base},
+            {theme.title, theme.base},
+            {theme.accent_text, theme.accent},
+            {theme.message_text, theme.failure},
+            {theme.message_text, theme.notice},
+            {theme.problem, theme.window},
+            {theme.link, theme.window},
+            {colour_of(theme.view.text), colour_of(theme.view.top)},
+            {colour_of(theme.view.text), colour_of(theme.view.bottom)},
+            {colour_of(theme.view.faint_text), colour_of(theme.view.top)},
+            {colour_of(theme.view.faint_text), colour_of(theme.view.bottom)}};
+        int number = 0;
+        for (const auto& [text, ground] : pairs)
+            EXPECT_GE(contrast(text, ground), least)
+                << theme.name << ", pair " << number++ << ": " << text.name().toStdString()
+                << " on " << ground.name().toStdString();
+    }
+}
+
+TEST(Themes, AreFoundByNameAndBeginDark) {
+    EXPECT_STREQ(theme_named("light").name, "light");
+    EXPECT_STREQ(theme_named("no such theme").name, "dark");
+    EXPECT_STREQ(theme_named("").name, "dark");
+}
+
+class ChosenTheme : public FakeWindowTest {
+  protected:
+    ~ChosenTheme() override { apply_theme(*qApp); }
+};
+
+TEST_F(ChosenTheme, ColoursWindowAndViewAndStays) {
+    open_built_in();
+    EXPECT_TRUE(window_.actions()[ActionId::theme_dark].isChecked());
+    const QColor dark = window_.view().grabFramebuffer().pixelColor(3, 3);
+    window_.actions()[ActionId::theme_light].trigger();
+    EXPECT_FALSE(window_.actions()[ActionId::theme_dark].isChecked());
+    EXPECT_EQ(settings_.theme(), "light");
+    EXPECT_EQ(QApplication::palette().color(QPalette::Window), themes()[1].window);
+    paint();
+    const QColor light = window_.view().grabFramebuffer().pixelColor(3, 3);
+    EXPECT_LT(luminance(dark), 0.1);
+    EXPECT_GT(luminance(light), 0.5);
+
+    MainWindow next(settings_, {});
+    EXPECT_TRUE(next.actions()[ActionId::theme_light].isChecked());
+}
+
+}  // namespace
+}  // namespace hepatica::testing
