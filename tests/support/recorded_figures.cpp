@@ -85,6 +85,7 @@ void expect_recorded(const std::string& room, const std::string& result, const F
         return write(room, recorded);
     }
     for (const Figures::Figure& figure : figures.all()) {
+        EXPECT_EQ(figure.name.find(' '), std::string::npos) << figure.name << " has a blank";
         const auto found = recorded.find(result + "." + figure.name);
         if (found == recorded.end()) {
             ADD_FAILURE() << file_of(room) << " does not hold " << result << "." << figure.name
