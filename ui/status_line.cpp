@@ -14,9 +14,9 @@ StatusLine::StatusLine(QStatusBar& bar)
       picture_(new QLabel(&bar)),
       renderer_(new QLabel(&bar)) {
     step_->setObjectName("step");
+    error_->setObjectName("expectedError");
     step_->setToolTip("Wall time of one step of the simulation");
     real_time_->setToolTip("Simulated time over wall time: 1 is real time, less is slower");
-    error_->setToolTip("Of the present setting of the dial, and what it was measured against");
     picture_->setToolTip("Time of the last picture, until it was on the screen");
     renderer_->setToolTip("The OpenGL renderer");
     for (QLabel* label : {step_, real_time_, error_, picture_, renderer_}) {
@@ -34,10 +34,9 @@ void StatusLine::show_statistics(const FrameStatistics& statistics) {
             : QString("real time × %1").arg(statistics.real_time_factor, 0, 'f', 2));
     QString error;
     if (statistics.expected_error > 0.0) {
-        error = "error " + percent_text(statistics.expected_error);
-        if (!statistics.error_reference.empty()) {
-            error += " vs " + QString::fromStdString(statistics.error_reference);
-        }
+        error = "expected error " + percent_text(statistics.expected_error);
+        error_->setToolTip("Of the present setting of the dial, measured against " +
+                           QString::fromStdString(statistics.error_reference));
     }
     error_->setText(error);
     error_->setVisible(!error.isEmpty());
