@@ -3,7 +3,10 @@
 // and what stands beside: branches, vertices, defaults.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/scene/branch_table.h"
+#include "core/scene/deform_part.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/surface_anatomy.h"
 #include "core/scene/world.h"
