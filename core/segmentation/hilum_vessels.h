@@ -16,7 +16,7 @@ struct Hilum {
     Vec3 at_mm = Vec3::Zero();
     Vec3 confluence_mm = Vec3::Zero();  // of the hepatic veins: the cava runs down from there
     double parenchyma_hu = 0.0;
-    double vessel_hu = 0.0;  // of the middle of a vessel, above parenchyma_hu
+    double vessel_hu = 0.0;  // of the middle of a vessel, > parenchyma_hu
 };
 
 struct HilumVessels {

@@ -97,7 +97,7 @@ TEST(SegmentationFigures, OfDetection) {
     figures.add("window.excess", numbers_of(windowed.excess))
         .add("window.threshold", windowed.threshold_hu.value_or(-1.0));
     const Hilum hilum{small_scan().tree.segments.front().points_mm.front(), Vec3(60, 60, 90),
-                      tissue.parenchyma_hu, 60.0};
+                      tissue.parenchyma_hu, tissue.parenchyma_hu + 60.0};
     const Detection coherent =
         detect_vessels(tissue, frame.liver, Vec3(1.5, 1.5, 1.7), SegmentationMethod::coherent, job);
     const HilumVessels beyond = hilum_vessels(frame, coherent.vessels, hilum, job);

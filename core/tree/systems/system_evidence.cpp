@@ -132,7 +132,7 @@ std::vector<int> trunk_at(const std::vector<VesselPiece>& pieces, const Vec3& an
     for (const VesselPiece& piece : pieces)
         nearest = std::min(nearest, (piece.centre_mm - anchor).norm());
     for (const bool only_own_side : {true, false}) {
-        for (std::size_t i = 0; i < pieces.size() && (only_own_side || near.empty()); ++i) {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
             const double d = (pieces[i].centre_mm - anchor).norm();
             const bool taken = only_own_side
                                    ? d < reach_mm && d < (pieces[i].centre_mm - other).norm()

@@ -152,7 +152,9 @@ int end_of_portal_trunk(const VesselTree& tree) {
         if (segment.system != VascularSystem::portal || segment.closes_loop) continue;
         const int parent = segment.parent;
         beyond_mm[i] += length_mm(segment);
-        if (parent >= 0 && tree.segments[parent].system == VascularSystem::portal) {
+        const bool goes_on = parent >= 0 && !tree.segments[parent].closes_loop &&
+                             tree.segments[parent].system == VascularSystem::portal;
+        if (goes_on) {
             beyond_mm[parent] += beyond_mm[i];
             below[parent].push_back(static_cast<int>(i));
         } else if (at < 0 || beyond_mm[i] >= beyond_mm[at]) {

@@ -195,6 +195,20 @@ TEST(CouinaudSegments, AreTheSameBytesForAnyNumberOfThreads) {
         EXPECT_EQ(one.branches[s].confidence, many.branches[s].confidence);
 }
 
+// A file may hold one: the links of loops are no parents of the tree that is walked down.
+TEST(CouinaudSegments, ATrunkBelowTheLinkOfALoopIsFound) {
+    VesselTree tree = test::textbook_patient(PortalType::usual, true, liver()).tree;
+    const int trunk = end_of_portal_trunk(tree);
+    int root = trunk;
+    while (tree.segments[root].parent >= 0) root = tree.segments[root].parent;
+    tree.segments[root].closes_loop = true;
+    const int below = end_of_portal_trunk(tree);
+    EXPECT_GE(below, 0);
+    EXPECT_FALSE(tree.segments[below].closes_loop);
+    Job job;
+    EXPECT_NO_THROW(couinaud_segments(tree, liver(), job));
+}
+
 TEST(CouinaudSegments, NeedALiverAndAPortalVein) {
     const TextbookPatient patient = test::textbook_patient(PortalType::usual, true, liver());
     Job job;
