@@ -174,6 +174,7 @@ TEST(ImageFigures, OfFiles) {
     const std::array segments{SegmentDescription{1, "portal vein", Vec3(0.2, 0.3, 0.9)},
                               SegmentDescription{2, "hepatic veins", Vec3(0.1, 0.5, 0.8)}};
     write_segmentation(folder / "d.seg.nrrd", labels, segments);
+    figures.add("segmentation.bytes", bytes(folder / "d.seg.nrrd"));
     figures.add("segmentation.labels", values_of(read_label_map(folder / "d.seg.nrrd", job)));
     write_dicom_series(folder / "series", volume, {}, job);
     const Volume read = read_volume(folder / "series", job);

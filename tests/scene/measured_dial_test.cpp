@@ -91,6 +91,15 @@ TEST(MeasuredDial, RefusesADamagedOneByName) {
         patient.dial_json = damaged;
         EXPECT_THROW(static_cast<void>(dial_of(patient)), InputError) << damaged;
     }
+    for (const char* no_object : {"[]", "{", "3"}) {
+        patient.dial_json = no_object;
+        try {
+            static_cast<void>(dial_of(patient));
+            ADD_FAILURE() << no_object;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problem(), "is damaged") << no_object;
+        }
+    }
 }
 
 TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures of scenes as they are today: a small patient who is pulled, injected, touched and torn,
-// and what stands beside: branches, vertices, defaults.
+// Figures of scenes as they are today: a small patient who is pulled, held and let go in several
+// scenes, his table of branches, and which vessel each vertex belongs to.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

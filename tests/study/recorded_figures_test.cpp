@@ -14,6 +14,7 @@
 #include "core/study/step_study.h"
 #include "core/study/tear_study.h"
 #include "core/study/touch_bodies.h"
+#include "core/study/tradeoff.h"
 #include "core/study/vessel_body.h"
 #include "tests/support/recorded_figures.h"
 
@@ -192,6 +193,26 @@ TEST(StudyFigures, OfStepsRegionsAndIterations) {
     }
     figures.add("iterations", numbers).add("iterations.words", letters(words));
     expect_recorded("study", "measured", figures);
+}
+
+// A budget in which nothing fits lists every setting, and why it was not measured.
+TEST(StudyFigures, OfTheSettingsOfATradeoff) {
+    Job job;
+    TradeoffOptions options;
+    options.budget_s = 1e-6;
+    std::vector<double> numbers;
+    std::string words;
+    for (const TradeoffPoint& point : measure_beam_tradeoff(options, job).points) {
+        words += point.element + "|" + point.region + "|" +
+                 std::string(name_of(point.options.solver)) + "\n";
+        for (const double value :
+             {double(point.elements), double(point.options.substeps),
+              double(point.options.newton_iterations), point.options.linear.energy_tolerance,
+              double(point.options.linear.max_iterations), double(point.options.published)})
+            numbers.push_back(value);
+    }
+    expect_recorded("study", "settings",
+                    Figures().add("numbers", numbers).add("words", letters(words)));
 }
 
 TEST(StudyFigures, OfTears) {
