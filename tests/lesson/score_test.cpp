@@ -161,7 +161,7 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
         EXPECT_EQ(good.standing.outcome, LessonOutcome::passed)
             << to_json(good.standing, lesson).dump(1);
         const Played bad = play(lesson, read_script(plays / (id + "_fails.json")), patient, steps);
-        EXPECT_EQ(bad.standing.outcome, LessonOutcome::failed) << id;
+        ASSERT_EQ(bad.standing.outcome, LessonOutcome::failed) << id;
         EXPECT_THAT(bad.standing.reasons.front(), HasSubstr("limit broken"))
             << id << ": the play does harm, it is not merely too short";
     }
