@@ -27,6 +27,8 @@ constexpr std::array table{
                "Reconstruct the vessels of a volume: NIfTI, MetaImage or NRRD"},
     ActionSpec{open_unsaved, "&File", "Open &unsaved work", "",
                "Open what an earlier run of the program left without having saved it"},
+    ActionSpec{open_recording, "&File", "Open recor&ding…", "Ctrl+Shift+O",
+               "Look back on a play: its time line, what happened, notes"},
     ActionSpec{reconstruct, "&File", "&Reconstruct with options…", "Ctrl+R",
                "Choose liver mask, seeds and window before reconstructing"},
     ActionSpec{built_in, "&File", "&Built-in patient", "Ctrl+B",

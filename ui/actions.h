@@ -20,6 +20,7 @@ enum class ActionId {
     open_ct_folder,
     open_ct_file,
     open_unsaved,
+    open_recording,
     reconstruct,
     built_in,
     save_case,

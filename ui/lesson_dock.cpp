@@ -24,6 +24,9 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
       panel_(new LessonPanel({[this] { begin(); }, [this] { leave(); },
                               [this] {
                                   if (watch_) ways_.report(watch_->recording(), name_);
+                              },
+                              [this] {
+                                  if (watch_) ways_.look_back(watch_->recording(), name_);
                               }})) {
     setObjectName("Lesson");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);

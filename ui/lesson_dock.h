@@ -31,6 +31,9 @@ class LessonDock : public QDockWidget {
         // Asks where to, and writes the report of a recording there.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             report;
+        // Shows a recording.
+        std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
+            look_back;
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);

@@ -79,6 +79,10 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     report_->setObjectName("lessonReport");
     connect(report_, &QPushButton::clicked, this, [run = ways.report] { run(); });
     column->addWidget(report_);
+    look_back_ = new QPushButton("Look &back on it");
+    look_back_->setObjectName("lessonLookBack");
+    connect(look_back_, &QPushButton::clicked, this, [run = ways.look_back] { run(); });
+    column->addWidget(look_back_);
     auto* last_row = new QHBoxLayout;
     add_button(*last_row, "&Begin again", "lessonAgain", ways.again);
     add_button(*last_row, "&Leave", "lessonLeave", ways.leave);
@@ -100,6 +104,7 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
         widget->setVisible(running);
     end_->setVisible(!running);
     report_->setVisible(!running);
+    look_back_->setVisible(!running);
     limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), "✓", "✗"));
     if (running)
         show_step(standing);

@@ -17,9 +17,10 @@ namespace hepatica {
 class LessonPanel : public QWidget {
   public:
     struct Ways {
-        std::function<void()> again;   // from the beginning
-        std::function<void()> leave;   // back to free play
-        std::function<void()> report;  // of the attempt
+        std::function<void()> again;      // from the beginning
+        std::function<void()> leave;      // back to free play
+        std::function<void()> report;     // of the attempt
+        std::function<void()> look_back;  // on the attempt
     };
 
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
@@ -45,6 +46,7 @@ class LessonPanel : public QWidget {
     QLabel* limits_;
     QLabel* end_;
     QPushButton* report_;
+    QPushButton* look_back_;
 };
 
 }  // namespace hepatica

@@ -37,6 +37,7 @@
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
 #include "ui/recent_menu.h"
+#include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
@@ -190,6 +191,7 @@ void MainWindow::build_panels() {
     curves_->hide();
     build_branches();
     build_lessons();
+    build_review();
 }
 
 void MainWindow::build_branches() {
@@ -221,11 +223,26 @@ void MainWindow::build_lessons() {
     ways.report = [this](const std::filesystem::path& recording, const std::string& lesson) {
         write_report(recording, lesson);
     };
+    ways.look_back = [this](const std::filesystem::path& recording, const std::string& lesson) {
+        review_->open(recording, lesson);
+    };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+void MainWindow::build_review() {
+    ReviewDock::Ways ways;
+    ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
+    ways.open = [this](const OpenRequest& request) { open(request); };
+    ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.failed = [this](const Failure& failure) { fail("Look back on a recording", failure); };
+    ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
+    review_ = new ReviewDock(std::move(ways), this);
+    addDockWidget(Qt::BottomDockWidgetArea, review_);
+    review_->hide();
 }
 
 void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questions) {
@@ -302,6 +319,7 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::open_ct_folder, [this] { ask_for_ct(true); });
     actions_->on(ActionId::open_ct_file, [this] { ask_for_ct(false); });
     actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
+    actions_->on(ActionId::open_recording, [this] { ask_for_recording(); });
     actions_->on(ActionId::built_in, [this] { open(OpenRequest{true, {}}); });
     actions_->on(ActionId::reconstruct, [this] { ask_for_reconstruction(); });
     actions_->on(ActionId::save_case, [this] { keeper_->save(); });

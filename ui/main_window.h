@@ -31,6 +31,7 @@ class MessageBar;
 class MessageLog;
 class ProgressStrip;
 class QualityPanel;
+class ReviewDock;
 class StatusLine;
 class ToolPanel;
 class ViewLayout;
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
     MessageBar& messages() { return *messages_; }
     MessageLog& log() { return *log_; }
     LessonDock& lessons() { return *lessons_; }
+    ReviewDock& review() { return *review_; }
     Actions& actions() { return *actions_; }
 
     // Writes what the view shows. Throws InputError where the file cannot be written.
@@ -92,6 +94,7 @@ class MainWindow : public QMainWindow {
     void connect_themes();
     void build_slices(QWidget* parent);
     void build_lessons();
+    void build_review();
 
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
@@ -99,6 +102,7 @@ class MainWindow : public QMainWindow {
     void open_unsaved_work();
     std::optional<std::filesystem::path> ask_where_ct_lies();
     void ask_for_ct(bool folder);
+    void ask_for_recording();
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
     void save_branches(const std::string& csv);
@@ -152,6 +156,7 @@ class MainWindow : public QMainWindow {
     CurvesDock* curves_ = nullptr;
     BranchDock* branches_ = nullptr;
     LessonDock* lessons_ = nullptr;
+    ReviewDock* review_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way

@@ -22,6 +22,7 @@
 #include "ui/patient_wizard.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
+#include "ui/review_dock.h"
 #include "ui/save_case_dialog.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
@@ -29,6 +30,7 @@
 namespace hepatica {
 
 void MainWindow::open(const QString& path) {
+    if (path.endsWith(".hrec", Qt::CaseInsensitive)) return review_->open(to_path(path));
     OpenRequest request;
     request.reconstruct.ct = to_path(path);
     open(request);
@@ -168,6 +170,12 @@ void MainWindow::ask_for_ct(bool folder) {
                                                    settings_.last_folder())
                : QFileDialog::getOpenFileName(this, "Open CT file", settings_.last_folder(),
                                               openable_filter());
+    if (!path.isEmpty()) open(path);
+}
+
+void MainWindow::ask_for_recording() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, "Open recording", settings_.recordings_folder(), "Recordings (*.hrec)");
     if (!path.isEmpty()) open(path);
 }
 

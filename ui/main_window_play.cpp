@@ -17,6 +17,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/quality_panel.h"
+#include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
@@ -54,6 +55,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
                             keeper_->workspace().folder());
     if (!corrected) show_warnings();
     lessons_->patient_shown(patient_->title == built_in_title);
+    review_->patient_shown();
 }
 
 // A scene in which nothing moves shows the surface's vertices, not the body's.

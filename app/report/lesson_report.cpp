@@ -148,18 +148,8 @@ Json table_of_metrics(const LessonMetrics& metrics) {
 // The lesson that a play was of: the one named, or the built-in one with the recorded scene, or
 // none.
 std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recording& recording) {
-    if (!request.lesson.empty()) return find_lesson(request.lesson);
-    for (const BuiltInLesson& entry : built_in_lessons()) {
-        Lesson lesson = find_lesson(entry.id);
-        if (lesson.scene.name != recording.scene.name) continue;
-        try {
-            require_same_scene(recording.scene, lesson.scene);
-            return lesson;
-        } catch (const InputError&) {
-            continue;
-        }
-    }
-    return std::nullopt;
+    return request.lesson.empty() ? built_in_lesson_of(recording)
+                                  : std::optional(find_lesson(request.lesson));
 }
 
 // A step that nobody reaches, so that all of the play is measured.

@@ -16,6 +16,7 @@ void add_all_verbs(CommandLine& line) {
     add_flow_curves(line);
     add_simulate(line);
     add_replay(line);
+    add_review(line);
     add_lesson(line);
 #ifdef HEPATICA_HAS_RENDER
     add_play(line);

@@ -18,6 +18,7 @@ void add_embolize(CommandLine& line);
 void add_flow_curves(CommandLine& line);
 void add_simulate(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_review(CommandLine& line);
 void add_lesson(CommandLine& line);
 void add_play(CommandLine& line);    // only where the window is built
 void add_render(CommandLine& line);  // only where the window is built

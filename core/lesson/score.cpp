@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
 #include "core/session/replay.h"
 
 namespace hepatica {
@@ -27,6 +28,16 @@ void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
     throw InputError(
         "was played in another scene than the lesson's: " + a.dump() + ", not " + b.dump(),
         "recording", "Give a recording of this lesson");
+}
+
+std::optional<Lesson> built_in_lesson_of(const Recording& recording) {
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        Lesson lesson = find_lesson(entry.id);
+        if (lesson.scene.name == recording.scene.name &&
+            what_must_agree(lesson.scene) == what_must_agree(recording.scene))
+            return lesson;
+    }
+    return std::nullopt;
 }
 
 Score score(const Recording& recording, const Lesson& lesson,

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/job.h"
@@ -26,6 +27,9 @@ using SeeScored = std::function<void(const Frame&, const LessonStanding&)>;
 Score score(const Recording& recording, const Lesson& lesson,
             std::shared_ptr<const PatientCase> patient, Job& job,
             const DeformBackEnd& back_end = cpu_back_end(), const SeeScored& see = {});
+
+// The lesson that comes with the program and has the recorded scene; none where none has.
+std::optional<Lesson> built_in_lesson_of(const Recording& recording);
 
 // Throws InputError unless the scenes have the same parts and settings but for the solver's
 // accuracy, which the machine may choose.

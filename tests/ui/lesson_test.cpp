@@ -36,7 +36,8 @@ Lesson two_steps() {
 class LessonPanelTest : public ::testing::Test {
   protected:
     LessonPanelTest()
-        : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; }}) {
+        : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; },
+                  [this] { ++looks_back_; }}) {
         panel_.begin(two_steps());
         standing_.steps.resize(2);
         standing_.goal = {{two_steps().steps[0].goal[0], 1.0, false}};
@@ -45,7 +46,7 @@ class LessonPanelTest : public ::testing::Test {
     QString text(const char* name) { return panel_.findChild<QLabel*>(name)->text(); }
     QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
 
-    int again_ = 0, left_ = 0, reports_ = 0;
+    int again_ = 0, left_ = 0, reports_ = 0, looks_back_ = 0;
     LessonPanel panel_;
     LessonStanding standing_;
 };
@@ -83,9 +84,10 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     EXPECT_TRUE(text("lessonEnd").contains("limit broken: force"));
     EXPECT_FALSE(button("lessonReport")->isHidden());
     button("lessonReport")->click();
+    button("lessonLookBack")->click();
     button("lessonAgain")->click();
     button("lessonLeave")->click();
-    EXPECT_EQ(std::tuple(again_, left_, reports_), std::tuple(1, 1, 1));
+    EXPECT_EQ(std::tuple(again_, left_, reports_, looks_back_), std::tuple(1, 1, 1, 1));
     standing_.outcome = LessonOutcome::passed;
     standing_.reasons.clear();
     panel_.show_standing(standing_);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/back_end_choice.h"
+#include "app/recorded_patient.h"
+#include "app/verbs/verbs.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/play_notes.h"
+#include "core/lesson/review.h"
+#include "core/lesson/score.h"
+#include "core/session/recording_file.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ReviewChoices {
+    fs::path recording;
+    std::string lesson;
+    fs::path patient;
+};
+
+Json run_review(const ReviewChoices& options, Job& job) {
+    const Recording recording = read_recording(options.recording);
+    for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
+    const auto lesson = options.lesson.empty() ? built_in_lesson_of(recording)
+                                               : std::optional(find_lesson(options.lesson));
+    job.begin_stage("Reading the case");
+    const BuiltInCache no_cache;
+    const auto patient = std::make_shared<const PatientCase>(
+        recorded_patient(recording, options.recording, options.patient, &no_cache, job));
+    ReviewTape tape(0);  // the events alone
+    const Review found =
+        review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);
+    if (found.diverged_at) spdlog::warn("diverged at step {}", *found.diverged_at);
+    Json events = Json::array(), notes = Json::array();
+    for (const PlayEvent& event : tape.events()) events.push_back(to_json(event));
+    for (const PlayNote& note : read_notes(options.recording))
+        notes.push_back({{"at_s", note.at_s}, {"text", note.text}});
+    return {{"lesson", lesson ? Json(lesson->name) : Json()},
+            {"time_s", tape.end_s()},
+            {"events", events},
+            {"notes", notes}};
+}
+
+}  // namespace
+
+void add_review(CommandLine& line) {
+    auto options = std::make_shared<ReviewChoices>();
+    CLI::App& verb = line.add_verb("review", "Say what happened in a recording, and when",
+                                   [options](Job& job) { return run_review(*options, job); });
+    verb.add_option("recording", options->recording, "What was played, NAME.hrec")->required();
+    verb.add_option("--lesson", options->lesson,
+                    "Lesson that was played: a file, or the name of one that comes with the "
+                    "program; none: the built-in one with the recorded scene, if any");
+    verb.add_option("--patient", options->patient,
+                    "Case that was recorded; none: the one beside the recording that fits, or the "
+                    "built-in patient");
+}
+
+}  // namespace hepatica

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/play_events.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+namespace hepatica {
+
+namespace {
+
+struct Words {
+    PlayEventKind kind;
+    std::string text;
+};
+
+// What a command is called where it is worth a place on the time line. The hand's and the tool's
+// ways are not: they come with every step.
+struct WordsOfCommand {
+    std::optional<Words> operator()(const ReleaseGrab&) const {
+        return Words{PlayEventKind::hand, "Let go"};
+    }
+    std::optional<Words> operator()(const AddTool& tool) const {
+        const std::string name = tool.kind == "sphere"    ? "Probe"
+                                 : tool.kind == "capsule" ? "Rod probe"
+                                 : tool.kind == "hook"    ? "Hook"
+                                                          : "Forceps";
+        return Words{PlayEventKind::tool, name + " taken"};
+    }
+    std::optional<Words> operator()(const RemoveTool&) const {
+        return Words{PlayEventKind::tool, "Tool put away"};
+    }
+    std::optional<Words> operator()(const InjectDrug&) const {
+        return Words{PlayEventKind::drug, "Injected"};
+    }
+    std::optional<Words> operator()(const RemoveDrug&) const {
+        return Words{PlayEventKind::drug, "Drug taken out"};
+    }
+    std::optional<Words> operator()(const CutLine&) const {
+        return Words{PlayEventKind::cut, "Cut line drawn"};
+    }
+    std::optional<Words> operator()(const Blade&) const {
+        return Words{PlayEventKind::cut, "Blade drawn"};
+    }
+    std::optional<Words> operator()(const ResetWorld&) const {
+        return Words{PlayEventKind::trouble, "Begun again from rest"};
+    }
+    std::optional<Words> operator()(const RestoreSnapshot&) const {
+        return Words{PlayEventKind::trouble, "Back to the last good state"};
+    }
+    template <class Other>
+    std::optional<Words> operator()(const Other&) const {
+        return std::nullopt;
+    }
+};
+
+float largest(const TearView& tear) {
+    if (!tear.loads || tear.loads->empty()) return 0.0F;
+    return *std::ranges::max_element(*tear.loads);
+}
+
+}  // namespace
+
+const char* name_of(PlayEventKind kind) {
+    switch (kind) {
+        case PlayEventKind::hand:
+            return "hand";
+        case PlayEventKind::tool:
+            return "tool";
+        case PlayEventKind::drug:
+            return "drug";
+        case PlayEventKind::cut:
+            return "cut";
+        case PlayEventKind::near_tear:
+            return "near_tear";
+        case PlayEventKind::tear:
+            return "tear";
+        case PlayEventKind::blood:
+            return "blood";
+        case PlayEventKind::lesson:
+            return "lesson";
+        case PlayEventKind::trouble:
+            break;
+    }
+    return "trouble";
+}
+
+nlohmann::ordered_json to_json(const PlayEvent& event) {
+    return {{"at_s", event.at_s}, {"kind", name_of(event.kind)}, {"text", event.text}};
+}
+
+void PlayEvents::note(PlayEventKind kind, std::string text) {
+    found_.push_back({at_s_, kind, std::move(text)});
+}
+
+std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> commands,
+                                       const Frame& frame, const LessonStanding* standing) {
+    at_s_ = at_s;
+    found_.clear();
+    if (!begun_ && frame.tear) tear_ = *frame.tear;  // what was torn before was so from the start
+    see_commands(commands, frame);
+    see_contact(frame);
+    if (frame.tear) see_tear(*frame.tear);
+    see_trouble(frame);
+    if (standing != nullptr) see_lesson(*standing);
+    begun_ = true;
+    return std::exchange(found_, {});
+}
+
+void PlayEvents::see_commands(std::span<const Command> commands, const Frame& frame) {
+    for (const Command& command : commands) {
+        const auto words = std::visit(WordsOfCommand{}, command);
+        const bool empty_hand = std::holds_alternative<ReleaseGrab>(command) && !held_;
+        if (words && !empty_hand) note(words->kind, words->text);
+    }
+    // Only what a hand really took: a click beside the vessel takes nothing.
+    if (frame.grab && !held_) note(PlayEventKind::hand, "Took hold");
+    held_ = frame.grab.has_value();
+}
+
+void PlayEvents::see_contact(const Frame& frame) {
+    if (!frame.tool || frame.tool->touched.empty()) return;
+    if (at_s_ - touched_s_ >= same_contact_s) note(PlayEventKind::tool, "Touched");
+    touched_s_ = at_s_;
+}
+
+void PlayEvents::see_tear(const TearView& now) {
+    const float load = largest(now);
+    if (load >= near_load && !near_) note(PlayEventKind::near_tear, "About to tear");
+    if (load >= near_load) near_ = true;
+    if (load < eased_load) near_ = false;
+    if (now.joints_broken < tear_.joints_broken) note(PlayEventKind::tear, "Whole again");
+    if (now.joints_broken > 0 && tear_.joints_broken == 0) note(PlayEventKind::tear, "Torn");
+    if (now.pieces > tear_.pieces) note(PlayEventKind::tear, "A piece came off");
+    if (now.leak_g_s > 0.0 && tear_.leak_g_s == 0.0) note(PlayEventKind::blood, "Bleeding began");
+    if (now.leak_g_s == 0.0 && tear_.leak_g_s > 0.0) note(PlayEventKind::blood, "Bleeding ended");
+    if (!now.stopped_by.empty() && tear_.stopped_by.empty())
+        note(PlayEventKind::tear, "Tearing stopped by its budget of " + now.stopped_by);
+    tear_ = now;
+}
+
+void PlayEvents::see_trouble(const Frame& frame) {
+    const FrameStatistics& said = frame.statistics;
+    if (said.message != message_ && !said.message.empty())
+        note(PlayEventKind::trouble, said.message);
+    else if (said.diverged && !diverged_)
+        note(PlayEventKind::trouble, "The simulation stopped by itself");
+    message_ = said.message;
+    diverged_ = said.diverged;
+}
+
+void PlayEvents::see_lesson(const LessonStanding& standing) {
+    for (; lesson_step_ < standing.step; ++lesson_step_)
+        note(PlayEventKind::lesson, "Step " + std::to_string(lesson_step_ + 1) + " reached");
+    if (lesson_ended_ || standing.outcome == LessonOutcome::running) return;
+    lesson_ended_ = true;
+    if (standing.outcome == LessonOutcome::passed) return note(PlayEventKind::lesson, "Passed");
+    for (const std::string& reason : standing.reasons)
+        note(PlayEventKind::lesson, "Not passed: " + reason);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened in a play, read off its commands and frames one step after another: for the time
+// line of a review.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/lesson/lesson_run.h"
+#include "core/scene/frame.h"
+#include "core/session/command.h"
+
+namespace hepatica {
+
+enum class PlayEventKind { hand, tool, drug, cut, near_tear, tear, blood, lesson, trouble };
+const char* name_of(PlayEventKind kind);
+
+struct PlayEvent {
+    double at_s = 0.0;  // since the play began, without the time during which the clock was held
+    PlayEventKind kind = PlayEventKind::hand;
+    std::string text;  // for a person
+    bool operator==(const PlayEvent&) const = default;
+};
+
+// {"at_s": 1.5, "kind": "tear", "text": "Torn"}
+nlohmann::ordered_json to_json(const PlayEvent& event);
+
+// Not thread-safe.
+class PlayEvents {
+  public:
+    // A joint at this share of its limit is near to tearing; the next warning needs it to fall
+    // below `eased_load` first.
+    static constexpr float near_load = 0.8F;
+    static constexpr float eased_load = 0.6F;
+    // A tool that lets go for less than this and touches again has touched once, as in a score.
+    static constexpr double same_contact_s = 0.1;
+
+    // What a step brought: the commands before it and its frame, in order. `standing`: how the
+    // lesson stands after it; null where no lesson is played.
+    std::vector<PlayEvent> see(double at_s, std::span<const Command> commands, const Frame& frame,
+                               const LessonStanding* standing);
+
+  private:
+    void see_commands(std::span<const Command> commands, const Frame& frame);
+    void see_contact(const Frame& frame);
+    void see_tear(const TearView& now);
+    void see_trouble(const Frame& frame);
+    void see_lesson(const LessonStanding& standing);
+    void note(PlayEventKind kind, std::string text);
+
+    double at_s_ = 0.0;
+    std::vector<PlayEvent> found_;  // of the present step
+    bool begun_ = false;
+    bool held_ = false;        // by the hand
+    double touched_s_ = -1e9;  // when a tool touched last
+    bool near_ = false;        // to tearing
+    bool diverged_ = false;
+    TearView tear_;  // its counts in the frame before
+    std::string message_;
+    std::size_t lesson_step_ = 0;
+    bool lesson_ended_ = false;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/review.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/lesson/play_events.h"
+#include "core/lesson/score.h"
+#include "core/session/replay.h"
+
+namespace hepatica {
+
+Review review(const Recording& recording, const std::optional<Lesson>& lesson,
+              std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
+              const DeformBackEnd& back_end) {
+    std::optional<LessonRun> run;
+    if (lesson) {
+        require_same_scene(recording.scene, lesson->scene);
+        run.emplace(*lesson, patient);
+    }
+    PlayEvents events;
+    std::vector<double> ends_s;  // of the steps
+    double now_s = 0.0;
+    const ReplayResult result =
+        replay(recording, patient, job, 0, back_end,
+               [&](const std::vector<Command>& commands, const Frame& frame) {
+                   if (!frame.statistics.paused) now_s += recording.scene.dt_s;
+                   ends_s.push_back(now_s);
+                   if (run) run->see(commands, frame);
+                   tape.add(now_s, frame);
+                   for (PlayEvent& event :
+                        events.see(now_s, commands, frame, run ? &run->standing() : nullptr))
+                       tape.note(std::move(event));
+                   return true;
+               });
+    Review found;
+    found.diverged_at = result.diverged_at;
+    if (result.diverged_at)
+        tape.note({ends_s.at(*result.diverged_at - 1), PlayEventKind::trouble,
+                   "From here on it is not what was played: another build of the program or "
+                   "another processor recorded it"});
+    if (run) {
+        const bool ended = run->standing().outcome != LessonOutcome::running;
+        run->end();
+        found.standing = run->standing();
+        if (!ended)
+            for (const std::string& reason : found.standing->reasons)
+                tape.note({now_s, PlayEventKind::lesson, "Not passed: " + reason});
+    }
+    return found;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/recorded_case.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> cases_in_the_folder_of(const fs::path& file) {
+    std::vector<fs::path> cases;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::absolute(file).parent_path()))
+        if (is_case(entry.path())) cases.push_back(entry.path());
+    std::ranges::sort(cases);
+    return cases;
+}
+
+}  // namespace
+
+CaseSearch case_beside(const fs::path& file, std::uint64_t patient_hash, Job& job) {
+    CaseSearch search;
+    for (const fs::path& folder : cases_in_the_folder_of(file)) {
+        job.throw_if_cancelled();
+        try {
+            if (hash_of(read_case_without_voxels(folder)) != patient_hash) continue;
+            search.found = folder;
+            return search;
+        } catch (const InputError& error) {
+            search.passed_over.push_back(folder.string() + " is passed over: " + error.problem());
+        }
+    }
+    return search;
+}
+
+}  // namespace hepatica

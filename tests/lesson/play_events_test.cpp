@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened is noted once, when it happened, and what did not happen is not.
+#include "core/lesson/play_events.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hepatica {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// Sees one step after another, a tenth of a second each.
+class PlayEventsTest : public testing::Test {
+  protected:
+    std::vector<std::string> see(const std::vector<Command>& commands = {}) {
+        now_s_ += 0.06;
+        std::vector<std::string> texts;
+        for (const PlayEvent& event :
+             events_.see(now_s_, commands, frame_, standing_ ? &*standing_ : nullptr)) {
+            EXPECT_EQ(event.at_s, now_s_);
+            last_ = event.kind;
+            texts.push_back(event.text);
+        }
+        return texts;
+    }
+    void load(float share) {
+        frame_.tear->loads =
+            std::make_shared<const std::vector<float>>(std::vector<float>{0.1F, share, 0.0F});
+    }
+
+    PlayEvents events_;
+    Frame frame_;
+    std::optional<LessonStanding> standing_;
+    PlayEventKind last_ = PlayEventKind::trouble;
+    double now_s_ = 0.0;
+};
+
+TEST_F(PlayEventsTest, TheHandTakesHoldAndLetsGo) {
+    EXPECT_THAT(see({GrabPoint{}}), IsEmpty()) << "a click beside the vessel";
+    EXPECT_THAT(see({ReleaseGrab{}}), IsEmpty());
+    frame_.grab = GrabView{};
+    EXPECT_THAT(see({GrabPoint{}}), ElementsAre("Took hold"));
+    EXPECT_EQ(last_, PlayEventKind::hand);
+    EXPECT_THAT(see({MoveGrab{}}), IsEmpty());
+    frame_.grab.reset();
+    EXPECT_THAT(see({ReleaseGrab{}}), ElementsAre("Let go"));
+    EXPECT_THAT(see(), IsEmpty());
+}
+
+TEST_F(PlayEventsTest, AToolTouchesAndAShortBreakIsTheSameTouch) {
+    frame_.tool = ToolView{};
+    EXPECT_THAT(see({AddTool{"capsule", 2.0, 10.0, Vec3::UnitZ(), Vec3::Zero(), {}}}),
+                ElementsAre("Rod probe taken"));
+    frame_.tool->touched = {4};
+    EXPECT_THAT(see(), ElementsAre("Touched"));
+    frame_.tool->touched.clear();
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tool->touched = {4};
+    EXPECT_THAT(see(), ElementsAre("Touched")) << "0.12 s later";
+    EXPECT_THAT(see(), IsEmpty()) << "0.06 s later";
+    frame_.tool.reset();
+    EXPECT_THAT(see({RemoveTool{}}), ElementsAre("Tool put away"));
+}
+
+TEST_F(PlayEventsTest, DrugsCutsAndReturnsAreNamed) {
+    EXPECT_THAT(see({InjectDrug{}, CutLine{}, Blade{}, RemoveDrug{}}),
+                ElementsAre("Injected", "Cut line drawn", "Blade drawn", "Drug taken out"));
+    EXPECT_THAT(see({ResetWorld{}, RestoreSnapshot{}}),
+                ElementsAre("Begun again from rest", "Back to the last good state"));
+    EXPECT_THAT(see({SetGravity{}, MoveTool{}, TurnTool{}}), IsEmpty());
+}
+
+TEST_F(PlayEventsTest, ATearIsWarnedOfOnceUntilItEases) {
+    frame_.tear = TearView{};
+    load(0.79F);
+    EXPECT_THAT(see(), IsEmpty());
+    load(0.8F);
+    EXPECT_THAT(see(), ElementsAre("About to tear"));
+    load(0.7F);
+    EXPECT_THAT(see(), IsEmpty());
+    load(0.9F);
+    EXPECT_THAT(see(), IsEmpty()) << "it had not eased";
+    load(0.59F);
+    EXPECT_THAT(see(), IsEmpty());
+    load(0.95F);
+    EXPECT_THAT(see(), ElementsAre("About to tear"));
+}
+
+TEST_F(PlayEventsTest, WhatTearsBleedsAndIsMadeWholeAgain) {
+    frame_.tear = TearView{};
+    frame_.tear->pieces = 3;  // from the start
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tear->joints_broken = 2;
+    frame_.tear->leak_g_s = 0.5;
+    EXPECT_THAT(see(), ElementsAre("Torn", "Bleeding began"));
+    frame_.tear->joints_broken = 9;
+    frame_.tear->pieces = 4;
+    frame_.tear->stopped_by = "entropy";
+    EXPECT_THAT(see(), ElementsAre("A piece came off", "Tearing stopped by its budget of entropy"));
+    EXPECT_EQ(last_, PlayEventKind::tear);
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tear = TearView{};
+    frame_.tear->pieces = 3;
+    EXPECT_THAT(see({UseTear{false}}), ElementsAre("Whole again", "Bleeding ended"));
+}
+
+TEST_F(PlayEventsTest, WhatTheProgramSaidOrStoppedByItself) {
+    frame_.statistics.message = "The drug cannot flow there";
+    EXPECT_THAT(see(), ElementsAre("The drug cannot flow there"));
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.statistics.message.clear();
+    frame_.statistics.diverged = true;
+    EXPECT_THAT(see(), ElementsAre("The simulation stopped by itself"));
+    EXPECT_THAT(see(), IsEmpty());
+}
+
+TEST_F(PlayEventsTest, ALessonsStepsAndItsEnd) {
+    standing_.emplace();
+    EXPECT_THAT(see(), IsEmpty());
+    standing_->step = 2;
+    EXPECT_THAT(see(), ElementsAre("Step 1 reached", "Step 2 reached"));
+    standing_->outcome = LessonOutcome::failed;
+    standing_->reasons = {"limit broken: force", "tool: hook"};
+    EXPECT_THAT(see(), ElementsAre("Not passed: limit broken: force", "Not passed: tool: hook"));
+    EXPECT_THAT(see(), IsEmpty()) << "it ended once";
+}
+
+}  // namespace
+}  // namespace hepatica

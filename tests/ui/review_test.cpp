@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looking back on a recording in the window: its frames, its time line, jumps, notes, and the way
+// back to free play.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "core/lesson/play_notes.h"
+#include "core/session/recording_file.h"
+#include "tests/session/new_session.h"
+#include "tests/session/recorded.h"
+#include "tests/ui/window_test.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+#include "ui/review_dock.h"
+#include "ui/time_line.h"
+
+namespace hepatica {
+namespace {
+
+using testing::wait_for;
+
+// A pull that begins at the tenth of a hundred steps.
+constexpr int steps = 100, pull_begins = 10, pull_ends = 40;
+
+struct Played {
+    Recording recording;
+    std::vector<Frame> frames;
+};
+
+const Played& played() {
+    static const Played play = [] {
+        const auto session = test::new_session();
+        const auto recording = test::keep_recording(*session);
+        const Vec3 hand = test::middle_of(test::small_patient()->tree, 2);
+        Played made;
+        for (int k = 0; k < steps; ++k) {
+            if (k == pull_begins) session->post(GrabPoint{hand});
+            if (k > pull_begins && k < pull_ends)
+                session->post(MoveGrab{hand + 0.3 * (k - pull_begins) * Vec3(1, 0, 0)});
+            if (k == pull_ends) session->post(ReleaseGrab{});
+            session->step();
+            session->update_frame();
+            made.frames.push_back(session->frame());
+        }
+        made.recording = *recording;
+        return made;
+    }();
+    return play;
+}
+
+// The small patient is whatever is opened.
+class ReviewWindowTest : public testing::WindowTest {
+  protected:
+    ReviewWindowTest()
+        : WindowTest({[this](const OpenRequest&, Job& job) {
+                          ++opened_;
+                          return play(test::small_patient(), job);
+                      },
+                      [](const std::filesystem::path&, const PatientCase&) {}}),
+          file_(to_path(folder_.filePath("play.hrec"))) {
+        write_recording(file_, played().recording);
+    }
+
+    ReviewDock& dock() { return window_.review(); }
+    TimeLine& line() { return *dock().findChild<TimeLine*>("reviewLine"); }
+    QListWidget& events() { return *dock().findChild<QListWidget*>("reviewEvents"); }
+    void click(const char* name) { dock().findChild<QAbstractButton*>(name)->click(); }
+    void look_back() {
+        window_.open(to_text(file_));
+        ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+        if (dock().playing()) click("reviewPlay");
+    }
+    // The step whose frame the window shows, from 0; -1 where it is not that frame.
+    int shown_step() {
+        window_.view().grabFramebuffer();
+        const Frame& shown = window_.frame();
+        const Frame& was = played().frames.at(static_cast<std::size_t>(shown.step - 1));
+        return shown.positions_mm == was.positions_mm ? static_cast<int>(was.step) - 1 : -1;
+    }
+    bool shows_step(int wanted) {
+        return wait_for([&] { return shown_step() == wanted; });
+    }
+
+    std::filesystem::path file_;
+    int opened_ = 0;
+};
+
+TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
+    open_built_in();
+    look_back();
+    EXPECT_EQ(opened_, 1) << "the patient that is shown is the recorded one";
+    EXPECT_NEAR(line().end_s(), steps / 60.0, 2e-3);
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(shows_step(29)) << "whose time ended then";
+    QTest::keyClick(&line(), Qt::Key_End);
+    EXPECT_TRUE(shows_step(steps - 1));
+    QTest::keyClick(&line(), Qt::Key_Left);
+    EXPECT_NEAR(dock().at_s(), steps / 60.0 - 0.1, 2e-3);
+    const QPoint there(static_cast<int>(line().place_of(20.4 / 60)), line().height() / 2);
+    QTest::mouseClick(&line(), Qt::LeftButton, {}, there);
+    EXPECT_NEAR(dock().at_s(), 20.4 / 60, line().end_s() / line().width());
+}
+
+TEST_F(ReviewWindowTest, plays_at_the_chosen_speed_and_ends_by_itself) {
+    open_built_in();
+    look_back();
+    dock().findChild<QComboBox*>("reviewSpeed")->setCurrentIndex(5);
+    QTest::keyClick(&line(), Qt::Key_Home);
+    click("reviewPlay");
+    EXPECT_TRUE(dock().playing());
+    EXPECT_TRUE(wait_for([this] { return !dock().playing(); }));
+    EXPECT_TRUE(shows_step(steps - 1));
+    click("reviewPlay");  // from the beginning again
+    EXPECT_LT(dock().at_s(), line().end_s());
+    window_.actions()[ActionId::pause_simulation].trigger();  // the clock's own key stops it, too
+    EXPECT_FALSE(dock().playing());
+}
+
+TEST_F(ReviewWindowTest, jumps_to_what_happened) {
+    open_built_in();
+    look_back();
+    ASSERT_EQ(events().count(), 2);
+    EXPECT_EQ(line().ticks().size(), 2u);
+    EXPECT_TRUE(events().item(0)->text().contains("Took hold"));
+    EXPECT_TRUE(events().item(1)->text().contains("Let go"));
+    QTest::keyClick(&line(), Qt::Key_Home);
+    click("reviewOn");
+    EXPECT_NEAR(dock().at_s(), (pull_begins + 1) / 60.0, 1e-9);
+    click("reviewOn");
+    EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9);
+    click("reviewOn");
+    EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9) << "nothing comes after";
+    click("reviewBack");
+    EXPECT_NEAR(dock().at_s(), (pull_begins + 1) / 60.0, 1e-9);
+    events().setCurrentRow(1);
+    EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9);
+}
+
+TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
+    open_built_in();
+    look_back();
+    line().set_at(0.5);
+    auto* note = dock().findChild<QLineEdit*>("reviewNote");
+    QTest::keyClicks(note, "Slower <here>");
+    QTest::keyClick(note, Qt::Key_Return);
+    const std::vector<PlayNote> kept{{0.5, "Slower <here>"}};
+    EXPECT_EQ(read_notes(file_), kept);
+    EXPECT_TRUE(note->text().isEmpty());
+    ASSERT_EQ(events().count(), 3);
+    EXPECT_TRUE(events().item(1)->text().contains("Slower <here>"));
+    look_back();  // again
+    ASSERT_EQ(events().count(), 3);
+    auto* remove = dock().findChild<QPushButton*>("reviewRemoveNote");
+    EXPECT_FALSE(remove->isEnabled());
+    events().setCurrentRow(1);
+    EXPECT_TRUE(remove->isEnabled());
+    remove->click();
+    EXPECT_TRUE(read_notes(file_).empty());
+    EXPECT_EQ(events().count(), 2);
+}
+
+TEST_F(ReviewWindowTest, nothing_can_be_done_to_it_and_leaving_gives_back_the_free_play) {
+    open_built_in();
+    look_back();
+    line().set_at(0.0);
+    EXPECT_TRUE(shows_step(0));
+    window_.actions()[ActionId::reset].trigger();
+    EXPECT_TRUE(shows_step(0));
+    click("reviewLeave");
+    EXPECT_FALSE(dock().reviewing());
+    EXPECT_TRUE(dock().isHidden());
+    paint();
+    EXPECT_TRUE(wait_for([this] { return window_.frame().statistics.resting; }));
+}
+
+TEST_F(ReviewWindowTest, its_patient_is_opened_where_none_is_shown) {
+    look_back();
+    EXPECT_EQ(opened_, 1);
+    EXPECT_GE(shown_step(), 0);
+}
+
+TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {
+    open_built_in();
+    Recording other = played().recording;
+    other.patient_hash ^= 1;
+    write_recording(file_, other);
+    window_.open(to_text(file_));
+    EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("another patient"); }));
+    EXPECT_TRUE(window_.messages().text().contains("Open the case that was played on first"));
+    EXPECT_FALSE(dock().reviewing());
+    EXPECT_EQ(opened_, 1);
+}
+
+TEST_F(ReviewWindowTest, ends_where_another_patient_is_opened) {
+    open_built_in();
+    look_back();
+    window_.open(OpenRequest{true, {}});
+    EXPECT_TRUE(wait_for([this] { return opened_ == 2 && !window_.busy(); }));
+    paint();
+    EXPECT_FALSE(dock().reviewing());
+    EXPECT_TRUE(dock().isHidden());
+}
+
+TEST(ClockText, SaysMinutesSecondsAndTenths) {
+    EXPECT_EQ(clock_text(0.0), "0:00.0");
+    EXPECT_EQ(clock_text(9.96), "0:09.9");
+    EXPECT_EQ(clock_text(62.5), "1:02.5");
+    EXPECT_EQ(clock_text(3600.0), "60:00.0");
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review_dock.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/review.h"
+#include "core/lesson/score.h"
+#include "core/opening/recorded_case.h"
+#include "core/session/recording_file.h"
+#include "ui/paths.h"
+#include "ui/review_play.h"
+#include "ui/time_line.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int tick_ms = 16;
+constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+constexpr int real_time = 3;  // of these
+// An event this near before the present moment is the one that is being looked at.
+constexpr double same_moment_s = 0.05;
+
+// On dark and on light ground alike; what it was stands in words in the list.
+QColor colour_of(PlayEventKind kind) {
+    switch (kind) {
+        case PlayEventKind::hand:
+            return {0x5b, 0x8f, 0xd0};
+        case PlayEventKind::tool:
+            return {0x2f, 0xa0, 0xac};
+        case PlayEventKind::drug:
+            return {0x92, 0x6c, 0xd8};
+        case PlayEventKind::cut:
+            return {0x8a, 0x8a, 0x8a};
+        case PlayEventKind::near_tear:
+            return {0xe8, 0x96, 0x20};
+        case PlayEventKind::tear:
+            return {0xe0, 0x4a, 0x4a};
+        case PlayEventKind::blood:
+            return {0xb8, 0x20, 0x40};
+        case PlayEventKind::lesson:
+            return {0x3f, 0xa0, 0x58};
+        case PlayEventKind::trouble:
+            break;
+    }
+    return {0xc8, 0xb0, 0x30};
+}
+
+QIcon icon_of(const QColor& colour) {
+    QPixmap pixmap(12, 12);
+    pixmap.fill(colour);
+    return pixmap;
+}
+
+QToolButton* add_button(QHBoxLayout& row, const char* name, const QString& text,
+                        const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setFocusPolicy(Qt::StrongFocus);
+    row.addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+// Where its patient comes from where it is not the one that is shown.
+struct ReviewDock::Found {
+    std::shared_ptr<const Recording> recording;
+    std::optional<Lesson> lesson;
+    std::vector<PlayNote> notes;
+    std::optional<OpenRequest> request;
+};
+
+ReviewDock::ReviewDock(Ways ways, QWidget* parent)
+    : QDockWidget("Review", parent), ways_(std::move(ways)) {
+    setObjectName("Review");
+    setFeatures(QDockWidget::DockWidgetMovable);
+    build();
+    clock_.setInterval(tick_ms);
+    clock_.setTimerType(Qt::PreciseTimer);
+    connect(&clock_, &QTimer::timeout, this, [this] { tick(); });
+    hide();
+}
+
+ReviewDock::~ReviewDock() {
+    forget();
+}
+
+void ReviewDock::build() {
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
+    column->setSpacing(4);
+    title_ = new QLabel;
+    title_->setObjectName("reviewTitle");
+    column->addWidget(title_);
+    column->addWidget(build_controls());
+    events_ = new QListWidget;
+    events_->setObjectName("reviewEvents");
+    events_->setAccessibleName("What happened, and notes");
+    events_->setMinimumHeight(70);
+    connect(events_, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row < 0) return;
+        go_to(events_->item(row)->data(Qt::UserRole).toDouble());
+        remove_->setEnabled(events_->item(row)->data(Qt::UserRole + 1).toInt() >= 0);
+    });
+    column->addWidget(events_, 1);
+    column->addWidget(build_notes());
+    setWidget(content);
+}
+
+QWidget* ReviewDock::build_controls() {
+    auto* box = new QWidget;
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* back = add_button(*row, "reviewBack", "⏮", "To what happened before");
+    play_ = add_button(*row, "reviewPlay", "▶", "Play or stop");
+    auto* on = add_button(*row, "reviewOn", "⏭", "To what happens next");
+    connect(back, &QToolButton::clicked, this, [this] { jump(-1); });
+    connect(play_, &QToolButton::clicked, this, [this] { set_playing(!playing()); });
+    connect(on, &QToolButton::clicked, this, [this] { jump(+1); });
+    speed_ = new QComboBox;
+    speed_->setObjectName("reviewSpeed");
+    speed_->setAccessibleName("Speed");
+    speed_->setToolTip("How fast it is played; 1 is as it was");
+    for (const double speed : speeds) speed_->addItem(QString("%1 ×").arg(speed));
+    speed_->setCurrentIndex(real_time);
+    row->addWidget(speed_);
+    line_ = new TimeLine;
+    line_->setObjectName("reviewLine");
+    connect(line_, &QSlider::valueChanged, this, [this] { go_to(line_->at_s()); });
+    row->addWidget(line_, 1);
+    time_ = new QLabel;
+    time_->setObjectName("reviewTime");
+    row->addWidget(time_);
+    return box;
+}
+
+QWidget* ReviewDock::build_notes() {
+    auto* box = new QWidget;
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    note_ = new QLineEdit;
+    note_->setObjectName("reviewNote");
+    note_->setPlaceholderText("A note at this moment; Enter keeps it beside the recording");
+    note_->setAccessibleName("A note at this moment");
+    note_->setMaxLength(2000);
+    connect(note_, &QLineEdit::returnPressed, this, [this] { add_note(); });
+    row->addWidget(note_, 1);
+    remove_ = new QPushButton("Remove the note");
+    remove_->setObjectName("reviewRemoveNote");
+    remove_->setEnabled(false);
+    connect(remove_, &QPushButton::clicked, this, [this] { remove_note(); });
+    row->addWidget(remove_);
+    auto* leave_button = new QPushButton("&Leave the review");
+    leave_button->setObjectName("reviewLeave");
+    connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
+    row->addWidget(leave_button);
+    return box;
+}
+
+void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
+    if (reviewing()) leave();
+    forget();
+    file_ = recording;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [](const JobProgress&) {};
+    callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [] {};
+    const auto shown = ways_.patient();
+    ways_.say("Reading the recording…");
+    job_ = std::make_unique<BackgroundJob>(
+        [this, file = recording, lesson, shown](Job& job) -> std::function<void()> {
+            Found found;
+            found.recording = std::make_shared<const Recording>(read_recording(file));
+            found.lesson = lesson.empty() ? built_in_lesson_of(*found.recording)
+                                          : std::optional(find_lesson(lesson));
+            found.notes = read_notes(file);
+            const std::uint64_t wanted = found.recording->patient_hash;
+            if (shown == nullptr || hash_of(*shown) != wanted) {
+                found.request.emplace();
+                const CaseSearch search = case_beside(file, wanted, job);
+                if (search.found)
+                    found.request->reconstruct.ct = *search.found;
+                else if (shown == nullptr || (found.lesson && found.lesson->patient == "built-in"))
+                    found.request->built_in = true;
+                else
+                    throw InputError(
+                        "was played on another patient, of whom no case lies beside it",
+                        file.string(), "Open the case that was played on first");
+            }
+            return [this, found = std::move(found)] { take(found); };
+        },
+        std::move(callbacks));
+}
+
+void ReviewDock::take(Found found) {
+    recording_ = std::move(found.recording);
+    lesson_ = std::move(found.lesson);
+    notes_ = std::move(found.notes);
+    for (const std::string& warning : recording_->warnings)
+        ways_.say(QString::fromStdString(warning));
+    // The job that called this is still alive: the next begins once it has gone.
+    waits_ = found.request.has_value();
+    if (found.request) return ways_.open(*found.request);
+    QTimer::singleShot(0, this, [this] { begin(); });
+}
+
+void ReviewDock::patient_shown() {
+    if (!std::exchange(waits_, false)) return;
+    QTimer::singleShot(0, this, [this] { begin(); });
+}
+
+void ReviewDock::begin() {
+    const auto patient = ways_.patient();
+    if (recording_ == nullptr || patient == nullptr) return;
+    if (hash_of(*patient) != recording_->patient_hash)
+        return ways_.failed({"was played on another patient, of whom no case lies beside it",
+                             file_.string(), "Open the case that was played on first"});
+    tape_ = std::make_shared<ReviewTape>();
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
+    callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] {
+        job_.reset();
+        show_progress({});
+    };
+    job_ = std::make_unique<BackgroundJob>(
+        [recording = recording_, lesson = lesson_, patient,
+         tape = tape_](Job& job) -> std::function<void()> {
+            review(*recording, lesson, patient, *tape, job);
+            return [] {};
+        },
+        std::move(callbacks));
+}
+
+void ReviewDock::show_progress(const JobProgress& progress) {
+    const auto first = tape_->at(0.0);
+    if (first == nullptr) return;
+    if (!reviewing()) {
+        screen_ = std::make_shared<ReviewScreen>();
+        screen_->tape = tape_;
+        screen_->wanted = first;
+        screen_->hold = [this] { set_playing(!playing()); };
+        screen_->touched = [this] {
+            ways_.say("This is a recording. Leave the review to play yourself.");
+        };
+        ways_.use(std::make_unique<ReviewPlay>(screen_));
+        screen_->gone = [this] { forget(); };
+        at_s_ = 0.0;
+        shown_events_ = 0;
+        show();
+        raise();
+        set_playing(true);
+    }
+    const QString name = to_text(file_.filename());
+    title_->setText(job_ == nullptr ? name
+                                    : QString("%1: %2 % gone through")
+                                          .arg(name)
+                                          .arg(static_cast<int>(100.0 * progress.fraction)));
+    const QSignalBlocker quiet(line_);
+    line_->set_end(tape_->end_s());
+    show_events();
+    go_to(at_s_);
+}
+
+void ReviewDock::show_events() {
+    const std::vector<PlayEvent> events = tape_->events();
+    if (events.size() + notes_.size() == shown_events_ && shown_events_ > 0) return;
+    shown_events_ = events.size() + notes_.size();
+    struct Row {
+        double at_s;
+        QString text;
+        QColor colour;
+        int note;  // its index; -1: no note
+    };
+    std::vector<Row> rows;
+    for (const PlayEvent& event : events)
+        rows.push_back({event.at_s, QString::fromStdString(event.text), colour_of(event.kind), -1});
+    for (std::size_t i = 0; i < notes_.size(); ++i)
+        rows.push_back({notes_[i].at_s, "✎ " + QString::fromStdString(notes_[i].text),
+                        palette().color(QPalette::WindowText), static_cast<int>(i)});
+    std::ranges::stable_sort(rows, {}, &Row::at_s);
+    const QSignalBlocker quiet(events_);
+    events_->clear();
+    remove_->setEnabled(false);
+    std::vector<TimeLine::Tick> ticks;
+    for (const Row& row : rows) {
+        auto* item = new QListWidgetItem(icon_of(row.colour),
+                                         clock_text(row.at_s) + "   " + row.text, events_);
+        item->setData(Qt::UserRole, row.at_s);
+        item->setData(Qt::UserRole + 1, row.note);
+        ticks.push_back({row.at_s, row.colour});
+    }
+    line_->set_ticks(std::move(ticks));
+}
+
+void ReviewDock::set_playing(bool playing) {
+    if (!reviewing()) return;
+    if (playing && complete() && at_s_ >= tape_->end_s()) go_to(0.0);
+    since_tick_.start();
+    playing ? clock_.start() : clock_.stop();
+    play_->setText(playing ? "⏸" : "▶");
+}
+
+void ReviewDock::tick() {
+    const double wall_s = 1e-3 * static_cast<double>(since_tick_.restart());
+    const double speed = speeds[static_cast<std::size_t>(speed_->currentIndex())];
+    go_to(at_s_ + speed * wall_s);
+    if (complete() && at_s_ >= tape_->end_s()) set_playing(false);
+}
+
+void ReviewDock::go_to(double at_s) {
+    if (!reviewing()) return;
+    at_s_ = std::clamp(at_s, 0.0, tape_->end_s());
+    const QSignalBlocker quiet(line_);
+    line_->set_at(at_s_);
+    time_->setText(clock_text(at_s_) + " of " + clock_text(tape_->end_s()));
+    screen_->show_at(at_s_);
+}
+
+void ReviewDock::jump(int direction) {
+    for (int i = 0; i < events_->count(); ++i) {
+        const int row = direction > 0 ? i : events_->count() - 1 - i;
+        const double at_s = events_->item(row)->data(Qt::UserRole).toDouble();
+        const double way_s = direction * (at_s - at_s_);
+        if (way_s <= (direction > 0 ? 1e-3 : same_moment_s)) continue;
+        const QSignalBlocker quiet(events_);
+        events_->setCurrentRow(row);
+        remove_->setEnabled(events_->item(row)->data(Qt::UserRole + 1).toInt() >= 0);
+        return go_to(at_s);
+    }
+}
+
+void ReviewDock::add_note() {
+    const std::string text = note_->text().trimmed().toStdString();
+    if (!reviewing() || text.empty()) return;
+    const std::vector<PlayNote> before = notes_;
+    notes_.push_back({at_s_, text});
+    std::ranges::stable_sort(notes_, {}, &PlayNote::at_s);
+    keep_notes();
+    if (notes_ == before) return;
+    note_->clear();
+}
+
+void ReviewDock::remove_note() {
+    const QListWidgetItem* item = events_->currentItem();
+    const int index = item != nullptr ? item->data(Qt::UserRole + 1).toInt() : -1;
+    if (index < 0) return;
+    notes_.erase(notes_.begin() + index);
+    keep_notes();
+}
+
+// On disk at once; where that fails, what is shown is what lies there.
+void ReviewDock::keep_notes() {
+    try {
+        write_notes(file_, notes_);
+    } catch (...) {
+        ways_.failed(failure_of(std::current_exception()));
+        notes_ = read_notes(file_);
+    }
+    shown_events_ = 0;
+    show_events();
+}
+
+void ReviewDock::leave() {
+    forget();
+    ways_.use(nullptr);
+}
+
+void ReviewDock::forget() {
+    clock_.stop();
+    job_.reset();
+    if (screen_) screen_->gone = nullptr;
+    screen_.reset();
+    tape_.reset();
+    hide();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looking back on a recording: its time line with what happened, speed, jumps, and the instructor's
+// notes, which lie beside it. The window lends its patient and takes the tape for a simulation.
+#pragma once
+
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/lesson/lesson.h"
+#include "core/lesson/play_notes.h"
+#include "core/lesson/review_tape.h"
+#include "core/opening/open_patient.h"
+#include "core/session/recording.h"
+#include "ui/background_job.h"
+#include "ui/simulation.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QToolButton;
+
+namespace hepatica {
+
+class TimeLine;
+struct ReviewScreen;
+
+class ReviewDock : public QDockWidget {
+  public:
+    struct Ways {
+        // The patient that is shown; null: none.
+        std::function<std::shared_ptr<const PatientCase>()> patient;
+        std::function<void(const OpenRequest&)> open;  // shows it some time later: patient_shown()
+        // In place of the simulation that runs; null: that of free play.
+        std::function<void(std::unique_ptr<Simulation>)> use;
+        std::function<void(const Failure&)> failed;
+        std::function<void(const QString&)> say;  // in passing
+    };
+
+    ReviewDock(Ways ways, QWidget* parent);
+    ~ReviewDock() override;
+
+    // Reads the recording and looks for its patient: the one that is shown, a case beside it, or
+    // the built-in one where its lesson is played on him. Then shows it from the beginning, while
+    // the rest is still gone through. `lesson`: file or name; empty: the built-in one with that
+    // scene, if any.
+    void open(const std::filesystem::path& recording, const std::string& lesson = {});
+    // There is another patient now: a recording that waited for him begins, one of another ends.
+    void patient_shown();
+    // The recording is shown now.
+    bool reviewing() const { return screen_ != nullptr; }
+    // Every frame of it has been gone through.
+    bool complete() const { return reviewing() && job_ == nullptr; }
+
+    double at_s() const { return at_s_; }
+    bool playing() const { return clock_.isActive(); }
+
+  private:
+    struct Found;  // a recording that was read, with what it needs
+    void build();
+    QWidget* build_controls();
+    QWidget* build_notes();
+    void take(Found found);
+    void begin();
+    void show_progress(const JobProgress& progress);
+    void show_events();
+    void set_playing(bool playing);
+    void tick();
+    void go_to(double at_s);
+    void jump(int direction);  // to the next event, or to the one before
+    void add_note();
+    void remove_note();
+    void keep_notes();
+    void leave();
+    void forget();
+
+    Ways ways_;
+    std::filesystem::path file_;
+    std::shared_ptr<const Recording> recording_;
+    std::optional<Lesson> lesson_;
+    bool waits_ = false;  // for its patient
+    std::unique_ptr<BackgroundJob> job_;
+    std::shared_ptr<ReviewTape> tape_;
+    std::shared_ptr<ReviewScreen> screen_;
+    std::vector<PlayNote> notes_;
+    std::size_t shown_events_ = 0;
+    double at_s_ = 0.0;
+    QTimer clock_;
+    QElapsedTimer since_tick_;
+
+    QLabel* title_ = nullptr;
+    TimeLine* line_ = nullptr;
+    QLabel* time_ = nullptr;
+    QToolButton* play_ = nullptr;
+    QComboBox* speed_ = nullptr;
+    QListWidget* events_ = nullptr;
+    QLineEdit* note_ = nullptr;
+    QPushButton* remove_ = nullptr;
+};
+
+}  // namespace hepatica
