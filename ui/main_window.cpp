@@ -242,6 +242,7 @@ void MainWindow::build_review() {
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);
     addDockWidget(Qt::BottomDockWidgetArea, review_);
+    tabifyDockWidget(curves_, review_);
     review_->hide();
 }
 

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int tick_ms = 16;
+constexpr int height_at_first = 200;
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int real_time = 3;  // of these
 // An event this near before the present moment is the one that is being looked at.
@@ -68,11 +70,11 @@ QIcon icon_of(const QColor& colour) {
     return pixmap;
 }
 
-QToolButton* add_button(QHBoxLayout& row, const char* name, const QString& text,
+QToolButton* add_button(QHBoxLayout& row, const char* name, QStyle::StandardPixmap icon,
                         const QString& tip) {
     auto* button = new QToolButton;
     button->setObjectName(name);
-    button->setText(text);
+    button->setIcon(button->style()->standardIcon(icon));
     button->setToolTip(tip);
     button->setAccessibleName(tip);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -131,9 +133,10 @@ QWidget* ReviewDock::build_controls() {
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
-    auto* back = add_button(*row, "reviewBack", "⏮", "To what happened before");
-    play_ = add_button(*row, "reviewPlay", "▶", "Play or stop");
-    auto* on = add_button(*row, "reviewOn", "⏭", "To what happens next");
+    auto* back =
+        add_button(*row, "reviewBack", QStyle::SP_MediaSkipBackward, "To what happened before");
+    play_ = add_button(*row, "reviewPlay", QStyle::SP_MediaPlay, "Play or stop");
+    auto* on = add_button(*row, "reviewOn", QStyle::SP_MediaSkipForward, "To what happens next");
     connect(back, &QToolButton::clicked, this, [this] { jump(-1); });
     connect(play_, &QToolButton::clicked, this, [this] { set_playing(!playing()); });
     connect(on, &QToolButton::clicked, this, [this] { jump(+1); });
@@ -271,6 +274,9 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         shown_events_ = 0;
         show();
         raise();
+        // The view keeps its room; whoever wants a longer list drags the border.
+        if (auto* window = qobject_cast<QMainWindow*>(parentWidget()))
+            window->resizeDocks({this}, {height_at_first}, Qt::Vertical);
         set_playing(true);
     }
     const QString name = to_text(file_.filename());
@@ -320,7 +326,7 @@ void ReviewDock::set_playing(bool playing) {
     if (playing && complete() && at_s_ >= tape_->end_s()) go_to(0.0);
     since_tick_.start();
     playing ? clock_.start() : clock_.stop();
-    play_->setText(playing ? "⏸" : "▶");
+    play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
 }
 
 void ReviewDock::tick() {

@@ -142,7 +142,8 @@ void PlayEvents::see_tear(const TearView& now) {
 
 void PlayEvents::see_trouble(const Frame& frame) {
     const FrameStatistics& said = frame.statistics;
-    if (said.message != message_ && !said.message.empty())
+    // A degraded step says how it was helped: nothing that a person did, and often.
+    if (said.message != message_ && !said.message.empty() && !said.degraded)
         note(PlayEventKind::trouble, said.message);
     else if (said.diverged && !diverged_)
         note(PlayEventKind::trouble, "The simulation stopped by itself");

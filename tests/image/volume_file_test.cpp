@@ -139,6 +139,20 @@ TEST(Nifti, FallsBackFromAffineToQuaternion) {
     EXPECT_EQ(read.voxels, volume.voxels);
 }
 
+TEST(Nifti, WithoutOrientationHasItsSpacingAlongTheAxesOfItsTools) {
+    const TemporaryFolder folder;
+    Job job;
+    write_nifti(folder / "s.nii", patterned_volume(small_grid()));
+    std::string bytes = bytes_of_file(folder / "s.nii");
+    std::memset(bytes.data() + 252, 0, 4);  // qform_code and sform_code
+    write_bytes(folder / "s.nii", bytes);
+    const Grid read = read_volume(folder / "s.nii", job).grid;
+    EXPECT_EQ(read.dims, small_grid().dims);
+    EXPECT_NEAR((read.spacing_mm - small_grid().spacing_mm).norm(), 0.0, 1e-6);
+    EXPECT_NE(read.spacing_mm.x(), read.spacing_mm.y());
+    EXPECT_NE(read.spacing_mm.y(), read.spacing_mm.z());
+}
+
 TEST(Nifti, AppliesSlopeAndClampsToSixteenBits) {
     const TemporaryFolder folder;
     NiftiFile file(folder);

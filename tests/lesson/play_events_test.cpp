@@ -110,6 +110,9 @@ TEST_F(PlayEventsTest, WhatTheProgramSaidOrStoppedByItself) {
     frame_.statistics.message = "The drug cannot flow there";
     EXPECT_THAT(see(), ElementsAre("The drug cannot flow there"));
     EXPECT_THAT(see(), IsEmpty());
+    frame_.statistics.message = "the step was shortened";
+    frame_.statistics.degraded = true;
+    EXPECT_THAT(see(), IsEmpty()) << "how the solver helped itself is nobody's doing";
     frame_.statistics.message.clear();
     frame_.statistics.diverged = true;
     EXPECT_THAT(see(), ElementsAre("The simulation stopped by itself"));

@@ -5,11 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
+#include "core/scene/bleeding.h"
 #include "core/scene/branch_table.h"
 #include "core/scene/deform_part.h"
+#include "core/scene/flow_part.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/surface_anatomy.h"
+#include "core/scene/tools/tool_choice.h"
 #include "core/scene/world.h"
+#include "core/scene/world_checkpoint.h"
 #include "tests/session/small_patient.h"
 #include "tests/support/recorded_figures.h"
 
@@ -92,6 +97,114 @@ TEST(SceneFigures, OfPlays) {
     spec.flow.reset();
     spec.dt_s = 0.008;
     expect_recorded("scene", "without_flow", played(spec));
+}
+
+// Everything that can be done to a world: tools that press, hold and turn, cuts and tears that
+// bleed, injections, and the way back.
+Figures handled(const SceneSpec& spec) {
+    Job job;
+    World world(small_patient(), spec, job);
+    DeformPart& body = *world.deform();
+    FlowPart& flow = *world.flow();
+    const VesselTree& tree = small_patient()->tree;
+    const Vec3 place = middle_of(tree, 1), cut = middle_of(tree, 0);
+    const auto& line = tree.segments[1].points_mm;
+    const Vec3 along = (line[line.size() / 2 + 1] - line[line.size() / 2 - 1]).normalized();
+    const Vec3 from = along.unitOrthogonal();
+    std::vector<double> shapes, tools, tears, drug;
+    std::string checkpoints;
+    const auto note = [&](const Vec3& v) { tools.insert(tools.end(), v.begin(), v.end()); };
+    for (int k = 0; k < 60; ++k) {
+        if (k == 1) body.add_tool({"forceps", 1.5, 16.0, -from, along.cross(from)}, place);
+        if (k > 2 && k < 12) body.close_jaws(1.0 / (12 - k));
+        if (k > 12 && k < 18) body.lead_tool(body.tool()->parts[0].shape.centre_mm + 0.2 * from);
+        if (k == 18) body.turn_tool(0.3 * along);
+        if (k == 22) body.open_jaws(0.5);
+        if (k == 24) body.add_tool({"hook", 1.0, 14.0, -from, {}}, place);
+        if (k == 28) body.remove_tool();
+        if (k == 2) flow.inject({world.place_near(cut), 2.0, 0.0, "carrier", "regime"});
+        if (k == 20) flow.inject({world.place_near(place), 1.0, 0.3, "gas", "consistent"});
+        if (k == 21) flow.finish_injection();
+        if (k == 30) flow.set_time(0.7);
+        if (k == 31) flow.set_speed(4.0);
+        if (body.tears()) {
+            if (k == 29) body.cut_line(tree, cut, cut, 0.0);
+            if (k == 30) body.grab(tree.segments[0].points_mm.back());
+            if (k > 30 && k < 45)
+                body.move_grab(tree.segments[0].points_mm.back() + 0.3 * k * along);
+            if (k == 45) body.release();
+            if (k == 46) body.cut_line(tree, cut, middle_of(tree, 2), 1.0);
+            if (k == 48) body.cut(tree, cut - 15.0 * from, cut + 15.0 * from);
+            if (k == 56) body.mend();
+        }
+        world.step();
+        Frame frame;
+        world.fill(frame);
+        if (k % 4 == 0)
+            shapes.insert(shapes.end(), frame.positions_mm.begin(), frame.positions_mm.end());
+        if (frame.tool) {
+            note(frame.tool->tip_mm);
+            note(frame.tool->at_mm);
+            note(1e-5 * frame.tool->force_un);
+            tools.push_back(frame.tool->opening_mm);
+            tools.push_back(1e-5 * frame.tool->grip_un);
+            for (const int vertex : frame.tool->touched) tools.push_back(vertex);
+        }
+        if (frame.tear) {
+            tears.insert(tears.end(),
+                         {double(frame.tear->joints_broken), double(frame.tear->pieces),
+                          frame.tear->entropy_nats, frame.tear->leak_g_s, frame.tear->leaked_g});
+            tears.push_back(static_cast<double>(frame.positions_mm.size()));
+            tears.push_back(body.critical_opening_mm());
+            for (const ThroughTear& torn : body.torn_through(tree)) {
+                tears.push_back(torn.at.segment);
+                tears.push_back(torn.at.arclength_mm);
+                tears.push_back(torn.area_mm2);
+            }
+        }
+        drug.insert(drug.end(), {frame.drug.time_s, frame.drug.end_s, double(frame.drug.playing)});
+        if (k % 10 == 0 && frame.drug.arrival_s)
+            for (const float arrival : *frame.drug.arrival_s)
+                drug.push_back(std::isfinite(arrival) ? arrival : -1.0);
+        if (k == 26 || k == 50) {
+            const WorldCheckpoint taken = world.checkpoint();
+            // Keys alone: the numbers of a shape differ by rounding.
+            const nlohmann::ordered_json flat = to_json(taken).flatten();
+            for (const auto& [key, value] : flat.items()) checkpoints += key;
+            world.restore(taken);
+        }
+    }
+    return Figures()
+        .add("shapes", shapes)
+        .add("tools", tools)
+        .add("tears", tears)
+        .add("drug", drug)
+        .add("checkpoints", text_of(checkpoints))
+        .add("mass_error", flow.mass_error_relative() < 1e-9);
+}
+
+TEST(SceneFigures, OfEverythingThatCanBeDone) {
+    SceneSpec spec = default_scene();
+    spec.contact = ContactSpec{.tools = true, .self = true};
+    expect_recorded("scene", "handled", handled(spec));
+    spec.tear = TearSpec{.tear_factor = 0.4, .stop = TearStop::entropy, .entropy_budget = 0.3};
+    spec.contact->self = false;
+    spec.deform->wall_mm = 0.8;
+    expect_recorded("scene", "handled_tearing", handled(spec));
+}
+
+// What a scene says without saying it, as its file has it.
+TEST(SceneFigures, OfDefaults) {
+    SceneSpec spec = default_scene();
+    std::string text = to_json(spec).dump();
+    spec.contact.emplace();
+    spec.tear.emplace();
+    text += to_json(spec).dump();
+    text += to_json(scene_from_json(nlohmann::ordered_json::parse(R"({"flow": {}})"))).dump();
+    text += to_json(scene_from_json(nlohmann::ordered_json::parse(
+                        R"({"name": "x", "deform": {}, "contact": {}, "tear": {}, "flow": {}})")))
+                .dump();
+    expect_recorded("scene", "defaults", Figures().add("text", text_of(text)));
 }
 
 }  // namespace

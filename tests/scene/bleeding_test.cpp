@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What torn vessels lose, against what can be worked out by hand.
+#include "core/scene/bleeding.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hepatica {
+namespace {
+
+constexpr double density_g_mm3 = 1.06e-3;  // of blood
+
+VesselSegment tube(const Vec3& from, const Vec3& to, double radius_mm, int first, int last,
+                   VascularSystem system) {
+    VesselSegment segment;
+    segment.system = system;
+    segment.proximal_node = first;
+    segment.distal_node = last;
+    for (int k = 0; k <= 10; ++k) {
+        segment.points_mm.push_back(from + 0.1 * k * (to - from));
+        segment.radii_mm.push_back(radius_mm);
+    }
+    return segment;
+}
+
+// A short wide vessel along x.
+VesselTree one_tube(VascularSystem system) {
+    VesselTree tree;
+    tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(20, 0, 0)}};
+    tree.segments = {tube(Vec3(0, 0, 0), Vec3(20, 0, 0), 4.0, 0, 1, system)};
+    return tree;
+}
+
+ThroughTear half_way(int segment, double area_mm2) {
+    ThroughTear torn;
+    torn.at.segment = segment;
+    torn.at.arclength_mm = 10.0;
+    torn.area_mm2 = area_mm2;
+    return torn;
+}
+
+double leak_of(const VesselTree& tree, const std::vector<ThroughTear>& tears) {
+    Bleeding bleeding(tree);
+    bleeding.set_tears(tears);
+    return bleeding.leak_g_s();
+}
+
+// What flows in has no other way out.
+TEST(Bleeding, OfTheOnlyVesselIsAllThatFlowsIn) {
+    const RestingFlow rest;
+    const double lumen_mm2 = std::numbers::pi * 16.0;
+    EXPECT_NEAR(leak_of(one_tube(VascularSystem::portal), {half_way(0, lumen_mm2)}),
+                rest.portal_g_s, 1e-6 * rest.portal_g_s);
+    EXPECT_NEAR(leak_of(one_tube(VascularSystem::artery), {half_way(0, lumen_mm2)}),
+                rest.artery_g_s, 1e-6 * rest.artery_g_s);
+    EXPECT_EQ(leak_of(one_tube(VascularSystem::portal), {}), 0.0);
+}
+
+// Of a short wide vessel without friction Bernoulli's law is left: the cava's pressure drives blood
+// out of an opening of this area, of which 0.6 counts.
+TEST(Bleeding, OfAHepaticVeinIsWhatItsOpeningLetsOut) {
+    const RestingFlow rest;
+    const double area_mm2 = 2.0;
+    const double speed_mm_s = std::sqrt(2.0 * rest.cava_pa / density_g_mm3);  // Pa = g/(mm s^2)
+    const double leak = leak_of(one_tube(VascularSystem::hepatic), {half_way(0, area_mm2)});
+    EXPECT_NEAR(leak, 0.6 * area_mm2 * speed_mm_s * density_g_mm3, 0.03 * leak);
+}
+
+// A fork of short wide vessels: one pressure everywhere, at which the opening and the bed behind
+// the whole branch share the inflow. Two branches alike have half of the resting flow each.
+TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
+    VesselTree tree;
+    const std::array<Vec3, 4> nodes{Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(40, 5, 0), Vec3(40, -5, 0)};
+    for (const Vec3& node : nodes) tree.nodes.push_back({node});
+    const auto add = [&](std::size_t from, std::size_t to, int parent) {
+        tree.segments.push_back(
+            tube(nodes[from], nodes[to], 4.0, int(from), int(to), VascularSystem::portal));
+        tree.segments.back().parent = parent;
+    };
+    add(0, 1, -1);
+    add(1, 2, 0);
+    add(1, 3, 0);
+    const RestingFlow rest;
+    const double area_mm2 = 3.0;
+    const double bed_pa_s_g = rest.portal_pa / (0.5 * rest.portal_g_s);
+    double low_pa = 0.0, high_pa = 10.0 * rest.portal_pa;
+    const auto leak_at = [&](double pressure_pa) {
+        return 0.6 * area_mm2 * std::sqrt(2.0 * pressure_pa / density_g_mm3) * density_g_mm3;
+    };
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low_pa + high_pa);
+        const bool enough = leak_at(middle) + middle / bed_pa_s_g > rest.portal_g_s;
+        (enough ? high_pa : low_pa) = middle;
+    }
+    const double leak = leak_of(tree, {half_way(1, area_mm2)});
+    EXPECT_NEAR(leak, leak_at(low_pa), 0.03 * leak);
+    EXPECT_GT(leak_of(tree, {half_way(1, area_mm2), half_way(2, area_mm2)}), leak);
+}
+
+TEST(Bleeding, AddsUpOverTimeAndStopsWhereNothingIsTorn) {
+    Bleeding bleeding(one_tube(VascularSystem::portal));
+    bleeding.step(1.0);
+    EXPECT_EQ(bleeding.leaked_g(), 0.0);
+    bleeding.set_tears({half_way(0, 50.0)});
+    bleeding.step(0.5);
+    bleeding.step(0.25);
+    EXPECT_NEAR(bleeding.leaked_g(), 0.75 * bleeding.leak_g_s(), 1e-9);
+    bleeding.set_tears({});
+    EXPECT_EQ(bleeding.leak_g_s(), 0.0);
+    bleeding.set_leaked_g(3.5);
+    bleeding.step(1.0);
+    EXPECT_EQ(bleeding.leaked_g(), 3.5);
+}
+
+}  // namespace
+}  // namespace hepatica
