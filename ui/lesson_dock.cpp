@@ -9,7 +9,9 @@
 #include <exception>
 #include <utility>
 
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/attempts_dialog.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
 
@@ -27,7 +29,13 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                               },
                               [this] {
                                   if (watch_) ways_.look_back(watch_->recording(), name_);
-                              }})) {
+                              },
+                              [this] { show_attempts(); }})),
+      attempts_(new AttemptsDialog(
+          {[this](const fs::path& recording) { ways_.look_back(recording, name_); },
+           [this](const std::string& csv) { ways_.save_attempts(csv); },
+           [this](const std::exception_ptr& error) { ways_.failed("Mark an attempt", error); }},
+          parent)) {
     setObjectName("Lesson");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     auto* scroll = new QScrollArea(this);
@@ -97,6 +105,7 @@ void LessonDock::begin() {
         Job job;
         LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
         watch_ = std::move(play.watch);
+        result_kept_ = false;
         ways_.use(std::move(play.simulation));
     } catch (...) {
         return ways_.failed("Begin the lesson", std::current_exception());
@@ -115,7 +124,23 @@ void LessonDock::leave() {
 }
 
 void LessonDock::show_figures() {
-    if (watch_) panel_->show_standing(watch_->standing());
+    if (!watch_) return;
+    panel_->show_standing(watch_->standing());
+    if (watch_->recorded() && !std::exchange(result_kept_, true)) keep_result();
+}
+
+void LessonDock::keep_result() {
+    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
+    try {
+        write_attempt(attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
+                                 now.toStdString()));
+    } catch (...) {
+        ways_.failed("Keep the result", std::current_exception());
+    }
+}
+
+void LessonDock::show_attempts() {
+    if (lesson_) attempts_->show_lesson(lesson_->name, recordings_);
 }
 
 std::vector<Vec3> LessonDock::marks_in(const Frame& frame) const {

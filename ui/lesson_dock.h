@@ -16,6 +16,7 @@ class QMenu;
 
 namespace hepatica {
 
+class AttemptsDialog;
 class LessonPanel;
 
 class LessonDock : public QDockWidget {
@@ -34,6 +35,7 @@ class LessonDock : public QDockWidget {
         // Shows a recording.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             look_back;
+        std::function<void(const std::string& csv)> save_attempts;  // asks where to
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
@@ -59,6 +61,8 @@ class LessonDock : public QDockWidget {
     void begin();
     void leave();
     std::filesystem::path next_recording() const;
+    void keep_result();
+    void show_attempts();
 
     Ways ways_;
     std::filesystem::path recordings_;  // folder
@@ -68,6 +72,8 @@ class LessonDock : public QDockWidget {
     bool waits_ = false;  // for its patient
     bool built_in_shown_ = false;
     std::shared_ptr<LessonWatch> watch_;
+    bool result_kept_ = false;  // of watch_
+    AttemptsDialog* attempts_;
 };
 
 }  // namespace hepatica

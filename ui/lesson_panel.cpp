@@ -83,6 +83,10 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     look_back_->setObjectName("lessonLookBack");
     connect(look_back_, &QPushButton::clicked, this, [run = ways.look_back] { run(); });
     column->addWidget(look_back_);
+    attempts_ = new QPushButton("All &attempts…");
+    attempts_->setObjectName("lessonAttempts");
+    connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
+    column->addWidget(attempts_);
     auto* last_row = new QHBoxLayout;
     add_button(*last_row, "&Begin again", "lessonAgain", ways.again);
     add_button(*last_row, "&Leave", "lessonLeave", ways.leave);
@@ -105,6 +109,7 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
     end_->setVisible(!running);
     report_->setVisible(!running);
     look_back_->setVisible(!running);
+    attempts_->setVisible(!running);
     limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), "✓", "✗"));
     if (running)
         show_step(standing);

@@ -21,6 +21,7 @@ class LessonPanel : public QWidget {
         std::function<void()> leave;      // back to free play
         std::function<void()> report;     // of the attempt
         std::function<void()> look_back;  // on the attempt
+        std::function<void()> attempts;   // all of them at this lesson
     };
 
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
@@ -47,6 +48,7 @@ class LessonPanel : public QWidget {
     QLabel* end_;
     QPushButton* report_;
     QPushButton* look_back_;
+    QPushButton* attempts_;
 };
 
 }  // namespace hepatica

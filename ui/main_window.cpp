@@ -50,7 +50,7 @@ namespace {
 
 constexpr double turn_rad = std::numbers::pi / 12.0;  // of one key
 
-constexpr std::array<std::pair<ActionId, const char*>, 4> tools{{
+constexpr std::array<std::pair<ActionId, const char*>, 4> tool_actions{{
     {ActionId::sphere_tool, "sphere"},
     {ActionId::capsule_tool, "capsule"},
     {ActionId::forceps_tool, "forceps"},
@@ -204,7 +204,7 @@ void MainWindow::build_branches() {
     callbacks.colour = [this](const std::vector<std::uint8_t>& of_branches) {
         colour_by_segments(of_branches);
     };
-    callbacks.save = [this](const std::string& csv) { save_branches(csv); };
+    callbacks.save = [this](const std::string& csv) { save_table("branches", csv); };
     callbacks.failed = [this](const Failure& failure) { fail("Liver segments", failure); };
     branches_ = new BranchDock(std::move(callbacks), this);
     addDockWidget(Qt::BottomDockWidgetArea, branches_);
@@ -226,6 +226,7 @@ void MainWindow::build_lessons() {
     ways.look_back = [this](const std::filesystem::path& recording, const std::string& lesson) {
         review_->open(recording, lesson);
     };
+    ways.save_attempts = [this](const std::string& csv) { save_table("attempts", csv); };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
@@ -294,7 +295,7 @@ void MainWindow::build_tool_bar() {
         bar->addAction(&(*actions_)[id]);
     }
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    for (const auto& [id, kind] : tools) {
+    for (const auto& [id, kind] : tool_actions) {
         modes->addAction(&(*actions_)[id]);
         bar->addAction(&(*actions_)[id]);
         // Their icons say enough, and the bar has little room.
@@ -359,7 +360,7 @@ void MainWindow::connect_play() {
 }
 
 void MainWindow::connect_tools() {
-    for (const auto& [id, kind] : tools)
+    for (const auto& [id, kind] : tool_actions)
         actions_->on(id, [this, kind = std::string(kind)] { take_tool(kind); });
     actions_->on(ActionId::cut_mode, [this] { set_mouse_mode(MouseMode::cut); });
     actions_->on(ActionId::weaken_mode, [this] { set_mouse_mode(MouseMode::weaken); });

@@ -105,7 +105,7 @@ class MainWindow : public QMainWindow {
     void ask_for_recording();
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
-    void save_branches(const std::string& csv);
+    void save_table(const QString& name, const std::string& csv);
     void save_plots(bool picture);
     void remember(const std::filesystem::path& path);
     void fail(const std::string& doing, const Failure& failure);

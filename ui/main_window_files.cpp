@@ -107,12 +107,11 @@ void MainWindow::save_plots(bool picture) {
     });
 }
 
-void MainWindow::save_branches(const std::string& csv) {
-    const QString file =
-        QFileDialog::getSaveFileName(this, "Save the table of branches",
-                                     settings_.last_folder() + "/branches.csv", "Tables (*.csv)");
+void MainWindow::save_table(const QString& name, const std::string& csv) {
+    const QString file = QFileDialog::getSaveFileName(
+        this, "Save the table", settings_.last_folder() + "/" + name + ".csv", "Tables (*.csv)");
     if (!file.isEmpty())
-        attempt("Save branches", [&] { write_text_atomically(to_path(file), csv); });
+        attempt("Save the table", [&] { write_text_atomically(to_path(file), csv); });
 }
 
 void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {

@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* format = "hepatica-notes";
-constexpr const char* remedy = "Mend the file, or remove it: it holds notes alone";
+constexpr const char* notes_format = "hepatica-notes";
+constexpr const char* notes_remedy = "Mend the file, or remove it: it holds notes alone";
 
 PlayNote note_from(const LessonFields& fields) {
     fields.know({"at_s", "text"});
@@ -37,11 +37,11 @@ fs::path notes_file_of(const fs::path& recording) {
 
 std::vector<PlayNote> notes_of(const std::string& text, const std::string& place) {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw InputError("is not JSON", place, remedy);
+    if (json.is_discarded()) throw InputError("is not JSON", place, notes_remedy);
     const LessonFields fields(json, place, "");
     fields.know({"format", "version", "notes"});
-    if (const LessonFields named = fields.need("format"); named.text() != format)
-        named.refuse("is " + named.dump() + ", not \"" + format + "\"", remedy);
+    if (const LessonFields named = fields.need("format"); named.text() != notes_format)
+        named.refuse("is " + named.dump() + ", not \"" + notes_format + "\"", notes_remedy);
     if (const LessonFields version = fields.need("version"); version.json() != 1)
         version.refuse("is " + version.dump() + ", and this program knows 1",
                        "Use the version of the program that wrote it");
@@ -54,7 +54,7 @@ std::vector<PlayNote> notes_of(const std::string& text, const std::string& place
 std::vector<PlayNote> read_notes(const fs::path& recording) {
     const fs::path file = notes_file_of(recording);
     if (!fs::exists(file)) return {};
-    return notes_of(read_text_file(file, remedy), file.string());
+    return notes_of(read_text_file(file, notes_remedy), file.string());
 }
 
 void write_notes(const fs::path& recording, const std::vector<PlayNote>& notes) {
@@ -69,8 +69,8 @@ void write_notes(const fs::path& recording, const std::vector<PlayNote>& notes) 
     }
     Json list = Json::array();
     for (const PlayNote& note : notes) list.push_back({{"at_s", note.at_s}, {"text", note.text}});
-    write_text_atomically(file,
-                          Json{{"format", format}, {"version", 1}, {"notes", list}}.dump(1) + "\n");
+    write_text_atomically(
+        file, Json{{"format", notes_format}, {"version", 1}, {"notes", list}}.dump(1) + "\n");
 }
 
 }  // namespace hepatica

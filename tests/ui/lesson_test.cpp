@@ -7,17 +7,21 @@
 #include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTableWidget>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/score.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
+#include "ui/attempts_dialog.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_panel.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/review_dock.h"
 
 namespace hepatica {
 namespace {
@@ -37,7 +41,7 @@ class LessonPanelTest : public ::testing::Test {
   protected:
     LessonPanelTest()
         : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; },
-                  [this] { ++looks_back_; }}) {
+                  [this] { ++looks_back_; }, [this] { ++asked_for_attempts_; }}) {
         panel_.begin(two_steps());
         standing_.steps.resize(2);
         standing_.goal = {{two_steps().steps[0].goal[0], 1.0, false}};
@@ -46,7 +50,7 @@ class LessonPanelTest : public ::testing::Test {
     QString text(const char* name) { return panel_.findChild<QLabel*>(name)->text(); }
     QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
 
-    int again_ = 0, left_ = 0, reports_ = 0, looks_back_ = 0;
+    int again_ = 0, left_ = 0, reports_ = 0, looks_back_ = 0, asked_for_attempts_ = 0;
     LessonPanel panel_;
     LessonStanding standing_;
 };
@@ -85,9 +89,11 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     EXPECT_FALSE(button("lessonReport")->isHidden());
     button("lessonReport")->click();
     button("lessonLookBack")->click();
+    button("lessonAttempts")->click();
     button("lessonAgain")->click();
     button("lessonLeave")->click();
-    EXPECT_EQ(std::tuple(again_, left_, reports_, looks_back_), std::tuple(1, 1, 1, 1));
+    EXPECT_EQ(std::tuple(again_, left_, reports_, looks_back_, asked_for_attempts_),
+              std::tuple(1, 1, 1, 1, 1));
     standing_.outcome = LessonOutcome::passed;
     standing_.reasons.clear();
     panel_.show_standing(standing_);
@@ -152,6 +158,36 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     const Score again = score(read_recording(recording), lesson, test::small_patient(), job);
     EXPECT_EQ(to_json(again.standing, lesson).dump(), to_json(live, lesson).dump());
     EXPECT_GT(live.metrics.time_s, 0.0);
+    // Its result lies beside it, and the learning curve begins.
+    ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(result_file_of(recording)); }));
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    auto& dialog = *window_.findChild<AttemptsDialog*>();
+    ASSERT_EQ(dialog.attempts().size(), 1u);
+    EXPECT_TRUE(dialog.attempts()[0].passed);
+    EXPECT_EQ(dialog.attempts()[0].value(Quantity::time_s), live.metrics.time_s);
+    EXPECT_EQ(dialog.chart().curves.size(), 1u);
+    auto& table = *dialog.findChild<QTableWidget*>("attempts");
+    table.item(0, 3)->setCheckState(Qt::Checked);
+    EXPECT_EQ(dialog.chart().curves.size(), 2u) << "the band of one reference";
+    EXPECT_TRUE(attempts_at("Take hold", recording.parent_path()).list[0].reference);
+    dialog.findChild<QPushButton*>("attemptsLookBack")->click();
+    EXPECT_TRUE(dialog.isHidden());
+    EXPECT_TRUE(wait_for([&] { return window_.review().complete(); }));
+}
+
+TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
+    std::vector<Attempt> attempts(3);
+    for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);
+    Chart chart = learning_curve(attempts, Quantity::time_s);
+    ASSERT_EQ(chart.curves.size(), 1u);
+    EXPECT_EQ(chart.curves[0].x, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(chart.curves[0].y, (std::vector<double>{10, 9, 8}));
+    EXPECT_EQ(chart.y_label, "time (s)");
+    attempts[0].reference = attempts[2].reference = true;
+    chart = learning_curve(attempts, Quantity::time_s);
+    ASSERT_EQ(chart.curves.size(), 3u);
+    EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 10}));
+    EXPECT_EQ(chart.curves[2].y, (std::vector<double>{8, 8}));
 }
 
 TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/attempts.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/base/text_file.h"
+#include "core/lesson/lesson_fields.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* result_format = "hepatica-result";
+constexpr const char* suffix = ".result.json";
+constexpr const char* result_remedy = "Remove it: hepatica-cli lesson scores its recording again";
+
+Quantity quantity(std::size_t i) {
+    return static_cast<Quantity>(i);
+}
+
+bool truth_from(const LessonFields& field) {
+    if (!field.json().is_boolean())
+        field.refuse("is " + field.dump() + ", not true or false", result_remedy);
+    return field.json().get<bool>();
+}
+
+std::string digits(double value) {
+    char text[40];
+    return std::isfinite(value) ? std::string(text, std::to_chars(text, text + 40, value).ptr) : "";
+}
+
+}  // namespace
+
+Attempt attempt_of(const fs::path& recording, const std::string& lesson,
+                   const LessonStanding& standing, const std::string& ended_at) {
+    Attempt attempt;
+    attempt.recording = recording;
+    attempt.lesson = lesson;
+    attempt.ended_at = ended_at;
+    attempt.passed = standing.outcome == LessonOutcome::passed;
+    attempt.reasons = standing.reasons;
+    for (std::size_t i = 0; i < metric_count; ++i)
+        attempt.metrics[i] = value_of({quantity(i), -1, true, 0.0}, standing.metrics, {}, 0.0);
+    return attempt;
+}
+
+fs::path result_file_of(const fs::path& recording) {
+    fs::path file = recording;
+    return file.replace_extension(suffix);
+}
+
+void write_attempt(const Attempt& attempt) {
+    Json metrics;
+    for (std::size_t i = 0; i < metric_count; ++i)
+        metrics[words_of(quantity(i)).name] = attempt.metrics[i];  // NaN becomes null
+    const Json json{{"format", result_format},        {"version", 1},
+                    {"lesson", attempt.lesson},       {"ended_at", attempt.ended_at},
+                    {"passed", attempt.passed},       {"reasons", attempt.reasons},
+                    {"reference", attempt.reference}, {"metrics", metrics}};
+    write_text_atomically(result_file_of(attempt.recording), json.dump(1) + "\n");
+}
+
+Attempt attempt_from(const std::string& text, const fs::path& recording, const std::string& place) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw InputError("is not JSON", place, result_remedy);
+    const LessonFields fields(json, place, "");
+    fields.know(
+        {"format", "version", "lesson", "ended_at", "passed", "reasons", "reference", "metrics"});
+    if (const LessonFields named = fields.need("format"); named.text() != result_format)
+        named.refuse("is " + named.dump() + ", not \"" + result_format + "\"", result_remedy);
+    if (const LessonFields version = fields.need("version"); version.json() != 1)
+        version.refuse("is " + version.dump() + ", and this program knows 1", result_remedy);
+    Attempt attempt;
+    attempt.recording = recording;
+    attempt.lesson = fields.need("lesson").text();
+    attempt.ended_at = fields.need("ended_at").text();
+    attempt.passed = truth_from(fields.need("passed"));
+    for (const LessonFields& reason : fields.need("reasons").list())
+        attempt.reasons.push_back(reason.text());
+    attempt.reference = truth_from(fields.need("reference"));
+    const LessonFields metrics = fields.need("metrics");
+    for (std::size_t i = 0; i < metric_count; ++i) {
+        const LessonFields metric = metrics.need(words_of(quantity(i)).name);
+        attempt.metrics[i] =
+            metric.json().is_null() ? std::numeric_limits<double>::quiet_NaN() : metric.number();
+    }
+    return attempt;
+}
+
+Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
+    Attempts found;
+    if (!fs::is_directory(folder)) return found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(suffix)) continue;
+        const fs::path recording =
+            folder / (name.substr(0, name.size() - std::string(suffix).size()) + ".hrec");
+        try {
+            Attempt attempt = attempt_from(read_text_file(entry.path(), result_remedy), recording,
+                                           entry.path().string());
+            if (attempt.lesson == lesson) found.list.push_back(std::move(attempt));
+        } catch (const InputError& error) {
+            found.passed_over.push_back(error.place() + " " + error.problem());
+        }
+    }
+    std::ranges::sort(found.list, [](const Attempt& a, const Attempt& b) {
+        return std::pair(a.ended_at, a.recording) < std::pair(b.ended_at, b.recording);
+    });
+    std::ranges::sort(found.passed_over);
+    return found;
+}
+
+std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity) {
+    std::optional<Band> band;
+    for (const Attempt& attempt : attempts) {
+        const double value = attempt.value(quantity);
+        if (!attempt.reference || !std::isfinite(value)) continue;
+        if (!band) band = Band{value, value};
+        band->least = std::min(band->least, value);
+        band->most = std::max(band->most, value);
+    }
+    return band;
+}
+
+std::string to_csv(const std::vector<Attempt>& attempts) {
+    std::string text = "attempt,ended_at,passed,reference";
+    for (std::size_t i = 0; i < metric_count; ++i)
+        text += std::string(",") + words_of(quantity(i)).name;
+    text += "\n";
+    for (std::size_t row = 0; row < attempts.size(); ++row) {
+        const Attempt& attempt = attempts[row];
+        text += std::to_string(row + 1) + "," + attempt.ended_at + "," +
+                (attempt.passed ? "yes" : "no") + "," + (attempt.reference ? "yes" : "no");
+        for (const double value : attempt.metrics) text += "," + digits(value);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace hepatica

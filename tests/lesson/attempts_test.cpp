@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results come back as they were written, in the order of time, each lesson's for itself.
+#include "core/lesson/attempts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/temporary_folder.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+Attempt attempt_at(const fs::path& recording, const std::string& ended_at, double time_s) {
+    LessonStanding standing;
+    standing.outcome = LessonOutcome::failed;
+    standing.reasons = {"limit broken: \"force\"", "später"};
+    standing.metrics.time_s = time_s;
+    standing.metrics.contacts = 3;
+    return attempt_of(recording, "Gentle pull", standing, ended_at);
+}
+
+TEST(Attempts, ComeBackInTheOrderOfTimeEachLessonsForItself) {
+    const TemporaryFolder folder;
+    write_attempt(attempt_at(folder.path() / "b.hrec", "2026-11-23T10:00:00Z", 1.0 / 3.0));
+    Attempt earlier = attempt_at(folder.path() / "z.hrec", "2026-11-22T10:00:00Z", 7.0);
+    earlier.reference = earlier.passed = true;
+    earlier.reasons.clear();
+    write_attempt(earlier);
+    Attempt other = attempt_at(folder.path() / "c.hrec", "2026-11-21T10:00:00Z", 9.0);
+    other.lesson = "Another";
+    write_attempt(other);
+    std::ofstream(folder.path() / "d.result.json") << "{";
+    const Attempts found = attempts_at("Gentle pull", folder.path());
+    ASSERT_EQ(found.list.size(), 2u);
+    EXPECT_EQ(found.list[0].recording, folder.path() / "z.hrec");
+    EXPECT_TRUE(found.list[0].passed);
+    EXPECT_TRUE(found.list[0].reference);
+    EXPECT_TRUE(found.list[0].reasons.empty());
+    EXPECT_EQ(found.list[1].value(Quantity::time_s), 1.0 / 3.0);
+    EXPECT_EQ(found.list[1].value(Quantity::contacts), 3.0);
+    EXPECT_TRUE(std::isnan(found.list[1].value(Quantity::dose_target_share)));
+    EXPECT_FALSE(found.list[1].passed);
+    EXPECT_EQ(found.list[1].reasons.back(), "später");
+    ASSERT_EQ(found.passed_over.size(), 1u);
+    EXPECT_THAT(found.passed_over[0], HasSubstr("d.result.json is not JSON"));
+    EXPECT_TRUE(attempts_at("Gentle pull", folder.path() / "none").list.empty());
+}
+
+TEST(Attempts, TheBandIsOfThoseThatOthersAreMeasuredBy) {
+    std::vector<Attempt> attempts{attempt_at("a.hrec", "1", 5.0), attempt_at("b.hrec", "2", 2.0),
+                                  attempt_at("c.hrec", "3", 9.0)};
+    EXPECT_EQ(band_of(attempts, Quantity::time_s), std::nullopt);
+    attempts[0].reference = true;
+    EXPECT_EQ(band_of(attempts, Quantity::time_s), (Band{5.0, 5.0}));
+    attempts[1].reference = true;
+    EXPECT_EQ(band_of(attempts, Quantity::time_s), (Band{2.0, 5.0}));
+    EXPECT_EQ(band_of(attempts, Quantity::dose_target_share), std::nullopt) << "not known of any";
+}
+
+TEST(Attempts, AsATableHaveARowEach) {
+    std::vector<Attempt> attempts{attempt_at("a.hrec", "2026", 0.1)};
+    attempts[0].passed = true;
+    const std::string csv = to_csv(attempts);
+    EXPECT_TRUE(csv.starts_with("attempt,ended_at,passed,reference,time_s,path_mm"));
+    EXPECT_THAT(csv, HasSubstr("\n1,2026,yes,no,0.1,0,"));
+    EXPECT_TRUE(csv.ends_with(",\n")) << "a share that is not known is empty";
+}
+
+TEST(Attempts, OfADamagedFileAreRefusedByTheirPlace) {
+    const TemporaryFolder folder;
+    const Attempt attempt = attempt_at(folder.path() / "a.hrec", "2026", 0.1);
+    write_attempt(attempt);
+    std::ifstream in(result_file_of(attempt.recording));
+    const std::string whole((std::istreambuf_iterator<char>(in)), {});
+    const auto problem_of = [&](const std::string& part, const std::string& by) {
+        std::string text = whole;
+        const std::size_t at = text.find(part);
+        if (at == std::string::npos) return std::string("no such part");
+        text.replace(at, part.size(), by);
+        try {
+            attempt_from(text, attempt.recording, "a.result.json");
+        } catch (const InputError& error) {
+            return error.place() + " " + error.problem();
+        }
+        return std::string("nothing");
+    };
+    EXPECT_EQ(problem_of("\"2026\"", "\"2027\""), "nothing");
+    EXPECT_THAT(problem_of("hepatica-result", "other"), HasSubstr("format is \"other\""));
+    EXPECT_THAT(problem_of("\"version\": 1", "\"version\": 2"), HasSubstr("version is 2"));
+    EXPECT_THAT(problem_of("\"passed\": false", "\"passed\": 0"), HasSubstr("passed is 0, not"));
+    EXPECT_THAT(problem_of("\"reference\": false", "\"ref\": false"),
+                HasSubstr("ref is not known"));
+    EXPECT_THAT(problem_of("\"time_s\": 0.1", "\"time_s\": \"x\""),
+                HasSubstr("metrics.time_s is \"x\""));
+    EXPECT_THAT(problem_of("\"time_s\"", "\"time\""), HasSubstr("metrics has no \"time_s\""));
+    EXPECT_THAT(problem_of("\"Gentle pull\"", "\"\""), HasSubstr("lesson is \"\""));
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempts_dialog.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "ui/plot_panel.h"
+
+namespace hepatica {
+namespace {
+
+struct Column {
+    enum { number, ended, result, reference, first_quantity };
+};
+
+// A result is written in world time and shown in the user's.
+QString local_time(const std::string& utc) {
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+    return time.isValid() ? time.toLocalTime().toString("d MMM yyyy, hh:mm")
+                          : QString::fromStdString(utc);
+}
+
+QTableWidgetItem* text_item(const QString& text) {
+    auto* item = new QTableWidgetItem(text);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    return item;
+}
+
+}  // namespace
+
+Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
+    const QuantityWords& words = words_of(quantity);
+    const std::string unit = *words.unit ? std::string(" (") + words.unit + ")" : "";
+    Chart chart{"Learning curve", "Attempt", words.words + unit, {Curve{words.words, {}, {}}}};
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+        chart.curves[0].x.push_back(static_cast<double>(i + 1));
+        chart.curves[0].y.push_back(attempts[i].value(quantity));
+    }
+    if (const auto band = band_of(attempts, quantity)) {
+        const std::vector<double> ends{0.0, static_cast<double>(attempts.size())};
+        chart.curves.push_back({"reference", ends, {band->most, band->most}});
+        if (band->least != band->most)
+            chart.curves.push_back({"its least", ends, {band->least, band->least}});
+    }
+    return chart;
+}
+
+AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
+    : QDialog(parent),
+      ways_(std::move(ways)),
+      title_(new QLabel),
+      table_(new QTableWidget),
+      quantity_(new QComboBox),
+      plot_(new PlotView),
+      look_back_(new QPushButton("Look &back on it")),
+      save_(new QPushButton("Save as &CSV…")) {
+    setWindowTitle("Attempts");
+    resize(860, 560);
+    title_->setObjectName("attemptsTitle");
+    title_->setWordWrap(true);
+    table_->setObjectName("attempts");
+    table_->setAccessibleName("Attempts");
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->verticalHeader()->hide();
+    quantity_->setObjectName("attemptsQuantity");
+    quantity_->setAccessibleName("Quantity of the learning curve");
+    look_back_->setObjectName("attemptsLookBack");
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(title_);
+    column->addWidget(table_, 1);
+    auto* row = new QHBoxLayout;
+    row->addWidget(new QLabel("Learning curve of"));
+    row->addWidget(quantity_);
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addWidget(plot_, 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->addButton(look_back_, QDialogButtonBox::ActionRole);
+    buttons->addButton(save_, QDialogButtonBox::ActionRole);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
+    connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { draw_curve(); });
+    connect(save_, &QPushButton::clicked, this, [this] { ways_.save(to_csv(attempts_.list)); });
+    connect(look_back_, &QPushButton::clicked, this, [this] {
+        const int chosen = table_->currentRow();
+        if (chosen < 0) return;
+        hide();
+        ways_.look_back(attempts_.list[static_cast<std::size_t>(chosen)].recording);
+    });
+    connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+        if (item->column() == Column::reference)
+            mark(item->row(), item->checkState() == Qt::Checked);
+    });
+}
+
+const Chart& AttemptsDialog::chart() const {
+    return plot_->chart();
+}
+
+void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesystem::path& folder) {
+    lesson_ = lesson;
+    attempts_ = attempts_at(lesson, folder);
+    choose_quantities();
+    fill_table();
+    draw_curve();
+    QString text = QString(
+                       "<b>%1</b>: %2 attempts. Tick those of an instructor: they are the band "
+                       "in the learning curve.")
+                       .arg(QString::fromStdString(lesson).toHtmlEscaped())
+                       .arg(attempts_.list.size());
+    for (const std::string& words : attempts_.passed_over)
+        text += "<br>Left out: " + QString::fromStdString(words).toHtmlEscaped();
+    title_->setText(text);
+    show();
+    raise();
+}
+
+void AttemptsDialog::choose_quantities() {
+    quantities_.clear();
+    for (const QuantityWords& words : quantities()) {
+        if (words.quantity >= Quantity::step_time_s) break;
+        for (const Attempt& attempt : attempts_.list) {
+            const double value = attempt.value(words.quantity);
+            if (!std::isfinite(value) || value == 0.0) continue;
+            quantities_.push_back(words.quantity);
+            break;
+        }
+    }
+    const QSignalBlocker quiet(quantity_);
+    quantity_->clear();
+    for (const Quantity quantity : quantities_) quantity_->addItem(words_of(quantity).words);
+}
+
+void AttemptsDialog::fill_table() {
+    const QSignalBlocker quiet(table_);
+    QStringList heads{"Attempt", "Ended", "Result", "Reference"};
+    for (const Quantity quantity : quantities_) {
+        const QuantityWords& words = words_of(quantity);
+        heads << (*words.unit ? QString("%1 (%2)").arg(words.words, words.unit)
+                              : QString(words.words));
+    }
+    table_->clear();
+    table_->setColumnCount(static_cast<int>(heads.size()));
+    table_->setHorizontalHeaderLabels(heads);
+    table_->setRowCount(static_cast<int>(attempts_.list.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const Attempt& attempt = attempts_.list[static_cast<std::size_t>(row)];
+        table_->setItem(row, Column::number, text_item(QString::number(row + 1)));
+        table_->setItem(row, Column::ended, text_item(local_time(attempt.ended_at)));
+        auto* outcome = text_item(attempt.passed ? "✓ passed" : "✗ not passed");
+        QStringList why;
+        for (const std::string& reason : attempt.reasons) why << QString::fromStdString(reason);
+        outcome->setToolTip(why.join("\n"));
+        table_->setItem(row, Column::result, outcome);
+        auto* box = new QTableWidgetItem;
+        box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        box->setCheckState(attempt.reference ? Qt::Checked : Qt::Unchecked);
+        table_->setItem(row, Column::reference, box);
+        for (std::size_t k = 0; k < quantities_.size(); ++k) {
+            const double value = attempt.value(quantities_[k]);
+            auto* item = text_item(std::isfinite(value) ? QString::number(value, 'g', 4) : "");
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
+        }
+    }
+    table_->resizeColumnsToContents();
+    if (table_->rowCount() > 0) table_->selectRow(table_->rowCount() - 1);
+    look_back_->setEnabled(table_->rowCount() > 0);
+    save_->setEnabled(table_->rowCount() > 0);
+}
+
+void AttemptsDialog::draw_curve() {
+    const int chosen = quantity_->currentIndex();
+    plot_->set_chart(
+        chosen < 0 ? Chart{}
+                   : learning_curve(attempts_.list, quantities_[static_cast<std::size_t>(chosen)]));
+}
+
+void AttemptsDialog::mark(int row, bool is_reference) {
+    Attempt& attempt = attempts_.list[static_cast<std::size_t>(row)];
+    if (attempt.reference == is_reference) return;
+    attempt.reference = is_reference;
+    try {
+        write_attempt(attempt);
+    } catch (...) {
+        attempt.reference = !is_reference;
+        fill_table();
+        ways_.failed(std::current_exception());
+    }
+    draw_curve();
+}
+
+}  // namespace hepatica

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All attempts at one lesson that lie in this user's folder: a table, the learning curve of one
+// quantity over them, and the band of those attempts that others are measured by.
+#pragma once
+
+#include <QDialog>
+#include <exception>
+#include <filesystem>
+#include <functional>
+
+#include "core/lesson/attempts.h"
+#include "render/chart.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace hepatica {
+
+class PlotView;
+
+// The quantity over the attempts, from 1; with a band, its bounds.
+Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity);
+
+class AttemptsDialog : public QDialog {
+  public:
+    struct Ways {
+        std::function<void(const std::filesystem::path& recording)> look_back;
+        std::function<void(const std::string& csv)> save;
+        std::function<void(const std::exception_ptr& error)> failed;
+    };
+    AttemptsDialog(Ways ways, QWidget* parent);
+
+    // Reads them anew and shows them; the newest is chosen.
+    void show_lesson(const std::string& lesson, const std::filesystem::path& folder);
+    const std::vector<Attempt>& attempts() const { return attempts_.list; }
+    const Chart& chart() const;
+
+  private:
+    void fill_table();
+    void choose_quantities();
+    void draw_curve();
+    void mark(int row, bool reference);
+
+    Ways ways_;
+    Attempts attempts_;
+    std::string lesson_;
+    std::vector<Quantity> quantities_;  // that differ from 0 in any attempt
+    QLabel* title_;
+    QTableWidget* table_;
+    QComboBox* quantity_;
+    PlotView* plot_;
+    QPushButton* look_back_;
+    QPushButton* save_;
+};
+
+}  // namespace hepatica
