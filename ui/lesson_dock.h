@@ -51,6 +51,7 @@ class LessonDock : public QDockWidget {
     // Of the lesson that is being played or has ended.
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
+    AttemptsDialog& attempts() { return *attempts_; }
     // At every figure's turn: how the lesson stands.
     void show_figures();
     // Where the marks are in a frame; none where no lesson is played.

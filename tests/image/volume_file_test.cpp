@@ -144,7 +144,8 @@ TEST(Nifti, WithoutOrientationHasItsSpacingAlongTheAxesOfItsTools) {
     Job job;
     write_nifti(folder / "s.nii", patterned_volume(small_grid()));
     std::string bytes = bytes_of_file(folder / "s.nii");
-    std::memset(bytes.data() + 252, 0, 4);  // qform_code and sform_code
+    std::memset(bytes.data() + 228, 'x', 24);  // a name beside them, as long as may be
+    std::memset(bytes.data() + 252, 0, 4);     // qform_code and sform_code
     write_bytes(folder / "s.nii", bytes);
     const Grid read = read_volume(folder / "s.nii", job).grid;
     EXPECT_EQ(read.dims, small_grid().dims);

@@ -122,7 +122,7 @@ class LessonWindowTest : public testing::WindowTest {
         std::vector<std::filesystem::path> files;
         for (const auto& entry :
              std::filesystem::directory_iterator(to_path(folder_.filePath("recordings"))))
-            files.push_back(entry.path());
+            if (entry.path().extension() == ".hrec") files.push_back(entry.path());
         EXPECT_EQ(files.size(), 1u);
         return files.front();
     }
@@ -161,7 +161,7 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     // Its result lies beside it, and the learning curve begins.
     ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(result_file_of(recording)); }));
     window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
-    auto& dialog = *window_.findChild<AttemptsDialog*>();
+    AttemptsDialog& dialog = window_.lessons().attempts();
     ASSERT_EQ(dialog.attempts().size(), 1u);
     EXPECT_TRUE(dialog.attempts()[0].passed);
     EXPECT_EQ(dialog.attempts()[0].value(Quantity::time_s), live.metrics.time_s);

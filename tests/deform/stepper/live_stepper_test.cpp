@@ -50,8 +50,8 @@ TEST(LiveRegion, FreezesWhatIsStillAndWakesWhatIsHeld) {
 
 // A stretch creeps by two fifths of the threshold at a time, and between any two of its moves the
 // region changes elsewhere: what adds up wakes the frozen neighbour all the same.
-TEST(LiveRegion, StrainAddsUpOverChangesOfTheRegion) {
-    const BodyDescription body = test::description_of(test::make_bar(120.0, 3.0, 60, 1));
+void expect_creep_to_wake(double width_mm) {
+    const BodyDescription body = test::description_of(test::make_bar(120.0, width_mm, 60, 1));
     LiveRegionOptions options;
     options.reach_nodes = 2;
     LiveRegion region(body.skeleton, body.mesh.vertices_mm, options);
@@ -89,6 +89,11 @@ TEST(LiveRegion, StrainAddsUpOverChangesOfTheRegion) {
     EXPECT_GE(moves, 2);
     EXPECT_LE(moves, 4);
     EXPECT_GT(region.live_count(), live_around_left);
+}
+
+// The threshold is in radii: of a vessel four times as wide it is four times as far.
+TEST(LiveRegion, StrainAddsUpOverChangesOfTheRegion) {
+    for (const double width_mm : {0.75, 3.0, 12.0}) expect_creep_to_wake(width_mm);
 }
 
 TEST(LiveStepper, NothingMovesNothingIsComputed) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "tests/support/test_trees.h"
 
@@ -43,6 +44,29 @@ TEST(VesselGraph, ComponentsAreNumberedByTheirFirstNode) {
     graph.links = {straight_link(graph, 6, 1, 1, 1), straight_link(graph, 5, 2, 1, 1),
                    straight_link(graph, 2, 0, 1, 1)};
     EXPECT_EQ(component_of_nodes(graph), (std::vector<int>{0, 1, 0, 2, 3, 0, 1}));
+}
+
+// A spanning forest takes one link less than nodes of each component; whatever is beyond closes a
+// loop, however nodes and links are numbered.
+TEST(VesselGraph, ATreeLeavesTheLinksThatCloseLoops) {
+    std::mt19937 chance(9);
+    for (int trial = 0; trial < 400; ++trial) {
+        VesselGraph graph;
+        const int nodes = 2 + static_cast<int>(chance() % 5);
+        for (int n = 0; n < nodes; ++n) graph.nodes.push_back({Vec3(10.0 * n, n % 3, 0), 1.0});
+        for (int l = 0, links = static_cast<int>(chance() % 8); l < links; ++l) {
+            const int from = static_cast<int>(chance() % graph.nodes.size());
+            const int to = static_cast<int>(chance() % graph.nodes.size());
+            if (from != to) graph.links.push_back(straight_link(graph, from, to, 1, 1));
+        }
+        const std::vector<int> component = component_of_nodes(graph);
+        const int components = *std::ranges::max_element(component) + 1;
+        const auto spanning = static_cast<std::size_t>(nodes - components);
+        const VesselTree tree = directed(graph);
+        const auto closing = std::ranges::count_if(tree.segments, &VesselSegment::closes_loop);
+        EXPECT_EQ(tree.segments.size(), graph.links.size());
+        EXPECT_EQ(static_cast<std::size_t>(closing), graph.links.size() - spanning) << trial;
+    }
 }
 
 // Systems in ascending order, and of one system the longest piece first, however they come in.
