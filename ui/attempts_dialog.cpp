@@ -23,6 +23,8 @@ struct Column {
     enum { number, ended, result, reference, first_quantity };
 };
 
+constexpr int least_axis = 5;
+
 // A result is written in world time and shown in the user's.
 QString local_time(const std::string& utc) {
     const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -45,6 +47,11 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         chart.curves[0].x.push_back(static_cast<double>(i + 1));
         chart.curves[0].y.push_back(attempts[i].value(quantity));
+    }
+    // The axis counts whole attempts.
+    if (attempts.size() < static_cast<std::size_t>(least_axis)) {
+        chart.curves[0].x.push_back(least_axis);
+        chart.curves[0].y.push_back(std::nan(""));
     }
     if (const auto band = band_of(attempts, quantity)) {
         const std::vector<double> ends{0.0, static_cast<double>(attempts.size())};
@@ -114,11 +121,13 @@ void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesyste
     choose_quantities();
     fill_table();
     draw_curve();
+    const std::size_t count = attempts_.list.size();
     QString text = QString(
-                       "<b>%1</b>: %2 attempts. Tick those of an instructor: they are the band "
-                       "in the learning curve.")
+                       "<b>%1</b>: %2 %3. Tick those of an instructor: they are the band in "
+                       "the learning curve.")
                        .arg(QString::fromStdString(lesson).toHtmlEscaped())
-                       .arg(attempts_.list.size());
+                       .arg(count)
+                       .arg(count == 1 ? "attempt" : "attempts");
     for (const std::string& words : attempts_.passed_over)
         text += "<br>Left out: " + QString::fromStdString(words).toHtmlEscaped();
     title_->setText(text);

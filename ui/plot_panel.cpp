@@ -130,10 +130,19 @@ void PlotView::paint_curves(QPainter& painter) const {
         }
         painter.setPen(QPen(colour_of(c), 2.0));
         painter.drawPath(path);
+        if (curve.x.size() <= most_dots) paint_dots(painter, curve);
     }
     if (!marker_ || *marker_ < 0.0 || *marker_ > x_end_) return;
     painter.setPen(QPen(marker_line, 1.5));
     painter.drawLine(place(*marker_, 0), place(*marker_, y_end_));
+}
+
+// Of few points each counts, and a single one has no line.
+void PlotView::paint_dots(QPainter& painter, const Curve& curve) const {
+    painter.setBrush(painter.pen().color());
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+        if (std::isfinite(curve.y[i])) painter.drawEllipse(place(curve.x[i], curve.y[i]), 2.5, 2.5);
+    painter.setBrush(Qt::NoBrush);
 }
 
 // To the right above the curves, each in its colour.

@@ -43,11 +43,13 @@ class PlotView : public QWidget {
   private:
     void paint_axes(QPainter& painter) const;
     void paint_curves(QPainter& painter) const;
+    void paint_dots(QPainter& painter, const Curve& curve) const;
     void paint_names(QPainter& painter) const;
     void paint_events(QPainter& painter) const;
     QRectF frame() const;
     QPointF place(double x, double y) const;
 
+    static constexpr std::size_t most_dots = 40;
     Chart chart_;
     std::optional<double> marker_;
     std::vector<PlotEvent> events_;

@@ -21,7 +21,10 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
     waiting_->setObjectName("quiet");
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
-    bar_->setFixedWidth(260);
+    bar_->setMaximumWidth(260);
+    bar_->setMinimumWidth(80);
+    // Words that are too long are cut: they must not make the window wider than the screen.
+    for (QLabel* label : {title_, stage_, waiting_}) label->setMinimumWidth(1);
     connect(cancel_, &QPushButton::clicked, this, std::move(cancel));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 10, 8);

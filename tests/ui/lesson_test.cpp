@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -180,7 +181,9 @@ TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);
     Chart chart = learning_curve(attempts, Quantity::time_s);
     ASSERT_EQ(chart.curves.size(), 1u);
-    EXPECT_EQ(chart.curves[0].x, (std::vector<double>{1, 2, 3}));
+    ASSERT_EQ(chart.curves[0].x, (std::vector<double>{1, 2, 3, 5}));
+    EXPECT_TRUE(std::isnan(chart.curves[0].y[3])) << "the axis alone goes to 5";
+    chart.curves[0].y.pop_back();
     EXPECT_EQ(chart.curves[0].y, (std::vector<double>{10, 9, 8}));
     EXPECT_EQ(chart.y_label, "time (s)");
     attempts[0].reference = attempts[2].reference = true;
