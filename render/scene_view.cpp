@@ -274,6 +274,23 @@ vtkCamera& SceneView::camera() {
     return *parts_->renderer->GetActiveCamera();
 }
 
+bool SceneView::look_as(SceneView& other) {
+    vtkCamera& mine = camera();
+    vtkCamera& theirs = other.camera();
+    if (Vec3(mine.GetPosition()) == Vec3(theirs.GetPosition()) &&
+        Vec3(mine.GetFocalPoint()) == Vec3(theirs.GetFocalPoint()) &&
+        Vec3(mine.GetViewUp()) == Vec3(theirs.GetViewUp()) &&
+        mine.GetViewAngle() == theirs.GetViewAngle())
+        return false;
+    mine.SetPosition(theirs.GetPosition());
+    mine.SetFocalPoint(theirs.GetFocalPoint());
+    mine.SetViewUp(theirs.GetViewUp());
+    mine.SetViewAngle(theirs.GetViewAngle());
+    parts_->looked = true;
+    parts_->shown_aspect = parts_->aspect();
+    return true;
+}
+
 ViewAxes SceneView::axes() const {
     vtkCamera& eye = *parts_->renderer->GetActiveCamera();
     const Vec3 forward(eye.GetDirectionOfProjection());

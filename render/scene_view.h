@@ -93,6 +93,8 @@ class SceneView {
     // The box that look_from() fits: the tree's, as of the last frame.
     void look_from(ViewDirection direction);
     vtkCamera& camera();
+    // Looks from where the other view looks; true if it did not already.
+    bool look_as(SceneView& other);
 
     // Of what is drawn: what is clipped away is not met.
     SurfacePick pick(const Pixel& pixel) const;

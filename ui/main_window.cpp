@@ -5,6 +5,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
@@ -38,6 +39,7 @@
 #include "ui/questions.h"
 #include "ui/recent_menu.h"
 #include "ui/review_dock.h"
+#include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
@@ -149,7 +151,12 @@ void MainWindow::build_view() {
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
     build_slices(centre);
-    column->addWidget(view_layout_, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    second_view_ = new SecondView(*view_, centre);
+    row->addWidget(view_layout_, 1);
+    row->addWidget(second_view_, 1);
+    column->addLayout(row, 1);
     column->addWidget(progress_);
     setCentralWidget(centre);
     welcome_ = new Welcome(*actions_, view_);
@@ -239,6 +246,11 @@ void MainWindow::build_review() {
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open = [this](const OpenRequest& request) { open(request); };
     ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.ask_for_other = [this] { return ask_for_recording(); };
+    ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& caption) {
+        second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
+                                 theme_named(settings_.theme()).view, caption);
+    };
     ways.failed = [this](const Failure& failure) { fail("Look back on a recording", failure); };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);
@@ -321,7 +333,9 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::open_ct_folder, [this] { ask_for_ct(true); });
     actions_->on(ActionId::open_ct_file, [this] { ask_for_ct(false); });
     actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
-    actions_->on(ActionId::open_recording, [this] { ask_for_recording(); });
+    actions_->on(ActionId::open_recording, [this] {
+        if (const auto file = ask_for_recording()) review_->open(*file);
+    });
     actions_->on(ActionId::built_in, [this] { open(OpenRequest{true, {}}); });
     actions_->on(ActionId::reconstruct, [this] { ask_for_reconstruction(); });
     actions_->on(ActionId::save_case, [this] { keeper_->save(); });

@@ -32,6 +32,7 @@ class MessageLog;
 class ProgressStrip;
 class QualityPanel;
 class ReviewDock;
+class SecondView;
 class StatusLine;
 class ToolPanel;
 class ViewLayout;
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
     MessageLog& log() { return *log_; }
     LessonDock& lessons() { return *lessons_; }
     ReviewDock& review() { return *review_; }
+    SecondView& second_view() { return *second_view_; }
     Actions& actions() { return *actions_; }
 
     // Writes what the view shows. Throws InputError where the file cannot be written.
@@ -102,7 +104,7 @@ class MainWindow : public QMainWindow {
     void open_unsaved_work();
     std::optional<std::filesystem::path> ask_where_ct_lies();
     void ask_for_ct(bool folder);
-    void ask_for_recording();
+    std::optional<std::filesystem::path> ask_for_recording();
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
     void save_table(const QString& name, const std::string& csv);
@@ -145,6 +147,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<Actions> actions_;
     VtkWidget* view_ = nullptr;
     ViewLayout* view_layout_ = nullptr;  // holds view_ and the slices of the CT
+    SecondView* second_view_ = nullptr;  // of a recording beside another
     Welcome* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     MessageLog* log_ = nullptr;

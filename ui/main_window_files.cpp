@@ -172,10 +172,11 @@ void MainWindow::ask_for_ct(bool folder) {
     if (!path.isEmpty()) open(path);
 }
 
-void MainWindow::ask_for_recording() {
+std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
     const QString path = QFileDialog::getOpenFileName(
         this, "Open recording", settings_.recordings_folder(), "Recordings (*.hrec)");
-    if (!path.isEmpty()) open(path);
+    if (path.isEmpty()) return std::nullopt;
+    return to_path(path);
 }
 
 void MainWindow::save_picture(const QString& file) {

@@ -18,6 +18,7 @@
 #include "ui/message_log.h"
 #include "ui/quality_panel.h"
 #include "ui/review_dock.h"
+#include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
@@ -232,6 +233,7 @@ void MainWindow::picture_shown(const PictureTime& time) {
     if (picture_ms_ == 0.0) status_->show_renderer(view_->renderer_name());
     picture_ms_ = time.on_screen_ms;
     if (patient_) patient_->simulation->set_drawing_ms(time.processor_ms);
+    second_view_->follow_first();
     show_figures_soon();
     if (first_picture_) QTimer::singleShot(0, this, std::exchange(first_picture_, nullptr));
 }

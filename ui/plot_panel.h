@@ -49,7 +49,7 @@ class PlotView : public QWidget {
     QRectF frame() const;
     QPointF place(double x, double y) const;
 
-    static constexpr std::size_t most_dots = 40;
+    static constexpr std::size_t most_dots = 12;
     Chart chart_;
     std::optional<double> marker_;
     std::vector<PlotEvent> events_;

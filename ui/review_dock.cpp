@@ -173,6 +173,14 @@ QWidget* ReviewDock::build_notes() {
     remove_->setEnabled(false);
     connect(remove_, &QPushButton::clicked, this, [this] { remove_note(); });
     row->addWidget(remove_);
+    compare_ = new QPushButton("Co&mpare with…");
+    compare_->setObjectName("reviewCompare");
+    compare_->setToolTip("Show another recording of this patient beside it");
+    connect(compare_, &QPushButton::clicked, this, [this] {
+        if (comparing()) return compare({});
+        if (const auto other = ways_.ask_for_other()) compare(*other);
+    });
+    row->addWidget(compare_);
     auto* leave_button = new QPushButton("&Leave the review");
     leave_button->setObjectName("reviewLeave");
     connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
@@ -257,6 +265,54 @@ void ReviewDock::begin() {
         std::move(callbacks));
 }
 
+void ReviewDock::compare(const fs::path& other) {
+    other_job_.reset();
+    other_tape_.reset();
+    other_frame_.reset();
+    ways_.beside(nullptr, {});
+    compare_->setText("Co&mpare with…");
+    shown_events_ = 0;
+    if (other.empty() || !reviewing()) return show_progress({});
+    other_file_ = other;
+    other_tape_ = std::make_shared<ReviewTape>();
+    compare_->setText("No &more beside it");
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
+    callbacks.failed = [this](const Failure& failure) {
+        ways_.failed(failure);
+        QTimer::singleShot(0, this, [this] { compare({}); });
+    };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] {
+        other_job_.reset();
+        show_progress({});
+    };
+    other_job_ = std::make_unique<BackgroundJob>(
+        [file = other, lesson = lesson_, patient = ways_.patient(),
+         tape = other_tape_](Job& job) -> std::function<void()> {
+            const Recording recording = read_recording(file);
+            if (hash_of(*patient) != recording.patient_hash)
+                throw InputError("was played on another patient", file.string(),
+                                 "Choose a recording of the patient who is shown");
+            const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
+            review(recording, same ? lesson : built_in_lesson_of(recording), patient, *tape, job);
+            return [] {};
+        },
+        std::move(callbacks));
+}
+
+double ReviewDock::end_s() const {
+    return std::max(tape_->end_s(), comparing() ? other_tape_->end_s() : 0.0);
+}
+
+void ReviewDock::show_other() {
+    if (!comparing()) return;
+    const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);
+    if (frame == nullptr || frame == other_frame_) return;
+    other_frame_ = frame;
+    ways_.beside(frame, to_text(other_file_.stem()));
+}
+
 void ReviewDock::show_progress(const JobProgress& progress) {
     const auto first = tape_->at(0.0);
     if (first == nullptr) return;
@@ -279,21 +335,24 @@ void ReviewDock::show_progress(const JobProgress& progress) {
             window->resizeDocks({this}, {height_at_first}, Qt::Vertical);
         set_playing(true);
     }
-    const QString name = to_text(file_.filename());
-    title_->setText(job_ == nullptr ? name
-                                    : QString("%1: %2 % gone through")
-                                          .arg(name)
-                                          .arg(static_cast<int>(100.0 * progress.fraction)));
+    QString name = to_text(file_.filename());
+    if (comparing()) name += ", and beside it " + to_text(other_file_.filename());
+    title_->setText(complete() ? name
+                               : QString("%1: %2 % gone through")
+                                     .arg(name)
+                                     .arg(static_cast<int>(100.0 * progress.fraction)));
     const QSignalBlocker quiet(line_);
-    line_->set_end(tape_->end_s());
+    line_->set_end(end_s());
     show_events();
     go_to(at_s_);
 }
 
 void ReviewDock::show_events() {
     const std::vector<PlayEvent> events = tape_->events();
-    if (events.size() + notes_.size() == shown_events_ && shown_events_ > 0) return;
-    shown_events_ = events.size() + notes_.size();
+    const auto others = comparing() ? other_tape_->events() : std::vector<PlayEvent>();
+    const std::size_t count = events.size() + others.size() + notes_.size();
+    if (count == shown_events_ && shown_events_ > 0) return;
+    shown_events_ = count;
     struct Row {
         double at_s;
         QString text;
@@ -303,6 +362,9 @@ void ReviewDock::show_events() {
     std::vector<Row> rows;
     for (const PlayEvent& event : events)
         rows.push_back({event.at_s, QString::fromStdString(event.text), colour_of(event.kind), -1});
+    for (const PlayEvent& event : others)
+        rows.push_back({event.at_s, "beside: " + QString::fromStdString(event.text),
+                        colour_of(event.kind), -1});
     for (std::size_t i = 0; i < notes_.size(); ++i)
         rows.push_back({notes_[i].at_s, "✎ " + QString::fromStdString(notes_[i].text),
                         palette().color(QPalette::WindowText), static_cast<int>(i)});
@@ -323,7 +385,7 @@ void ReviewDock::show_events() {
 
 void ReviewDock::set_playing(bool playing) {
     if (!reviewing()) return;
-    if (playing && complete() && at_s_ >= tape_->end_s()) go_to(0.0);
+    if (playing && complete() && at_s_ >= end_s()) go_to(0.0);
     since_tick_.start();
     playing ? clock_.start() : clock_.stop();
     play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
@@ -333,16 +395,17 @@ void ReviewDock::tick() {
     const double wall_s = 1e-3 * static_cast<double>(since_tick_.restart());
     const double speed = speeds[static_cast<std::size_t>(speed_->currentIndex())];
     go_to(at_s_ + speed * wall_s);
-    if (complete() && at_s_ >= tape_->end_s()) set_playing(false);
+    if (complete() && at_s_ >= end_s()) set_playing(false);
 }
 
 void ReviewDock::go_to(double at_s) {
     if (!reviewing()) return;
-    at_s_ = std::clamp(at_s, 0.0, tape_->end_s());
+    at_s_ = std::clamp(at_s, 0.0, end_s());
     const QSignalBlocker quiet(line_);
     line_->set_at(at_s_);
-    time_->setText(clock_text(at_s_) + " of " + clock_text(tape_->end_s()));
+    time_->setText(clock_text(at_s_) + " of " + clock_text(end_s()));
     screen_->show_at(at_s_);
+    show_other();
 }
 
 void ReviewDock::jump(int direction) {
@@ -397,6 +460,10 @@ void ReviewDock::leave() {
 void ReviewDock::forget() {
     clock_.stop();
     job_.reset();
+    other_job_.reset();
+    other_frame_.reset();
+    if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {});
+    compare_->setText("Co&mpare with…");
     if (screen_) screen_->gone = nullptr;
     screen_.reset();
     tape_.reset();

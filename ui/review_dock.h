@@ -40,6 +40,11 @@ class ReviewDock : public QDockWidget {
         std::function<void(const OpenRequest&)> open;  // shows it some time later: patient_shown()
         // In place of the simulation that runs; null: that of free play.
         std::function<void(std::unique_ptr<Simulation>)> use;
+        // Another recording, to be shown beside; none: not after all.
+        std::function<std::optional<std::filesystem::path>()> ask_for_other;
+        // A frame beside the first view; null: nothing any more.
+        std::function<void(const std::shared_ptr<const Frame>& frame, const QString& caption)>
+            beside;
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // in passing
     };
@@ -54,10 +59,13 @@ class ReviewDock : public QDockWidget {
     void open(const std::filesystem::path& recording, const std::string& lesson = {});
     // There is another patient now: a recording that waited for him begins, one of another ends.
     void patient_shown();
+    // Shows another recording of the same patient beside it, both from their beginnings.
+    void compare(const std::filesystem::path& other);
+    bool comparing() const { return other_tape_ != nullptr; }
     // The recording is shown now.
     bool reviewing() const { return screen_ != nullptr; }
-    // Every frame of it has been gone through.
-    bool complete() const { return reviewing() && job_ == nullptr; }
+    // Every frame of it, and of one beside it, has been gone through.
+    bool complete() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
 
     double at_s() const { return at_s_; }
     bool playing() const { return clock_.isActive(); }
@@ -78,6 +86,8 @@ class ReviewDock : public QDockWidget {
     void add_note();
     void remove_note();
     void keep_notes();
+    void show_other();
+    double end_s() const;  // of the longer one
     void leave();
     void forget();
 
@@ -89,6 +99,10 @@ class ReviewDock : public QDockWidget {
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;
+    std::filesystem::path other_file_;  // beside it
+    std::unique_ptr<BackgroundJob> other_job_;
+    std::shared_ptr<ReviewTape> other_tape_;
+    std::shared_ptr<const Frame> other_frame_;  // that is shown
     std::vector<PlayNote> notes_;
     std::size_t shown_events_ = 0;
     double at_s_ = 0.0;
@@ -103,6 +117,7 @@ class ReviewDock : public QDockWidget {
     QListWidget* events_ = nullptr;
     QLineEdit* note_ = nullptr;
     QPushButton* remove_ = nullptr;
+    QPushButton* compare_ = nullptr;
 };
 
 }  // namespace hepatica

@@ -22,9 +22,13 @@ nlohmann::ordered_json what_must_agree(SceneSpec scene) {
 
 }  // namespace
 
+bool is_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
+    return what_must_agree(recorded) == what_must_agree(wanted);
+}
+
 void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
+    if (is_same_scene(recorded, wanted)) return;
     const auto a = what_must_agree(recorded), b = what_must_agree(wanted);
-    if (a == b) return;
     throw InputError(
         "was played in another scene than the lesson's: " + a.dump() + ", not " + b.dump(),
         "recording", "Give a recording of this lesson");
@@ -34,7 +38,7 @@ std::optional<Lesson> built_in_lesson_of(const Recording& recording) {
     for (const BuiltInLesson& entry : built_in_lessons()) {
         Lesson lesson = find_lesson(entry.id);
         if (lesson.scene.name == recording.scene.name &&
-            what_must_agree(lesson.scene) == what_must_agree(recording.scene))
+            is_same_scene(recording.scene, lesson.scene))
             return lesson;
     }
     return std::nullopt;

@@ -31,6 +31,7 @@ Score score(const Recording& recording, const Lesson& lesson,
 // The lesson that comes with the program and has the recorded scene; none where none has.
 std::optional<Lesson> built_in_lesson_of(const Recording& recording);
 
+bool is_same_scene(const SceneSpec& recorded, const SceneSpec& wanted);
 // Throws InputError unless the scenes have the same parts and settings but for the solver's
 // accuracy, which the machine may choose.
 void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted);

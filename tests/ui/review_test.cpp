@@ -16,6 +16,7 @@
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
+#include "ui/second_view.h"
 #include "ui/time_line.h"
 
 namespace hepatica {
@@ -76,7 +77,6 @@ class ReviewWindowTest : public testing::WindowTest {
     }
     // The step whose frame the window shows, from 0; -1 where it is not that frame.
     int shown_step() {
-        window_.view().grabFramebuffer();
         const Frame& shown = window_.frame();
         const Frame& was = played().frames.at(static_cast<std::size_t>(shown.step - 1));
         return shown.positions_mm == was.positions_mm ? static_cast<int>(was.step) - 1 : -1;
@@ -181,6 +181,42 @@ TEST_F(ReviewWindowTest, its_patient_is_opened_where_none_is_shown) {
     look_back();
     EXPECT_EQ(opened_, 1);
     EXPECT_GE(shown_step(), 0);
+}
+
+// A second play of the same patient, half as long, in which nothing happens.
+TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same_way) {
+    open_built_in();
+    look_back();
+    const std::filesystem::path other = to_path(folder_.filePath("other.hrec"));
+    const auto session = test::new_session();
+    const auto recording = test::keep_recording(*session);
+    test::play(*session, 50);
+    write_recording(other, *recording);
+    dock().compare(other);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    EXPECT_NEAR(line().end_s(), steps / 60.0, 2e-3) << "the longer one's";
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(shows_step(29));
+    VtkWidget& beside = window_.second_view().view();
+    ASSERT_TRUE(wait_for([&] {
+        beside.grabFramebuffer();
+        return !beside.scene().look_as(window_.view().scene());
+    }));
+    window_.actions()[ActionId::view_superior].trigger();
+    EXPECT_TRUE(wait_for(
+        [&] { return beside.scene().axes().forward == window_.view().scene().axes().forward; }));
+    click("reviewCompare");
+    EXPECT_FALSE(dock().comparing());
+    EXPECT_FALSE(window_.second_view().shown());
+    EXPECT_TRUE(dock().reviewing());
+    // One of another patient is refused, and what is shown stays.
+    Recording foreign = played().recording;
+    foreign.patient_hash ^= 1;
+    write_recording(other, foreign);
+    dock().compare(other);
+    EXPECT_TRUE(wait_for([this] { return !dock().comparing(); }));
+    EXPECT_TRUE(window_.messages().text().contains("another patient"));
+    EXPECT_TRUE(dock().reviewing());
 }
 
 TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {

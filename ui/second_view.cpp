@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/second_view.h"
+
+#include <QVBoxLayout>
+
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+namespace {
+
+// It is looked at only.
+MouseTool::Callbacks nothing() {
+    return {[](const Command&) {},
+            [](const SurfacePick&) {},
+            [](const SurfacePick&) {},
+            [](const SurfacePick&) {},
+            [](int) {},
+            [](const SurfacePick&) { return Vec3(Vec3::Zero()); },
+            [](MouseMode, const std::optional<std::array<Vec3, 2>>&) {}};
+}
+
+}  // namespace
+
+SecondView::SecondView(VtkWidget& first, QWidget* parent) : QWidget(parent), first_(first) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(2, 0, 0, 0);
+    hide();
+}
+
+void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
+                           const QString& caption) {
+    view_ = new VtkWidget(nothing(), this);
+    view_->scene().set_vertex_systems(of_vertices);
+    view_->scene().set_look(look);
+    view_->scene().set_caption(caption.toStdString());
+    view_->on_picture([this](const PictureTime&) {
+        if (first_.scene().look_as(view_->scene())) first_.draw_again();
+    });
+    layout()->addWidget(view_);
+    show();
+}
+
+void SecondView::show_frame(const std::shared_ptr<const Frame>& frame,
+                            const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
+                            const QString& caption) {
+    if (frame == nullptr) {
+        delete view_;
+        view_ = nullptr;
+        hide();
+        return;
+    }
+    const bool is_new = view_ == nullptr;
+    if (is_new) make_view(of_vertices, look, caption);
+    view_->show_frame(*frame);
+    if (is_new) follow_first();
+}
+
+void SecondView::follow_first() {
+    if (view_ != nullptr && view_->scene().look_as(first_.scene())) view_->draw_again();
+}
+
+}  // namespace hepatica

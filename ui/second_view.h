@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A second picture beside the first one, of another play of the same patient. Both look the same
+// way: whoever turns one turns the other.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "core/base/vascular_system.h"
+#include "core/scene/frame.h"
+#include "render/view_look.h"
+
+namespace hepatica {
+
+class VtkWidget;
+
+class SecondView : public QWidget {
+  public:
+    // The first view must outlive it.
+    SecondView(VtkWidget& first, QWidget* parent);
+
+    // Appears with the first frame and goes with null, which forgets everything.
+    void show_frame(const std::shared_ptr<const Frame>& frame,
+                    const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
+                    const QString& caption);
+    // After every picture of the first view.
+    void follow_first();
+    bool shown() const { return view_ != nullptr; }
+    VtkWidget& view() { return *view_; }
+
+  private:
+    void make_view(const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
+                   const QString& caption);
+
+    VtkWidget& first_;
+    VtkWidget* view_ = nullptr;
+};
+
+}  // namespace hepatica
