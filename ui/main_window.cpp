@@ -251,6 +251,9 @@ void MainWindow::build_review() {
         second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
                                  theme_named(settings_.theme()).view, caption);
     };
+    ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {
+        ask_and_save_film(end_s, go_to);
+    };
     ways.failed = [this](const Failure& failure) { fail("Look back on a recording", failure); };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);

@@ -71,6 +71,10 @@ class MainWindow : public QMainWindow {
 
     // Writes what the view shows. Throws InputError where the file cannot be written.
     void save_picture(const QString& file);
+    // Writes what is shown at each moment of a review, with a bar and a button that ends it. Throws
+    // InputError as write_film() does.
+    void save_film(const std::filesystem::path& place, double end_s,
+                   const std::function<void(double at_s)>& go_to);
 
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
@@ -109,6 +113,7 @@ class MainWindow : public QMainWindow {
     void ask_where_to_save_picture();
     void save_table(const QString& name, const std::string& csv);
     void save_plots(bool picture);
+    void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void remember(const std::filesystem::path& path);
     void fail(const std::string& doing, const Failure& failure);
     void show_jobs();

@@ -7,9 +7,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QPainter>
 #include <QProcess>
+#include <QProgressBar>
+#include <QProgressDialog>
 #include <QStatusBar>
 #include <QTimer>
+#include <algorithm>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -24,10 +28,26 @@
 #include "ui/progress_strip.h"
 #include "ui/review_dock.h"
 #include "ui/save_case_dialog.h"
+#include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
+#include "ui/video_export.h"
 #include "ui/vtk_widget.h"
 
 namespace hepatica {
+namespace {
+
+// Two pictures in one, the second to the right.
+QImage beside(const QImage& first, const QImage& second) {
+    QImage both(first.width() + second.width(), std::max(first.height(), second.height()),
+                QImage::Format_RGB32);
+    both.fill(Qt::black);
+    QPainter painter(&both);
+    painter.drawImage(0, 0, first);
+    painter.drawImage(first.width(), 0, second);
+    return both;
+}
+
+}  // namespace
 
 void MainWindow::open(const QString& path) {
     if (path.endsWith(".hrec", Qt::CaseInsensitive)) return review_->open(to_path(path));
@@ -188,6 +208,44 @@ void MainWindow::save_picture(const QString& file) {
         }
     });
     statusBar()->showMessage("Saved " + file, 6000);
+}
+
+void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
+    const QString start = settings_.last_folder();
+    const QString place =
+        ffmpeg_program().isEmpty()
+            ? QFileDialog::getExistingDirectory(
+                  this, "Folder for the pictures of the film (ffmpeg is not installed)", start)
+            : QFileDialog::getSaveFileName(this, "Save a film", start + "/play.mp4",
+                                           "Films (*.mp4)");
+    if (!place.isEmpty()) attempt("Save a film", [&] { save_film(to_path(place), end_s, go_to); });
+}
+
+void MainWindow::save_film(const std::filesystem::path& place, double end_s,
+                           const std::function<void(double)>& go_to) {
+    QProgressDialog progress("Saving the film…", "Cancel", 0, 1000, this);
+    progress.setWindowModality(Qt::WindowModal);
+    progress.setMinimumDuration(0);
+    progress.findChild<QProgressBar*>()->setTextVisible(false);
+    Film film;
+    film.end_s = end_s;
+    film.picture = [&](double at_s) {
+        go_to(at_s);
+        patient_->simulation->update_frame();
+        view_->show_frame(frame());
+        const QImage first = view_->picture();
+        return second_view_->shown() ? beside(first, second_view_->view().picture()) : first;
+    };
+    try {
+        write_film(film, place, ffmpeg_program(), [&](double share) {
+            progress.setValue(static_cast<int>(1000.0 * share));
+            QCoreApplication::processEvents();
+            return !progress.wasCanceled();
+        });
+    } catch (const Cancelled&) {
+        return;
+    }
+    statusBar()->showMessage("Saved " + to_text(place), 6000);
 }
 
 void MainWindow::attempt(const std::string& doing, const std::function<void()>& task) {

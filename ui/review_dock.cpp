@@ -111,9 +111,7 @@ void ReviewDock::build() {
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
     column->setSpacing(4);
-    title_ = new QLabel;
-    title_->setObjectName("reviewTitle");
-    column->addWidget(title_);
+    column->addWidget(build_heading());
     column->addWidget(build_controls());
     events_ = new QListWidget;
     events_->setObjectName("reviewEvents");
@@ -127,6 +125,38 @@ void ReviewDock::build() {
     column->addWidget(events_, 1);
     column->addWidget(build_notes());
     setWidget(content);
+}
+
+QWidget* ReviewDock::build_heading() {
+    auto* box = new QWidget;
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    title_ = new QLabel;
+    title_->setObjectName("reviewTitle");
+    title_->setMinimumWidth(1);  // a long name is cut
+    row->addWidget(title_, 1);
+    compare_ = new QPushButton("Co&mpare with…");
+    compare_->setObjectName("reviewCompare");
+    compare_->setToolTip("Show another recording of this patient beside it");
+    connect(compare_, &QPushButton::clicked, this, [this] {
+        if (comparing()) return compare({});
+        if (const auto other = ways_.ask_for_other()) compare(*other);
+    });
+    row->addWidget(compare_);
+    auto* film = new QPushButton("Save a &film…");
+    film->setObjectName("reviewFilm");
+    film->setToolTip("As one MP4 file where ffmpeg is installed, else as a folder of pictures");
+    connect(film, &QPushButton::clicked, this, [this] {
+        if (!complete()) return ways_.say("It is still being gone through.");
+        set_playing(false);
+        ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
+    });
+    row->addWidget(film);
+    auto* leave_button = new QPushButton("&Leave the review");
+    leave_button->setObjectName("reviewLeave");
+    connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
+    row->addWidget(leave_button);
+    return box;
 }
 
 QWidget* ReviewDock::build_controls() {
@@ -173,18 +203,6 @@ QWidget* ReviewDock::build_notes() {
     remove_->setEnabled(false);
     connect(remove_, &QPushButton::clicked, this, [this] { remove_note(); });
     row->addWidget(remove_);
-    compare_ = new QPushButton("Co&mpare with…");
-    compare_->setObjectName("reviewCompare");
-    compare_->setToolTip("Show another recording of this patient beside it");
-    connect(compare_, &QPushButton::clicked, this, [this] {
-        if (comparing()) return compare({});
-        if (const auto other = ways_.ask_for_other()) compare(*other);
-    });
-    row->addWidget(compare_);
-    auto* leave_button = new QPushButton("&Leave the review");
-    leave_button->setObjectName("reviewLeave");
-    connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
-    row->addWidget(leave_button);
     return box;
 }
 

@@ -45,6 +45,8 @@ class ReviewDock : public QDockWidget {
         // A frame beside the first view; null: nothing any more.
         std::function<void(const std::shared_ptr<const Frame>& frame, const QString& caption)>
             beside;
+        // Makes a film of it: `go_to` shows a moment.
+        std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // in passing
     };
@@ -73,6 +75,7 @@ class ReviewDock : public QDockWidget {
   private:
     struct Found;  // a recording that was read, with what it needs
     void build();
+    QWidget* build_heading();
     QWidget* build_controls();
     QWidget* build_notes();
     void take(Found found);

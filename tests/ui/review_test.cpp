@@ -183,6 +183,22 @@ TEST_F(ReviewWindowTest, its_patient_is_opened_where_none_is_shown) {
     EXPECT_GE(shown_step(), 0);
 }
 
+TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
+    open_built_in();
+    look_back();
+    const std::filesystem::path place = to_path(folder_.filePath("film"));
+    window_.save_film(place, 0.4, [&](double at_s) { line().set_at(at_s); });
+    int pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(place))
+        pictures += entry.path().extension() == ".png";
+    EXPECT_EQ(pictures, 11);
+    const QImage first(to_text(place / "00000.png")), last(to_text(place / "00010.png"));
+    EXPECT_FALSE(first.isNull());
+    EXPECT_NE(first, last) << "the vessel is pulled in the last";
+    EXPECT_EQ(first.width() / 2,
+              static_cast<int>(window_.view().width() * window_.view().devicePixelRatioF()) / 2);
+}
+
 // A second play of the same patient, half as long, in which nothing happens.
 TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same_way) {
     open_built_in();

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/video_export.h"
+
+#include <QProcess>
+#include <QStandardPaths>
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/base/job.h"
+#include "core/base/temporary_folder.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Of all the work; the rest is ffmpeg's.
+constexpr double share_of_pictures = 0.9;
+constexpr int look_ms = 50;
+
+void ask(const std::function<bool(double)>& go_on, double share) {
+    if (!go_on(share)) throw Cancelled();
+}
+
+// Codecs want even sides.
+QImage even(const QImage& picture) {
+    return picture.copy(0, 0, picture.width() & ~1, picture.height() & ~1)
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+void write_pictures(const Film& film, const fs::path& folder, double share,
+                    const std::function<bool(double)>& go_on) {
+    for (int k = 0; k < film.count(); ++k) {
+        ask(go_on, share * k / film.count());
+        const fs::path file =
+            folder / (QString("%1").arg(k, 5, 10, QChar('0')).toStdString() + ".png");
+        if (!even(film.picture(film.at_s(k))).save(to_text(file), "PNG"))
+            throw InputError("cannot be written", folder.string(), "Choose a disk with more room");
+    }
+}
+
+void write_folder_of_pictures(const Film& film, const fs::path& place,
+                              const std::function<bool(double)>& go_on) {
+    const bool stood_there = fs::exists(place);
+    try {
+        write_files_atomically(
+            place, [&](const fs::path& folder) { write_pictures(film, folder, 1.0, go_on); });
+    } catch (...) {
+        std::error_code not_empty;
+        if (!stood_there) fs::remove(place, not_empty);
+        throw;
+    }
+}
+
+void encode(const Film& film, const fs::path& pictures, const fs::path& file, const QString& ffmpeg,
+            const std::function<bool(double)>& go_on) {
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(ffmpeg,
+                  {"-y", "-loglevel", "error", "-framerate", QString::number(film.pictures_per_s),
+                   "-i", to_text(pictures / "%05d.png"), "-pix_fmt", "yuv420p", to_text(file)});
+    while (!process.waitForFinished(look_ms) && process.state() != QProcess::NotRunning)
+        ask(go_on, share_of_pictures);  // the process ends with its object
+    if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0 &&
+        process.error() != QProcess::FailedToStart)
+        return;
+    const QString said = QString::fromUtf8(process.readAll()).trimmed().section('\n', -1);
+    throw InputError("ffmpeg could not make it: " +
+                         (said.isEmpty() ? process.errorString() : said).toStdString(),
+                     file.filename().string(), "Save a folder of pictures instead");
+}
+
+}  // namespace
+
+int Film::count() const {
+    return 1 + static_cast<int>(std::ceil(end_s * pictures_per_s - 1e-9));
+}
+
+QString ffmpeg_program() {
+    return QStandardPaths::findExecutable("ffmpeg");
+}
+
+void write_film(const Film& film, const fs::path& place, const QString& ffmpeg,
+                const std::function<bool(double)>& go_on) {
+    if (place.extension() != ".mp4") return write_folder_of_pictures(film, place, go_on);
+    if (ffmpeg.isEmpty())
+        throw InputError("needs the program ffmpeg, which is not installed", place.string(),
+                         "Install it (apt install ffmpeg), or save a folder of pictures");
+    const TemporaryFolder pictures;
+    write_pictures(film, pictures.path(), share_of_pictures, go_on);
+    write_file_atomically(
+        place, [&](const fs::path& file) { encode(film, pictures.path(), file, ffmpeg, go_on); });
+}
+
+}  // namespace hepatica
