@@ -2,6 +2,9 @@
 #include <string>
 
 #include "core/base/temporary_folder.h"
+#include "core/lesson/attempts.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/play_notes.h"
 #include "core/patient/case_archive.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
@@ -54,6 +57,22 @@ void read_bridges(Bytes bytes) {
     refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
 }
 
+void read_lesson_file(Bytes bytes) {
+    refuse_or([&] { lesson_of(text_of(bytes), "lesson.json"); });
+}
+
+void read_course_file(Bytes bytes) {
+    refuse_or([&] { course_of(text_of(bytes), "course.json"); });
+}
+
+void read_notes_file(Bytes bytes) {
+    refuse_or([&] { notes_of(text_of(bytes), "play.notes.json"); });
+}
+
+void read_result_file(Bytes bytes) {
+    refuse_or([&] { attempt_from(text_of(bytes), "play.hrec", "play.result.json"); });
+}
+
 void read_archive(Bytes bytes) {
     const auto file = file_of(bytes, "case.hepz");
     const TemporaryFolder folder;
@@ -65,7 +84,9 @@ void read_archive(Bytes bytes) {
 constexpr Reader all[] = {{"tree_json", read_json_tree}, {"recording", read_recording_file},
                           {"scene", read_scene_file},    {"script", read_script_file},
                           {"case", read_case_file},      {"case_archive", read_archive},
-                          {"edits", read_edits},         {"bridges", read_bridges}};
+                          {"edits", read_edits},         {"bridges", read_bridges},
+                          {"lesson", read_lesson_file},  {"course", read_course_file},
+                          {"notes", read_notes_file},    {"result", read_result_file}};
 
 }  // namespace
 
