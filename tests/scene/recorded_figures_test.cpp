@@ -148,6 +148,7 @@ Figures handled(const SceneSpec& spec) {
             note(1e-5 * frame.tool->force_un);
             tools.push_back(frame.tool->opening_mm);
             tools.push_back(1e-5 * frame.tool->grip_un);
+            tools.push_back(frame.tool->at_limit);
             for (const int vertex : frame.tool->touched) tools.push_back(vertex);
         }
         if (frame.tear) {
