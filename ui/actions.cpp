@@ -21,6 +21,8 @@ using enum ActionId;
 constexpr std::array table{
     ActionSpec{open_case, "&File", "&Open case…", "Ctrl+O",
                "Open a patient that was reconstructed"},
+    ActionSpec{open_library, "&File", "&Library of cases…", "Ctrl+L",
+               "The cases of a folder: what each holds, what is doubted, how lessons went"},
     ActionSpec{open_ct_folder, "&File", "Open CT &folder…", "Ctrl+D",
                "Reconstruct the vessels of a DICOM series"},
     ActionSpec{open_ct_file, "&File", "Open CT f&ile…", "Ctrl+I",

@@ -17,6 +17,7 @@ namespace hepatica {
 
 enum class ActionId {
     open_case,
+    open_library,
     open_ct_folder,
     open_ct_file,
     open_unsaved,

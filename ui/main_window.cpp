@@ -29,6 +29,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/library_dialog.h"
 #include "ui/liver_keeper.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -332,6 +333,12 @@ void MainWindow::build_tool_bar() {
 }
 
 void MainWindow::connect_files() {
+    library_ = new LibraryDialog(
+        settings_,
+        {[this](const QString& path) { open(path); },
+         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); }},
+        this);
+    actions_->on(ActionId::open_library, [this] { library_->open_library(); });
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });
     actions_->on(ActionId::open_ct_folder, [this] { ask_for_ct(true); });
     actions_->on(ActionId::open_ct_file, [this] { ask_for_ct(false); });

@@ -26,6 +26,7 @@ class DialKeeper;
 class EditPanel;
 class InjectPanel;
 class LessonDock;
+class LibraryDialog;
 class LiverKeeper;
 class MessageBar;
 class MessageLog;
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
     ViewLayout& view_layout() { return *view_layout_; }
     MessageBar& messages() { return *messages_; }
     MessageLog& log() { return *log_; }
+    LibraryDialog& library() { return *library_; }
     LessonDock& lessons() { return *lessons_; }
     ReviewDock& review() { return *review_; }
     SecondView& second_view() { return *second_view_; }
@@ -156,6 +158,7 @@ class MainWindow : public QMainWindow {
     Welcome* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     MessageLog* log_ = nullptr;
+    LibraryDialog* library_ = nullptr;
     ProgressStrip* progress_ = nullptr;
     InjectPanel* inject_ = nullptr;
     EditPanel* edit_panel_ = nullptr;

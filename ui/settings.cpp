@@ -17,6 +17,7 @@ const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
+const char* const library_key = "library_folder";
 
 }  // namespace
 
@@ -107,6 +108,14 @@ QString Settings::theme() const {
 
 void Settings::set_theme(const QString& name) {
     if (store_) store_->setValue(theme_key, name);
+}
+
+QString Settings::library_folder() const {
+    return store_ ? store_->value(library_key, last_folder()).toString() : last_folder();
+}
+
+void Settings::set_library_folder(const QString& folder) {
+    if (store_) store_->setValue(library_key, folder);
 }
 
 QString Settings::last_folder() const {

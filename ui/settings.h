@@ -42,6 +42,10 @@ class Settings {
     // Where copies of unsaved work are kept; empty in safe mode, which keeps none.
     QString recovery_folder() const;
 
+    // Where the library looks for cases; the last folder as long as none was chosen.
+    QString library_folder() const;
+    void set_library_folder(const QString& folder);
+
     // See theme_named(); empty: none was chosen.
     QString theme() const;
     void set_theme(const QString& name);

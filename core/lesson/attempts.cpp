@@ -96,7 +96,7 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     return attempt;
 }
 
-Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
+Attempts all_attempts(const fs::path& folder) {
     Attempts found;
     if (!fs::is_directory(folder)) return found;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -105,9 +105,8 @@ Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
         const fs::path recording =
             folder / (name.substr(0, name.size() - std::string(suffix).size()) + ".hrec");
         try {
-            Attempt attempt = attempt_from(read_text_file(entry.path(), result_remedy), recording,
-                                           entry.path().string());
-            if (attempt.lesson == lesson) found.list.push_back(std::move(attempt));
+            found.list.push_back(attempt_from(read_text_file(entry.path(), result_remedy),
+                                              recording, entry.path().string()));
         } catch (const InputError& error) {
             found.passed_over.push_back(error.place() + " " + error.problem());
         }
@@ -116,6 +115,12 @@ Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
         return std::pair(a.ended_at, a.recording) < std::pair(b.ended_at, b.recording);
     });
     std::ranges::sort(found.passed_over);
+    return found;
+}
+
+Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
+    Attempts found = all_attempts(folder);
+    std::erase_if(found.list, [&](const Attempt& attempt) { return attempt.lesson != lesson; });
     return found;
 }
 

@@ -150,6 +150,8 @@ TEST(Nifti, WithoutOrientationHasItsSpacingAlongTheAxesOfItsTools) {
     const Grid read = read_volume(folder / "s.nii", job).grid;
     EXPECT_EQ(read.dims, small_grid().dims);
     EXPECT_NEAR((read.spacing_mm - small_grid().spacing_mm).norm(), 0.0, 1e-6);
+    EXPECT_LT(read.origin_mm.norm(), 30.0) << "a corner of the image, and not where it was";
+    EXPECT_GT(small_grid().origin_mm.norm(), 400.0);
     EXPECT_NE(read.spacing_mm.x(), read.spacing_mm.y());
     EXPECT_NE(read.spacing_mm.y(), read.spacing_mm.z());
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library of cases: what it shows of each, and how cases come and go.
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/temporary_folder.h"
+#include "core/lesson/attempts.h"
+#include "core/session/recording_file.h"
+#include "tests/patient/parted_patient.h"
+#include "tests/session/new_session.h"
+#include "tests/session/recorded.h"
+#include "tests/ui/window_test.h"
+#include "ui/case_shelf.h"
+#include "ui/library_dialog.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::wait_for;
+
+TEST(CaseShelf, TellsOfEachCaseAndOfHowLessonsWent) {
+    const TemporaryFolder folder, recordings;
+    write_case(folder.path() / "b <one>.hep", *test::small_patient());
+    write_case(folder.path() / "a.hepz", test::patient_with_bridges());
+    fs::create_directory(folder.path() / "c.hep");
+    std::ofstream(folder.path() / "c.hep" / "case.json") << "{";
+    fs::create_directory(folder.path() / "no case");
+    // Two attempts on the small patient, one on nobody.
+    const auto session = test::new_session();
+    const auto recording = test::keep_recording(*session);
+    test::play(*session, 2);
+    for (const char* name : {"1", "2", "3"}) {
+        Attempt attempt;
+        attempt.recording = recordings.path() / (std::string(name) + ".hrec");
+        attempt.lesson = "Gentle pull";
+        attempt.ended_at = std::string("202") + name;
+        attempt.passed = name[0] == '1';
+        write_attempt(attempt);
+        if (name[0] != '3') write_recording(attempt.recording, *recording);
+    }
+    Job job;
+    const std::vector<ShelvedCase> cases = cases_in(folder.path(), recordings.path(), job);
+    ASSERT_EQ(cases.size(), 3u);
+    EXPECT_EQ(cases[0].name, "a");
+    EXPECT_TRUE(cases[0].readable);
+    EXPECT_FALSE(cases[0].facts.contains("attempts"));
+    EXPECT_EQ(cases[1].name, "b <one>");
+    EXPECT_TRUE(cases[1].facts.contains("7 branches")) << cases[1].facts.toStdString();
+    EXPECT_TRUE(
+        cases[1].facts.contains("2 attempts at lessons, 1 passed; the last: Gentle pull, not"))
+        << cases[1].facts.toStdString();
+    EXPECT_FALSE(cases[2].readable);
+    EXPECT_TRUE(cases[2].facts.contains("cannot be opened"));
+    EXPECT_TRUE(cases[2].drawing.isNull());
+    EXPECT_THROW(cases_in(folder.path() / "none", recordings.path(), job), InputError);
+}
+
+// A vessel up along z with a twig to the patient's left, which is to the right.
+TEST(CaseShelf, DrawsVesselsFromTheFront) {
+    VesselTree tree;
+    const auto add = [&](const Vec3& from, const Vec3& to, VascularSystem system) {
+        VesselSegment segment;
+        segment.system = system;
+        segment.points_mm = {from, to};
+        segment.radii_mm = {4.0, 4.0};
+        tree.segments.push_back(segment);
+    };
+    add(Vec3(0, 0, 0), Vec3(0, 0, 100), VascularSystem::portal);
+    add(Vec3(0, 0, 100), Vec3(60, 0, 100), VascularSystem::artery);
+    const QImage drawing = drawing_of(tree, QSize(100, 120));
+    const auto inked = [&](int x, int y) { return qAlpha(drawing.pixel(x, y)) > 128; };
+    const double scale = 104.0 / 100.0;
+    const int left = static_cast<int>(50 - scale * 30), right = static_cast<int>(50 + scale * 25);
+    EXPECT_TRUE(inked(left, 60)) << "the trunk";
+    EXPECT_FALSE(inked(right, 60));
+    EXPECT_TRUE(inked(right, 8)) << "the twig, at the top";
+    const QColor twig = drawing.pixelColor(right, 8);
+    EXPECT_GT(twig.red(), twig.blue()) << "an artery";
+    EXPECT_TRUE(drawing_of(VesselTree{}, QSize(10, 10)).pixelColor(5, 5).alpha() == 0);
+}
+
+class LibraryTest : public testing::WindowTest {
+  protected:
+    LibraryTest()
+        : WindowTest({[this](const OpenRequest& request, Job& job) {
+                          opened_ = request.reconstruct.ct;
+                          return play(test::small_patient(), job);
+                      },
+                      [](const fs::path&, const PatientCase&) {}}),
+          cases_(to_path(folder_.filePath("cases"))) {
+        fs::create_directory(cases_);
+        write_case(cases_ / "first.hep", *test::small_patient());
+        settings_.set_library_folder(to_text(cases_));
+    }
+    LibraryDialog& dialog() { return window_.library(); }
+    void open_library() {
+        window_.actions()[ActionId::open_library].trigger();
+        ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
+    }
+
+    fs::path cases_, opened_;
+};
+
+TEST_F(LibraryTest, opens_what_is_chosen) {
+    open_library();
+    EXPECT_TRUE(dialog().findChild<QLabel*>("libraryFacts")->text().contains("7 branches"));
+    dialog().findChild<QPushButton*>("libraryOpen")->click();
+    wait();
+    EXPECT_EQ(opened_, cases_ / "first.hep");
+    EXPECT_TRUE(dialog().isHidden());
+}
+
+TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
+    open_library();
+    const fs::path file = to_path(folder_.filePath("gift.hepz"));
+    dialog().give_away(file);
+    ASSERT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+    dialog().take_in(file);
+    ASSERT_TRUE(wait_for([this] { return dialog().cases().size() == 2 && !dialog().busy(); }));
+    EXPECT_EQ(hash_of(read_case(cases_ / "gift.hep")), hash_of(*test::small_patient()));
+    const auto before = fs::last_write_time(cases_ / "gift.hep");
+    dialog().take_in(file);
+    EXPECT_TRUE(window_.messages().text().contains("there is a case of this name already"));
+    EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
+}
+
+TEST_F(LibraryTest, says_that_a_folder_holds_no_case_or_cannot_be_read) {
+    const fs::path empty = to_path(folder_.filePath("empty"));
+    fs::create_directory(empty);
+    settings_.set_library_folder(to_text(empty));
+    dialog().open_library();
+    auto* facts = dialog().findChild<QLabel*>("libraryFacts");
+    EXPECT_TRUE(wait_for([&] { return facts->text().contains("no case in this folder"); }));
+    EXPECT_FALSE(dialog().findChild<QPushButton*>("libraryOpen")->isEnabled());
+    settings_.set_library_folder(to_text(empty / "gone"));
+    dialog().open_library();
+    EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("cannot be read"); }));
+}
+
+}  // namespace
+}  // namespace hepatica

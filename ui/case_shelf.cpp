@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/case_shelf.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/lesson/attempts.h"
+#include "core/patient/patient_case.h"
+#include "core/tree/system_summary.h"
+#include "render/palette.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr QSize drawing_size(180, 150);
+constexpr double margin_points = 8.0;
+constexpr double thinnest_points = 1.2;
+
+// The attempts at lessons on each patient, by the hash of him that recordings name.
+using AttemptsOfPatients = std::map<std::string, std::vector<Attempt>>;
+
+std::string patient_of(const fs::path& recording) {
+    std::ifstream in(recording);
+    std::string header;
+    std::getline(in, header);
+    const auto json = nlohmann::json::parse(header, nullptr, false);
+    const auto hash = json.is_object() ? json.find("patient_hash") : json.end();
+    return hash != json.end() && hash->is_string() ? hash->get<std::string>() : std::string();
+}
+
+AttemptsOfPatients attempts_by_patient(const fs::path& recordings) {
+    AttemptsOfPatients found;
+    for (Attempt& attempt : all_attempts(recordings).list)
+        found[patient_of(attempt.recording)].push_back(std::move(attempt));
+    return found;
+}
+
+QString sentence_of(const std::vector<Attempt>& attempts) {
+    const auto passed = std::ranges::count_if(attempts, &Attempt::passed);
+    return QString("%1 attempts at lessons, %2 passed; the last: %3, %4")
+        .arg(attempts.size())
+        .arg(passed)
+        .arg(QString::fromStdString(attempts.back().lesson).toHtmlEscaped(),
+             attempts.back().passed ? "passed" : "not passed");
+}
+
+QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts) {
+    QStringList lines;
+    for (const SystemSummary& system : systems_of(patient.tree))
+        lines << QString("%1: %2 mm, %3 root%4")
+                     .arg(QString::fromStdString(title_of(system.system)))
+                     .arg(system.length_mm, 0, 'f', 0)
+                     .arg(system.roots.size())
+                     .arg(system.roots.size() == 1 ? "" : "s");
+    lines << QString("%1 branches, %2 tetrahedra")
+                 .arg(patient.tree.segments.size())
+                 .arg(patient.mesh.tetrahedra.size());
+    if (patient.doubts)
+        for (const std::string& doubt : sentences(*patient.doubts))
+            lines << "• " + QString::fromStdString(doubt).toHtmlEscaped();
+    const auto played = attempts.find(to_hex(hash_of(patient)));
+    if (played != attempts.end()) lines << sentence_of(played->second);
+    return lines.join("<br>");
+}
+
+ShelvedCase shelved(const fs::path& place, const AttemptsOfPatients& attempts) {
+    ShelvedCase entry{place, to_text(place.stem()), {}, {}, false};
+    try {
+        const PatientCase patient = read_case_without_voxels(place);
+        entry.drawing = drawing_of(patient.tree, drawing_size);
+        entry.facts = facts_of(patient, attempts);
+        entry.readable = true;
+    } catch (const InputError& error) {
+        entry.facts = QString("It cannot be opened: %1. %2")
+                          .arg(QString::fromStdString(error.problem()).toHtmlEscaped(),
+                               QString::fromStdString(error.remedy()).toHtmlEscaped());
+    }
+    return entry;
+}
+
+}  // namespace
+
+QImage drawing_of(const VesselTree& tree, const QSize& size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    Vec3 lower = Vec3::Constant(1e30), upper = -lower;
+    for (const VesselSegment& segment : tree.segments)
+        for (const Vec3& p : segment.points_mm) {
+            lower = lower.cwiseMin(p);
+            upper = upper.cwiseMax(p);
+        }
+    if (tree.segments.empty()) return image;
+    // From the front: the patient's left is to the right, his head is up.
+    const Vec3 extent = (upper - lower).cwiseMax(1.0);
+    const double scale = std::min((size.width() - 2.0 * margin_points) / extent.x(),
+                                  (size.height() - 2.0 * margin_points) / extent.z());
+    const Vec3 middle = 0.5 * (lower + upper);
+    const auto place = [&](const Vec3& p) {
+        return QPointF(0.5 * size.width() + scale * (p.x() - middle.x()),
+                       0.5 * size.height() - scale * (p.z() - middle.z()));
+    };
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const VesselSegment& segment : tree.segments) {
+        const Colour colour = palette::vessel_system(segment.system);
+        const QColor ink =
+            QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                             static_cast<float>(colour[2]));
+        for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
+            const double width = std::max(thinnest_points, 2.0 * scale * segment.radii_mm[i]);
+            painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(place(segment.points_mm[i - 1]), place(segment.points_mm[i]));
+        }
+    }
+    return image;
+}
+
+std::vector<ShelvedCase> cases_in(const fs::path& folder, const fs::path& recordings, Job& job) {
+    job.begin_stage("Reading the cases");
+    std::error_code failed;
+    std::vector<fs::path> places;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed))
+        if (is_case(entry->path())) places.push_back(entry->path());
+    if (failed)
+        throw InputError("cannot be read: " + failed.message(), folder.string(),
+                         "Choose another folder");
+    std::ranges::sort(places);
+    const AttemptsOfPatients attempts = attempts_by_patient(recordings);
+    std::vector<ShelvedCase> cases;
+    for (const fs::path& place : places) {
+        job.throw_if_cancelled();
+        cases.push_back(shelved(place, attempts));
+        job.advance(static_cast<double>(cases.size()) / static_cast<double>(places.size()));
+    }
+    return cases;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/library_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/patient/patient_case.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+LibraryDialog::LibraryDialog(Settings& settings, Ways ways, QWidget* parent)
+    : QDialog(parent), settings_(settings), ways_(std::move(ways)) {
+    setWindowTitle("Library of cases");
+    resize(940, 560);
+    build();
+}
+
+LibraryDialog::~LibraryDialog() = default;
+
+void LibraryDialog::build() {
+    auto* column = new QVBoxLayout(this);
+    auto* row = new QHBoxLayout;
+    folder_ = new QLabel;
+    folder_->setObjectName("libraryFolder");
+    folder_->setMinimumWidth(1);
+    row->addWidget(folder_, 1);
+    auto* choose = new QPushButton("&Another folder…");
+    connect(choose, &QPushButton::clicked, this, [this] { choose_folder(); });
+    row->addWidget(choose);
+    column->addLayout(row);
+    auto* middle = new QHBoxLayout;
+    list_ = new QListWidget;
+    list_->setObjectName("library");
+    list_->setAccessibleName("Cases");
+    list_->setViewMode(QListView::IconMode);
+    list_->setIconSize(QSize(180, 150));
+    list_->setGridSize(QSize(196, 184));
+    list_->setResizeMode(QListView::Adjust);
+    list_->setMovement(QListView::Static);
+    list_->setWordWrap(true);
+    connect(list_, &QListWidget::currentRowChanged, this, [this] { show_chosen(); });
+    connect(list_, &QListWidget::itemActivated, this, [this] { open_->click(); });
+    middle->addWidget(list_, 1);
+    facts_ = new QLabel;
+    facts_->setObjectName("libraryFacts");
+    facts_->setWordWrap(true);
+    facts_->setAlignment(Qt::AlignTop);
+    facts_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFixedWidth(300);
+    scroll->setWidget(facts_);
+    middle->addWidget(scroll);
+    column->addLayout(middle, 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    open_ = buttons->addButton("&Open", QDialogButtonBox::ActionRole);
+    open_->setObjectName("libraryOpen");
+    auto* take = buttons->addButton("&Take in a case…", QDialogButtonBox::ActionRole);
+    give_ = buttons->addButton("&Save as one file…", QDialogButtonBox::ActionRole);
+    connect(open_, &QPushButton::clicked, this, [this] {
+        if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) {
+            hide();
+            ways_.open(to_text(one->place));
+        }
+    });
+    connect(take, &QPushButton::clicked, this, [this] {
+        const QString from = QFileDialog::getOpenFileName(
+            this, "Take in a case", settings_.last_folder(), "Cases in one file (*.hepz)");
+        if (!from.isEmpty()) take_in(to_path(from));
+    });
+    connect(give_, &QPushButton::clicked, this, [this] {
+        const ShelvedCase* one = chosen();
+        if (one == nullptr) return;
+        const QString to = QFileDialog::getSaveFileName(
+            this, "Save as one file", settings_.last_folder() + "/" + one->name + ".hepz",
+            "Cases in one file (*.hepz)");
+        if (!to.isEmpty()) give_away(to_path(to.endsWith(".hepz") ? to : to + ".hepz"));
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
+    column->addWidget(buttons);
+}
+
+void LibraryDialog::open_library() {
+    show();
+    raise();
+    read_folder();
+}
+
+void LibraryDialog::choose_folder() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, "Folder with cases", settings_.library_folder());
+    if (folder.isEmpty()) return;
+    settings_.set_library_folder(folder);
+    read_folder();
+}
+
+void LibraryDialog::run(const std::string& doing, BackgroundJob::Work work) {
+    job_.reset();
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [](const JobProgress&) {};
+    callbacks.failed = [this, doing](const Failure& failure) { ways_.failed(doing, failure); };
+    callbacks.cancelled = [] {};
+    callbacks.ended = [this] { busy_ = false; };
+    busy_ = true;
+    job_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
+}
+
+void LibraryDialog::read_folder() {
+    const fs::path folder = to_path(settings_.library_folder());
+    folder_->setText(to_text(folder));
+    facts_->setText("Reading the cases…");
+    run("Read the library",
+        [this, folder,
+         recordings = to_path(settings_.recordings_folder())](Job& job) -> std::function<void()> {
+            return [this, cases = cases_in(folder, recordings, job)] {
+                cases_ = cases;
+                fill();
+            };
+        });
+}
+
+void LibraryDialog::fill() {
+    list_->clear();
+    for (const ShelvedCase& one : cases_) {
+        auto* item = new QListWidgetItem(one.name, list_);
+        if (!one.drawing.isNull()) item->setIcon(QPixmap::fromImage(one.drawing));
+    }
+    list_->setCurrentRow(cases_.empty() ? -1 : 0);
+    show_chosen();
+}
+
+const ShelvedCase* LibraryDialog::chosen() const {
+    const int row = list_->currentRow();
+    return row >= 0 && row < static_cast<int>(cases_.size())
+               ? &cases_[static_cast<std::size_t>(row)]
+               : nullptr;
+}
+
+void LibraryDialog::show_chosen() {
+    const ShelvedCase* one = chosen();
+    open_->setEnabled(one != nullptr && one->readable);
+    give_->setEnabled(open_->isEnabled());
+    facts_->setText(one != nullptr
+                        ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts
+                        : QString("There is no case in this folder. Choose another one, or save a "
+                                  "patient here: File &gt; Save case as."));
+}
+
+void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
+    run("Copy the case", [this, from, to](Job& job) -> std::function<void()> {
+        job.begin_stage("Copying the case");
+        write_case(to, read_case(from));
+        return [this] { QTimer::singleShot(0, this, [this] { read_folder(); }); };
+    });
+}
+
+void LibraryDialog::give_away(const fs::path& to) {
+    if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) copy(one->place, to);
+}
+
+void LibraryDialog::take_in(const fs::path& from) {
+    const fs::path to = to_path(settings_.library_folder()) / from.stem().concat(".hep");
+    if (fs::exists(to))
+        return ways_.failed("Take in a case",
+                            {"there is a case of this name already", to.string(),
+                             "Give the file another name, or take the other case away"});
+    copy(from, to);
+}
+
+}  // namespace hepatica

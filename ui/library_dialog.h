@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library: the cases of one folder with drawings, what is known of each and how lessons on him
+// went. Opens one, takes a case into the folder, and gives one away as a single file.
+#pragma once
+
+#include <QDialog>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "ui/background_job.h"
+#include "ui/case_shelf.h"
+#include "ui/settings.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace hepatica {
+
+class LibraryDialog : public QDialog {
+  public:
+    struct Ways {
+        std::function<void(const QString& place)> open;
+        std::function<void(const std::string& doing, const Failure&)> failed;
+    };
+    // `settings` must outlive it.
+    LibraryDialog(Settings& settings, Ways ways, QWidget* parent);
+    ~LibraryDialog() override;
+
+    // Reads the folder anew and shows it.
+    void open_library();
+    // Of the folder as it was last read.
+    const std::vector<ShelvedCase>& cases() const { return cases_; }
+    bool busy() const { return busy_; }
+
+    // Copies the chosen case there: NAME.hep or NAME.hepz.
+    void give_away(const std::filesystem::path& to);
+    // Copies a case into the folder, under its own name; one of that name that is there stays, and
+    // the reason is said.
+    void take_in(const std::filesystem::path& from);
+
+  private:
+    void build();
+    void choose_folder();
+    void read_folder();
+    void fill();
+    void show_chosen();
+    const ShelvedCase* chosen() const;
+    void copy(const std::filesystem::path& from, const std::filesystem::path& to);
+    void run(const std::string& doing, BackgroundJob::Work work);
+
+    Settings& settings_;
+    Ways ways_;
+    std::vector<ShelvedCase> cases_;
+    std::unique_ptr<BackgroundJob> job_;
+    bool busy_ = false;
+    QLabel* folder_ = nullptr;
+    QListWidget* list_ = nullptr;
+    QLabel* facts_ = nullptr;
+    QPushButton* open_ = nullptr;
+    QPushButton* give_ = nullptr;
+};
+
+}  // namespace hepatica
