@@ -37,6 +37,7 @@ void LibraryDialog::build() {
     folder_->setMinimumWidth(1);
     row->addWidget(folder_, 1);
     auto* choose = new QPushButton("&Another folder…");
+    choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, [this] { choose_folder(); });
     row->addWidget(choose);
     column->addLayout(row);
@@ -68,6 +69,7 @@ void LibraryDialog::build() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     open_ = buttons->addButton("&Open", QDialogButtonBox::ActionRole);
     open_->setObjectName("libraryOpen");
+    open_->setDefault(true);
     auto* take = buttons->addButton("&Take in a case…", QDialogButtonBox::ActionRole);
     give_ = buttons->addButton("&Save as one file…", QDialogButtonBox::ActionRole);
     connect(open_, &QPushButton::clicked, this, [this] {
