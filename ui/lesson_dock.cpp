@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "core/lesson/attempts.h"
+#include "core/lesson/course_standing.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/attempts_dialog.h"
+#include "ui/course_dialog.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
 
@@ -35,7 +37,9 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
           {[this](const fs::path& recording) { ways_.look_back(recording, name_); },
            [this](const std::string& csv) { ways_.save_attempts(csv); },
            [this](const std::exception_ptr& error) { ways_.failed("Mark an attempt", error); }},
-          parent)) {
+          parent)),
+      course_(new CourseDialog([this](const CourseLine& line) { start(line.lesson, line.pass); },
+                               parent)) {
     setObjectName("Lesson");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     auto* scroll = new QScrollArea(this);
@@ -59,8 +63,11 @@ void LessonDock::fill(QMenu& menu) {
         connect(action, &QAction::triggered, this, [this, id = entry.id] { start(id); });
     }
     menu.addSeparator();
+    connect(menu.addAction("&Course…"), &QAction::triggered, this, [this] { show_course({}); });
     connect(menu.addAction("&Open lesson…"), &QAction::triggered, this,
             [this] { ask_for_lesson(); });
+    connect(menu.addAction("Open co&urse…"), &QAction::triggered, this,
+            [this] { ask_for_course(); });
 }
 
 void LessonDock::ask_for_lesson() {
@@ -69,9 +76,27 @@ void LessonDock::ask_for_lesson() {
     if (!file.isEmpty()) start(to_path(file).string());
 }
 
-void LessonDock::start(const std::string& name) {
+void LessonDock::ask_for_course() {
+    const QString file =
+        QFileDialog::getOpenFileName(parentWidget(), "Open course", {}, "Courses (*.json)");
+    if (!file.isEmpty()) show_course(to_path(file));
+}
+
+void LessonDock::show_course(const fs::path& file) {
+    try {
+        const Course course =
+            file.empty() ? course_of(built_in_course(), "course") : read_course(file);
+        course_->show_course(
+            course.name, standing_of(course, file.parent_path(), all_attempts(recordings_).list));
+    } catch (...) {
+        ways_.failed("Open course", std::current_exception());
+    }
+}
+
+void LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
     try {
         lesson_ = find_lesson(name);
+        lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
     } catch (...) {
         return ways_.failed("Open lesson", std::current_exception());
     }

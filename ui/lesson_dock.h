@@ -17,6 +17,7 @@ class QMenu;
 namespace hepatica {
 
 class AttemptsDialog;
+class CourseDialog;
 class LessonPanel;
 
 class LessonDock : public QDockWidget {
@@ -43,8 +44,12 @@ class LessonDock : public QDockWidget {
 
     // The lessons that come with the program, and "Open lesson...".
     void fill(QMenu& menu);
-    // Begins on the patient that is shown, or opens the lesson's own first.
-    void start(const std::string& name);
+    // Begins on the patient that is shown, or opens the lesson's own first. `more_pass`: pass marks
+    // beside the lesson's own, of a course.
+    void start(const std::string& name, const std::vector<Predicate>& more_pass = {});
+    // A course: a file; empty: the one that comes with the program.
+    void show_course(const std::filesystem::path& file);
+    CourseDialog& course() { return *course_; }
     // There is another patient now: a lesson that waited for one begins, one that ran is over.
     void patient_shown(bool built_in);
     bool playing() const { return watch_ != nullptr; }
@@ -59,6 +64,7 @@ class LessonDock : public QDockWidget {
 
   private:
     void ask_for_lesson();
+    void ask_for_course();
     void begin();
     void leave();
     std::filesystem::path next_recording() const;
@@ -75,6 +81,7 @@ class LessonDock : public QDockWidget {
     std::shared_ptr<LessonWatch> watch_;
     bool result_kept_ = false;  // of watch_
     AttemptsDialog* attempts_;
+    CourseDialog* course_;
 };
 
 }  // namespace hepatica

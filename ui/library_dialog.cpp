@@ -36,10 +36,10 @@ void LibraryDialog::build() {
     folder_->setObjectName("libraryFolder");
     folder_->setMinimumWidth(1);
     row->addWidget(folder_, 1);
-    auto* choose = new QPushButton("&Another folder…");
-    choose->setAutoDefault(false);
-    connect(choose, &QPushButton::clicked, this, [this] { choose_folder(); });
-    row->addWidget(choose);
+    choose_ = new QPushButton("&Another folder…");
+    choose_->setAutoDefault(false);
+    connect(choose_, &QPushButton::clicked, this, [this] { choose_folder(); });
+    row->addWidget(choose_);
     column->addLayout(row);
     auto* middle = new QHBoxLayout;
     list_ = new QListWidget;
@@ -70,7 +70,7 @@ void LibraryDialog::build() {
     open_ = buttons->addButton("&Open", QDialogButtonBox::ActionRole);
     open_->setObjectName("libraryOpen");
     open_->setDefault(true);
-    auto* take = buttons->addButton("&Take in a case…", QDialogButtonBox::ActionRole);
+    take_ = buttons->addButton("&Take in a case…", QDialogButtonBox::ActionRole);
     give_ = buttons->addButton("&Save as one file…", QDialogButtonBox::ActionRole);
     connect(open_, &QPushButton::clicked, this, [this] {
         if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) {
@@ -78,7 +78,7 @@ void LibraryDialog::build() {
             ways_.open(to_text(one->place));
         }
     });
-    connect(take, &QPushButton::clicked, this, [this] {
+    connect(take_, &QPushButton::clicked, this, [this] {
         const QString from = QFileDialog::getOpenFileName(
             this, "Take in a case", settings_.last_folder(), "Cases in one file (*.hepz)");
         if (!from.isEmpty()) take_in(to_path(from));
@@ -98,7 +98,7 @@ void LibraryDialog::build() {
 void LibraryDialog::open_library() {
     show();
     raise();
-    read_folder();
+    if (!busy_) read_folder();
 }
 
 void LibraryDialog::choose_folder() {
@@ -115,15 +115,22 @@ void LibraryDialog::run(const std::string& doing, BackgroundJob::Work work) {
     callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this, doing](const Failure& failure) { ways_.failed(doing, failure); };
     callbacks.cancelled = [] {};
-    callbacks.ended = [this] { busy_ = false; };
+    callbacks.ended = [this] {
+        if (std::exchange(reread_, false))
+            return QTimer::singleShot(0, this, [this] { read_folder(); });
+        busy_ = false;
+        show_chosen();
+    };
     busy_ = true;
+    show_chosen();
     job_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
 }
 
 void LibraryDialog::read_folder() {
     const fs::path folder = to_path(settings_.library_folder());
     folder_->setText(to_text(folder));
-    facts_->setText("Reading the cases…");
+    cases_.clear();
+    list_->clear();
     run("Read the library",
         [this, folder,
          recordings = to_path(settings_.recordings_folder())](Job& job) -> std::function<void()> {
@@ -141,7 +148,6 @@ void LibraryDialog::fill() {
         if (!one.drawing.isNull()) item->setIcon(QPixmap::fromImage(one.drawing));
     }
     list_->setCurrentRow(cases_.empty() ? -1 : 0);
-    show_chosen();
 }
 
 const ShelvedCase* LibraryDialog::chosen() const {
@@ -153,8 +159,11 @@ const ShelvedCase* LibraryDialog::chosen() const {
 
 void LibraryDialog::show_chosen() {
     const ShelvedCase* one = chosen();
-    open_->setEnabled(one != nullptr && one->readable);
+    open_->setEnabled(one != nullptr && one->readable && !busy_);
     give_->setEnabled(open_->isEnabled());
+    take_->setEnabled(!busy_);
+    choose_->setEnabled(!busy_);
+    if (busy_ && one == nullptr) return facts_->setText("Reading the cases…");
     facts_->setText(one != nullptr
                         ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts
                         : QString("There is no case in this folder. Choose another one, or save a "
@@ -165,7 +174,7 @@ void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
     run("Copy the case", [this, from, to](Job& job) -> std::function<void()> {
         job.begin_stage("Copying the case");
         write_case(to, read_case(from));
-        return [this] { QTimer::singleShot(0, this, [this] { read_folder(); }); };
+        return [this] { reread_ = true; };
     });
 }
 

@@ -35,10 +35,10 @@ class LibraryDialog : public QDialog {
     const std::vector<ShelvedCase>& cases() const { return cases_; }
     bool busy() const { return busy_; }
 
-    // Copies the chosen case there: NAME.hep or NAME.hepz.
+    // Copies the chosen case there: NAME.hep or NAME.hepz. Not while busy().
     void give_away(const std::filesystem::path& to);
     // Copies a case into the folder, under its own name; one of that name that is there stays, and
-    // the reason is said.
+    // the reason is said. Not while busy().
     void take_in(const std::filesystem::path& from);
 
   private:
@@ -56,11 +56,14 @@ class LibraryDialog : public QDialog {
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
+    bool reread_ = false;  // the folder, when the job has ended
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     QLabel* facts_ = nullptr;
     QPushButton* open_ = nullptr;
     QPushButton* give_ = nullptr;
+    QPushButton* take_ = nullptr;
+    QPushButton* choose_ = nullptr;
 };
 
 }  // namespace hepatica

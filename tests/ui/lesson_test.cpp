@@ -18,6 +18,7 @@
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/course_dialog.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_panel.h"
 #include "ui/message_bar.h"
@@ -136,7 +137,7 @@ TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
             for (const QAction* action : menu->menu()->actions()) names << action->objectName();
     for (const BuiltInLesson& lesson : built_in_lessons())
         EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
-    EXPECT_EQ(names.size(), 9) << "with a line and \"Open lesson\"";
+    EXPECT_EQ(names.size(), 11) << "with a line, a course, and two others to open";
 }
 
 TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {
@@ -191,6 +192,34 @@ TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     ASSERT_EQ(chart.curves.size(), 3u);
     EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 10}));
     EXPECT_EQ(chart.curves[2].y, (std::vector<double>{8, 8}));
+}
+
+// A course whose first lesson asks for more than the lesson itself.
+TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_its_marks) {
+    lesson_file(R"({"what": "time_s", "at_least": 1000})");
+    const std::string course = folder_.filePath("course.json").toStdString();
+    std::ofstream(course) << R"({"format": "hepatica-course", "version": 1, "name": "Two",
+        "lessons": [{"lesson": "gentle_pull"}, {"lesson": "lesson.json",
+                     "pass": [{"what": "time_s", "at_most": 5}]}]})";
+    Attempt attempt;
+    attempt.recording = to_path(settings_.recordings_folder()) / "1.hrec";
+    attempt.lesson = "Gentle pull";
+    attempt.ended_at = "2026";
+    attempt.passed = true;
+    write_attempt(attempt);
+    window_.lessons().show_course(course);
+    CourseDialog& dialog = window_.lessons().course();
+    ASSERT_EQ(dialog.lines().size(), 2u);
+    EXPECT_TRUE(dialog.lines()[0].passed);
+    EXPECT_FALSE(dialog.lines()[1].passed);
+    EXPECT_EQ(dialog.findChild<QTableWidget*>("course")->currentRow(), 1) << "the next one";
+    EXPECT_TRUE(dialog.findChild<QLabel*>("courseTitle")->text().contains("1 of 2"));
+    dialog.findChild<QPushButton*>("courseBegin")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    ASSERT_EQ(window_.lessons().standing().pass.size(), 1u);
+    EXPECT_EQ(window_.lessons().standing().pass[0].predicate.bound, 5.0);
+    window_.lessons().show_course(folder_.filePath("none.json").toStdString());
+    EXPECT_TRUE(window_.messages().text().contains("none.json"));
 }
 
 TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {

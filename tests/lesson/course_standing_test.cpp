@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/course_standing.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/base/error.h"
+
+namespace hepatica {
+namespace {
+
+Attempt attempt_of_time(const std::string& lesson, bool passed, double time_s) {
+    Attempt attempt;
+    attempt.lesson = lesson;
+    attempt.passed = passed;
+    attempt.metrics[static_cast<std::size_t>(Quantity::time_s)] = time_s;
+    attempt.metrics[static_cast<std::size_t>(Quantity::dose_target_share)] =
+        std::numeric_limits<double>::quiet_NaN();
+    return attempt;
+}
+
+Predicate no_more_than(Quantity quantity, double bound) {
+    return {quantity, -1, false, bound};
+}
+
+TEST(CourseStanding, AnAttemptMustPassTheLessonAndMeetTheCoursesMarks) {
+    const std::vector<Predicate> quick{no_more_than(Quantity::time_s, 10.0)};
+    EXPECT_TRUE(passes(attempt_of_time("x", true, 10.0), quick));
+    EXPECT_FALSE(passes(attempt_of_time("x", true, 10.1), quick));
+    EXPECT_FALSE(passes(attempt_of_time("x", false, 1.0), quick));
+    EXPECT_TRUE(passes(attempt_of_time("x", true, 99.0), {}));
+    EXPECT_FALSE(
+        passes(attempt_of_time("x", true, 1.0), {no_more_than(Quantity::dose_target_share, 1.0)}))
+        << "what is not known meets no mark";
+    EXPECT_FALSE(passes(attempt_of_time("x", true, 1.0), {no_more_than(Quantity::force_mn, 1e9)}))
+        << "what is of a moment is not known afterwards";
+}
+
+TEST(CourseStanding, CountsEachLessonsAttemptsAndOneThatPassedIsEnough) {
+    Course course{"c", {{"gentle_pull", {no_more_than(Quantity::time_s, 10.0)}}, {"cut_line", {}}}};
+    const std::string pull = find_lesson("gentle_pull").name;
+    const std::vector<CourseLine> lines =
+        standing_of(course, "",
+                    {attempt_of_time(pull, true, 20.0), attempt_of_time(pull, true, 9.0),
+                     attempt_of_time(pull, false, 1.0)});
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].title, pull);
+    EXPECT_EQ(lines[0].attempts, 3);
+    EXPECT_TRUE(lines[0].passed);
+    EXPECT_EQ(lines[1].attempts, 0);
+    EXPECT_FALSE(lines[1].passed);
+    course.lessons[1].lesson = "none.json";
+    EXPECT_THROW(standing_of(course, "/nowhere", {}), InputError);
+}
+
+TEST(CourseStanding, OfTheProgramsOwnCourseHasALineForEachLesson) {
+    const auto lines = standing_of(course_of(built_in_course(), "course"), "", {});
+    EXPECT_EQ(lines.size(), built_in_lessons().size());
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/course_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+const QStringList heads{"Lesson", "Pass marks of the course", "Attempts", "Standing"};
+
+QString marks_of(const CourseLine& line) {
+    QStringList words;
+    for (const Predicate& mark : line.pass) words << QString::fromStdString(to_words(mark, {}));
+    return words.empty() ? QString("the lesson's own") : words.join("\n");
+}
+
+QString standing_of(const CourseLine& line) {
+    if (line.passed) return "✓ passed";
+    return line.attempts > 0 ? "✗ not passed yet" : "not tried yet";
+}
+
+}  // namespace
+
+CourseDialog::CourseDialog(Begin begin, QWidget* parent)
+    : QDialog(parent),
+      begin_(std::move(begin)),
+      title_(new QLabel),
+      table_(new QTableWidget),
+      start_(new QPushButton("&Begin the lesson")) {
+    setWindowTitle("Course");
+    resize(720, 420);
+    title_->setObjectName("courseTitle");
+    table_->setObjectName("course");
+    table_->setAccessibleName("Lessons of the course");
+    table_->setColumnCount(static_cast<int>(heads.size()));
+    table_->setHorizontalHeaderLabels(heads);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+    start_->setObjectName("courseBegin");
+    start_->setDefault(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->addButton(start_, QDialogButtonBox::ActionRole);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
+    const auto start = [this] {
+        const int row = table_->currentRow();
+        if (row < 0) return;
+        hide();
+        begin_(lines_[static_cast<std::size_t>(row)]);
+    };
+    connect(start_, &QPushButton::clicked, this, start);
+    connect(table_, &QTableWidget::cellDoubleClicked, this, start);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(title_);
+    column->addWidget(table_, 1);
+    column->addWidget(buttons);
+}
+
+void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines) {
+    lines_ = std::move(lines);
+    const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
+    title_->setText(QString("<b>%1</b>: %2 of %3 lessons passed")
+                        .arg(QString::fromStdString(name).toHtmlEscaped())
+                        .arg(passed)
+                        .arg(lines_.size()));
+    table_->setRowCount(static_cast<int>(lines_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const CourseLine& line = lines_[static_cast<std::size_t>(row)];
+        table_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(line.title)));
+        table_->setItem(row, 1, new QTableWidgetItem(marks_of(line)));
+        table_->setItem(row, 2, new QTableWidgetItem(QString::number(line.attempts)));
+        table_->setItem(row, 3, new QTableWidgetItem(standing_of(line)));
+    }
+    table_->resizeColumnToContents(0);
+    table_->resizeColumnToContents(3);
+    const auto next = std::ranges::find(lines_, false, &CourseLine::passed);
+    table_->selectRow(next == lines_.end() ? 0 : static_cast<int>(next - lines_.begin()));
+    show();
+    raise();
+}
+
+}  // namespace hepatica
