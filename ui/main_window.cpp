@@ -249,6 +249,8 @@ void MainWindow::build_review() {
     ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
     ways.ask_for_other = [this] { return ask_for_recording(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& caption) {
+        // Nothing is asked of the patient then: he may be on his way out.
+        if (frame == nullptr) return second_view_->clear();
         second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
                                  theme_named(settings_.theme()).view, caption);
     };

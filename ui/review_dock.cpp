@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -23,6 +22,7 @@
 #include "core/opening/recorded_case.h"
 #include "core/session/recording_file.h"
 #include "ui/paths.h"
+#include "ui/review_list.h"
 #include "ui/review_play.h"
 #include "ui/time_line.h"
 
@@ -36,39 +36,6 @@ constexpr int tick_ms = 16;
 constexpr int height_at_first = 200;
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int real_time = 3;  // of these
-// An event this near before the present moment is the one that is being looked at.
-constexpr double same_moment_s = 0.05;
-
-// On dark and on light ground alike; what it was stands in words in the list.
-QColor colour_of(PlayEventKind kind) {
-    switch (kind) {
-        case PlayEventKind::hand:
-            return {0x5b, 0x8f, 0xd0};
-        case PlayEventKind::tool:
-            return {0x2f, 0xa0, 0xac};
-        case PlayEventKind::drug:
-            return {0x92, 0x6c, 0xd8};
-        case PlayEventKind::cut:
-            return {0x8a, 0x8a, 0x8a};
-        case PlayEventKind::near_tear:
-            return {0xe8, 0x96, 0x20};
-        case PlayEventKind::tear:
-            return {0xe0, 0x4a, 0x4a};
-        case PlayEventKind::blood:
-            return {0xb8, 0x20, 0x40};
-        case PlayEventKind::lesson:
-            return {0x3f, 0xa0, 0x58};
-        case PlayEventKind::trouble:
-            break;
-    }
-    return {0xc8, 0xb0, 0x30};
-}
-
-QIcon icon_of(const QColor& colour) {
-    QPixmap pixmap(12, 12);
-    pixmap.fill(colour);
-    return pixmap;
-}
 
 QToolButton* add_button(QHBoxLayout& row, const char* name, QStyle::StandardPixmap icon,
                         const QString& tip) {
@@ -113,14 +80,11 @@ void ReviewDock::build() {
     column->setSpacing(4);
     column->addWidget(build_heading());
     column->addWidget(build_controls());
-    events_ = new QListWidget;
+    events_ = new ReviewList;
     events_->setObjectName("reviewEvents");
-    events_->setAccessibleName("What happened, and notes");
-    events_->setMinimumHeight(70);
     connect(events_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row < 0) return;
-        go_to(events_->item(row)->data(Qt::UserRole).toDouble());
-        remove_->setEnabled(events_->item(row)->data(Qt::UserRole + 1).toInt() >= 0);
+        remove_->setEnabled(events_->note(row).has_value());
+        if (row >= 0) go_to(events_->at_s(row));
     });
     column->addWidget(events_, 1);
     column->addWidget(build_notes());
@@ -289,7 +253,6 @@ void ReviewDock::compare(const fs::path& other) {
     other_frame_.reset();
     ways_.beside(nullptr, {});
     compare_->setText("Co&mpare with…");
-    shown_events_ = 0;
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
     other_tape_ = std::make_shared<ReviewTape>();
@@ -332,6 +295,7 @@ void ReviewDock::show_other() {
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {
+    if (tape_ == nullptr) return;
     const auto first = tape_->at(0.0);
     if (first == nullptr) return;
     if (!reviewing()) {
@@ -345,7 +309,6 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         ways_.use(std::make_unique<ReviewPlay>(screen_));
         screen_->gone = [this] { forget(); };
         at_s_ = 0.0;
-        shown_events_ = 0;
         show();
         raise();
         // The view keeps its room; whoever wants a longer list drags the border.
@@ -366,39 +329,10 @@ void ReviewDock::show_progress(const JobProgress& progress) {
 }
 
 void ReviewDock::show_events() {
-    const std::vector<PlayEvent> events = tape_->events();
-    const auto others = comparing() ? other_tape_->events() : std::vector<PlayEvent>();
-    const std::size_t count = events.size() + others.size() + notes_.size();
-    if (count == shown_events_ && shown_events_ > 0) return;
-    shown_events_ = count;
-    struct Row {
-        double at_s;
-        QString text;
-        QColor colour;
-        int note;  // its index; -1: no note
-    };
-    std::vector<Row> rows;
-    for (const PlayEvent& event : events)
-        rows.push_back({event.at_s, QString::fromStdString(event.text), colour_of(event.kind), -1});
-    for (const PlayEvent& event : others)
-        rows.push_back({event.at_s, "beside: " + QString::fromStdString(event.text),
-                        colour_of(event.kind), -1});
-    for (std::size_t i = 0; i < notes_.size(); ++i)
-        rows.push_back({notes_[i].at_s, "✎ " + QString::fromStdString(notes_[i].text),
-                        palette().color(QPalette::WindowText), static_cast<int>(i)});
-    std::ranges::stable_sort(rows, {}, &Row::at_s);
-    const QSignalBlocker quiet(events_);
-    events_->clear();
-    remove_->setEnabled(false);
-    std::vector<TimeLine::Tick> ticks;
-    for (const Row& row : rows) {
-        auto* item = new QListWidgetItem(icon_of(row.colour),
-                                         clock_text(row.at_s) + "   " + row.text, events_);
-        item->setData(Qt::UserRole, row.at_s);
-        item->setData(Qt::UserRole + 1, row.note);
-        ticks.push_back({row.at_s, row.colour});
-    }
-    line_->set_ticks(std::move(ticks));
+    events_->fill(tape_->events(), comparing() ? other_tape_->events() : std::vector<PlayEvent>(),
+                  notes_);
+    remove_->setEnabled(events_->note(events_->currentRow()).has_value());
+    line_->set_ticks(events_->ticks());
 }
 
 void ReviewDock::set_playing(bool playing) {
@@ -427,47 +361,40 @@ void ReviewDock::go_to(double at_s) {
 }
 
 void ReviewDock::jump(int direction) {
-    for (int i = 0; i < events_->count(); ++i) {
-        const int row = direction > 0 ? i : events_->count() - 1 - i;
-        const double at_s = events_->item(row)->data(Qt::UserRole).toDouble();
-        const double way_s = direction * (at_s - at_s_);
-        if (way_s <= (direction > 0 ? 1e-3 : same_moment_s)) continue;
-        const QSignalBlocker quiet(events_);
-        events_->setCurrentRow(row);
-        remove_->setEnabled(events_->item(row)->data(Qt::UserRole + 1).toInt() >= 0);
-        return go_to(at_s);
-    }
+    const int row = events_->next_row(at_s_, direction);
+    if (row < 0) return;
+    events_->setCurrentRow(row);
+    go_to(events_->at_s(row));  // also where it was chosen already
 }
 
 void ReviewDock::add_note() {
     const std::string text = note_->text().trimmed().toStdString();
     if (!reviewing() || text.empty()) return;
-    const std::vector<PlayNote> before = notes_;
-    notes_.push_back({at_s_, text});
-    std::ranges::stable_sort(notes_, {}, &PlayNote::at_s);
-    keep_notes();
-    if (notes_ == before) return;
-    note_->clear();
+    std::vector<PlayNote> notes = notes_;
+    notes.push_back({at_s_, text});
+    std::ranges::stable_sort(notes, {}, &PlayNote::at_s);
+    if (keep(std::move(notes))) note_->clear();
 }
 
 void ReviewDock::remove_note() {
-    const QListWidgetItem* item = events_->currentItem();
-    const int index = item != nullptr ? item->data(Qt::UserRole + 1).toInt() : -1;
-    if (index < 0) return;
-    notes_.erase(notes_.begin() + index);
-    keep_notes();
+    const auto index = events_->note(events_->currentRow());
+    if (!index) return;
+    std::vector<PlayNote> notes = notes_;
+    notes.erase(notes.begin() + static_cast<std::ptrdiff_t>(*index));
+    keep(std::move(notes));
 }
 
-// On disk at once; where that fails, what is shown is what lies there.
-void ReviewDock::keep_notes() {
+// On disk at once; where that fails, what is shown is what was there before.
+bool ReviewDock::keep(std::vector<PlayNote> notes) {
     try {
-        write_notes(file_, notes_);
+        write_notes(file_, notes);
     } catch (...) {
         ways_.failed(failure_of(std::current_exception()));
-        notes_ = read_notes(file_);
+        return false;
     }
-    shown_events_ = 0;
+    notes_ = std::move(notes);
     show_events();
+    return true;
 }
 
 void ReviewDock::leave() {

@@ -23,12 +23,12 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 class QToolButton;
 
 namespace hepatica {
 
+class ReviewList;
 class TimeLine;
 struct ReviewScreen;
 
@@ -88,7 +88,7 @@ class ReviewDock : public QDockWidget {
     void jump(int direction);  // to the next event, or to the one before
     void add_note();
     void remove_note();
-    void keep_notes();
+    bool keep(std::vector<PlayNote> notes);
     void show_other();
     double end_s() const;  // of the longer one
     void leave();
@@ -107,7 +107,6 @@ class ReviewDock : public QDockWidget {
     std::shared_ptr<ReviewTape> other_tape_;
     std::shared_ptr<const Frame> other_frame_;  // that is shown
     std::vector<PlayNote> notes_;
-    std::size_t shown_events_ = 0;
     double at_s_ = 0.0;
     QTimer clock_;
     QElapsedTimer since_tick_;
@@ -117,7 +116,7 @@ class ReviewDock : public QDockWidget {
     QLabel* time_ = nullptr;
     QToolButton* play_ = nullptr;
     QComboBox* speed_ = nullptr;
-    QListWidget* events_ = nullptr;
+    ReviewList* events_ = nullptr;
     QLineEdit* note_ = nullptr;
     QPushButton* remove_ = nullptr;
     QPushButton* compare_ = nullptr;

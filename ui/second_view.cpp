@@ -43,16 +43,16 @@ void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const
 void SecondView::show_frame(const std::shared_ptr<const Frame>& frame,
                             const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                             const QString& caption) {
-    if (frame == nullptr) {
-        delete view_;
-        view_ = nullptr;
-        hide();
-        return;
-    }
     const bool is_new = view_ == nullptr;
     if (is_new) make_view(of_vertices, look, caption);
     view_->show_frame(*frame);
     if (is_new) follow_first();
+}
+
+void SecondView::clear() {
+    delete view_;
+    view_ = nullptr;
+    hide();
 }
 
 void SecondView::follow_first() {

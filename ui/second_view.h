@@ -20,10 +20,12 @@ class SecondView : public QWidget {
     // The first view must outlive it.
     SecondView(VtkWidget& first, QWidget* parent);
 
-    // Appears with the first frame and goes with null, which forgets everything.
+    // Appears with the first frame, which is not null.
     void show_frame(const std::shared_ptr<const Frame>& frame,
                     const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                     const QString& caption);
+    // Forgets everything and goes.
+    void clear();
     // After every picture of the first view.
     void follow_first();
     bool shown() const { return view_ != nullptr; }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -98,8 +99,10 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
 
 Attempts all_attempts(const fs::path& folder) {
     Attempts found;
-    if (!fs::is_directory(folder)) return found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        const fs::directory_entry& entry = *at;
         const std::string name = entry.path().filename().string();
         if (!name.ends_with(suffix)) continue;
         const fs::path recording =

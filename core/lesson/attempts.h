@@ -47,7 +47,7 @@ struct Attempts {
     std::vector<Attempt> list;             // in the order of time
     std::vector<std::string> passed_over;  // files that cannot be read, and why, in words
 };
-// Those whose results lie in this folder; none where there is no such folder.
+// Those whose results lie in this folder; none where it cannot be read.
 Attempts all_attempts(const std::filesystem::path& folder);
 // Those among them at one lesson.
 Attempts attempts_at(const std::string& lesson, const std::filesystem::path& folder);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/lesson/play_events.h"
 #include "core/lesson/score.h"
 #include "core/session/replay.h"
@@ -13,6 +14,8 @@ namespace hepatica {
 Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
               const DeformBackEnd& back_end) {
+    if (recording.steps.empty())
+        throw InputError("holds no step", "recording", "Choose one of a play that was begun");
     std::optional<LessonRun> run;
     if (lesson) {
         require_same_scene(recording.scene, lesson->scene);

@@ -21,8 +21,8 @@ struct Review {
 
 // With a lesson its steps and its end are events, too. A recording that does not replay to the same
 // bits is gone through as well; where it begins to differ is an event. Throws InputError where the
-// recording is of another patient or back end, or of another scene than the lesson's; Cancelled.
-// Begins two stages of the job.
+// recording is of another patient or back end, of another scene than the lesson's, or holds no
+// step; Cancelled. Begins two stages of the job.
 Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
               const DeformBackEnd& back_end = cpu_back_end());

@@ -2,6 +2,7 @@
 #include "core/opening/recorded_case.h"
 
 #include <algorithm>
+#include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
@@ -15,9 +16,10 @@ namespace {
 
 std::vector<fs::path> cases_in_the_folder_of(const fs::path& file) {
     std::vector<fs::path> cases;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(fs::absolute(file).parent_path()))
-        if (is_case(entry.path())) cases.push_back(entry.path());
+    std::error_code failed;
+    for (fs::directory_iterator at(fs::absolute(file).parent_path(), failed), end;
+         !failed && at != end; at.increment(failed))
+        if (is_case(at->path())) cases.push_back(at->path());
     std::ranges::sort(cases);
     return cases;
 }

@@ -35,7 +35,8 @@ TEST(QuotedName, OfAnyBytesIsLeftOutWhole) {
 TEST(Utf8, IsToldApartAsTheJsonLibraryDoes) {
     std::mt19937 chance(4);
     const std::string_view starts(
-        "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\xed\xa0\x80\xff\xc0\xf4\x90\xe0\xc2\xdf\xbf\xef\x8f", 23);
+        "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\xed\xa0\x80\xff\xc0\xf4\x90\xe0\xc2\xdf\xbf\xef\x8f",
+        23);
     int valid = 0;
     for (int trial = 0; trial < 50000; ++trial) {
         std::string text;

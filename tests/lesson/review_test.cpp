@@ -107,6 +107,14 @@ TEST(Review, SaysWhereItIsNotWhatWasPlayed) {
     EXPECT_NEAR(tape.events().back().at_s, 20.0 / 60, 1e-9);
 }
 
+TEST(Review, OfNothingIsRefused) {
+    Recording empty = *played().recording;
+    empty.steps.clear();
+    ReviewTape tape;
+    Job job;
+    EXPECT_THROW(review(empty, std::nullopt, small_patient(), tape, job), InputError);
+}
+
 TEST(Review, IsRefusedForAnotherScene) {
     const Play play = played();
     ReviewTape tape;

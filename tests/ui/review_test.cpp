@@ -235,6 +235,28 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(dock().reviewing());
 }
 
+TEST_F(ReviewWindowTest, the_window_closes_with_two_recordings_in_it) {
+    open_built_in();
+    look_back();
+    dock().compare(file_);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    EXPECT_TRUE(window_.close());
+    EXPECT_FALSE(dock().reviewing());
+    EXPECT_FALSE(window_.second_view().shown());
+}
+
+TEST_F(ReviewWindowTest, notes_that_cannot_be_kept_are_not_shown) {
+    open_built_in();
+    look_back();
+    std::filesystem::create_directory(notes_file_of(file_));  // in the place of the file
+    auto* note = dock().findChild<QLineEdit*>("reviewNote");
+    QTest::keyClicks(note, "Slower");
+    QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_FALSE(window_.messages().text().isEmpty());
+    EXPECT_EQ(note->text(), "Slower") << "it is not lost";
+    EXPECT_EQ(events().count(), 2);
+}
+
 TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {
     open_built_in();
     Recording other = played().recording;
