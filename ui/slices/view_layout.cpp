@@ -23,7 +23,9 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
            },
            [this](const JobProgress& now) { say(QString::fromStdString(now.stage) + "…", false); },
            [this](const Failure& failure) {
-               say(QString::fromStdString(failure.problem + ": " + failure.remedy), true);
+               QString text = QString::fromStdString(failure.problem + ": " + failure.remedy);
+               text[0] = text[0].toUpper();  // it stands by itself
+               say(text, true);
                if (!failure.place.empty()) callbacks_.failed(failure);
            }}),
       view_(view) {
