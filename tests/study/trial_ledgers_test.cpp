@@ -156,6 +156,12 @@ TEST_F(TrialOfLedgers, ComparesWithReferencesRelatively) {
     EXPECT_FALSE(trial.require_close(std::nan(""), 2.0, 1.0, "a book"));
 }
 
+TEST_F(TrialOfLedgers, AllowsWhatIsJustAllowed) {
+    Trial trial(*stepper_, row_);
+    EXPECT_TRUE(trial.require_close(3.0, 2.0, 0.5, "a book"));
+    EXPECT_EQ(row_.error, 0.5);
+}
+
 TEST_F(TrialOfLedgers, KeepsTheFirstReason) {
     Trial trial(*stepper_, row_);
     EXPECT_TRUE(trial.require(true, "fine"));
