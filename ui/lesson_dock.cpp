@@ -27,14 +27,14 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
       recordings_(std::move(recordings)),
       panel_(new LessonPanel({[this] { begin(); }, [this] { leave(); },
                               [this] {
-                                  if (watch_) ways_.report(watch_->recording(), name_);
+                                  if (watch_) ways_.report(watch_->recording(), watched_name_);
                               },
                               [this] {
-                                  if (watch_) ways_.look_back(watch_->recording(), name_);
+                                  if (watch_) ways_.look_back(watch_->recording(), watched_name_);
                               },
                               [this] { show_attempts(); }})),
       attempts_(new AttemptsDialog(
-          {[this](const fs::path& recording) { ways_.look_back(recording, name_); },
+          {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_attempts(csv); },
            [this](const std::exception_ptr& error) { ways_.failed("Mark an attempt", error); }},
           parent)),
@@ -111,6 +111,7 @@ void LessonDock::start(const std::string& name, const std::vector<Predicate>& mo
 
 void LessonDock::patient_shown(bool built_in) {
     built_in_shown_ = built_in;
+    keep_result();
     watch_.reset();
     // Once what says that the patient is being opened has gone, which takes room.
     if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
@@ -126,10 +127,12 @@ fs::path LessonDock::next_recording() const {
 void LessonDock::begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
     if (!lesson_ || patient == nullptr) return;
+    keep_result();  // of the attempt before
     try {
         Job job;
         LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
         watch_ = std::move(play.watch);
+        watched_name_ = name_;
         result_kept_ = false;
         ways_.use(std::move(play.simulation));
     } catch (...) {
@@ -142,6 +145,7 @@ void LessonDock::begin() {
 }
 
 void LessonDock::leave() {
+    keep_result();
     watch_.reset();
     lesson_.reset();
     hide();
@@ -151,10 +155,11 @@ void LessonDock::leave() {
 void LessonDock::show_figures() {
     if (!watch_) return;
     panel_->show_standing(watch_->standing());
-    if (watch_->recorded() && !std::exchange(result_kept_, true)) keep_result();
+    keep_result();
 }
 
 void LessonDock::keep_result() {
+    if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
         write_attempt(attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
@@ -165,7 +170,9 @@ void LessonDock::keep_result() {
 }
 
 void LessonDock::show_attempts() {
-    if (lesson_) attempts_->show_lesson(lesson_->name, recordings_);
+    if (!lesson_) return;
+    shown_name_ = name_;
+    attempts_->show_lesson(lesson_->name, recordings_);
 }
 
 std::vector<Vec3> LessonDock::marks_in(const Frame& frame) const {

@@ -68,13 +68,14 @@ class LessonDock : public QDockWidget {
     void begin();
     void leave();
     std::filesystem::path next_recording() const;
-    void keep_result();
+    void keep_result();  // of an attempt that has ended, once
     void show_attempts();
 
     Ways ways_;
     std::filesystem::path recordings_;  // folder
     LessonPanel* panel_;
-    std::string name_;  // of the lesson: an id or a file
+    std::string name_;                       // of the lesson: an id or a file
+    std::string watched_name_, shown_name_;  // of watch_'s; of the one whose attempts are shown
     std::optional<Lesson> lesson_;
     bool waits_ = false;  // for its patient
     bool built_in_shown_ = false;

@@ -112,6 +112,8 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
+    review_->hide();  // there is nothing to look back on yet
+    lessons_->hide();
     offer_unsaved_work();
 
     figures_timer_ = new QTimer(this);
@@ -224,7 +226,10 @@ void MainWindow::build_lessons() {
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open_built_in = [this] { open(OpenRequest{true, {}}); };
     ways.open_case = [this](const QString& folder) { open(folder); };
-    ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.use = [this](std::unique_ptr<Simulation> simulation) {
+        review_->end();
+        use(std::move(simulation));
+    };
     ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
@@ -247,6 +252,9 @@ void MainWindow::build_review() {
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open = [this](const OpenRequest& request) { open(request); };
     ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.lesson_runs = [this] {
+        return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
+    };
     ways.ask_for_other = [this] { return ask_for_recording(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& caption) {
         // Nothing is asked of the patient then: he may be on his way out.
@@ -486,7 +494,11 @@ void MainWindow::connect_views() {
     panels.setChecked(true);
     actions_->on(ActionId::toggle_panels, [this, &panels] {
         for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-            if (dock != curves_ && dock != branches_) dock->setVisible(panels.isChecked());
+            if (dock == curves_ || dock == branches_) continue;
+            const bool has_use = dock == review_    ? review_->reviewing()
+                                 : dock == lessons_ ? lessons_->playing()
+                                                    : true;
+            dock->setVisible(panels.isChecked() && has_use);
         }
     });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });

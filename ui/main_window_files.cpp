@@ -218,7 +218,10 @@ void MainWindow::ask_and_save_film(double end_s, const std::function<void(double
                   this, "Folder for the pictures of the film (ffmpeg is not installed)", start)
             : QFileDialog::getSaveFileName(this, "Save a film", start + "/play.mp4",
                                            "Films (*.mp4)");
-    if (!place.isEmpty()) attempt("Save a film", [&] { save_film(to_path(place), end_s, go_to); });
+    if (place.isEmpty()) return;
+    const bool named = ffmpeg_program().isEmpty() || place.endsWith(".mp4", Qt::CaseInsensitive);
+    attempt("Save a film",
+            [&] { save_film(to_path(named ? place : place + ".mp4"), end_s, go_to); });
 }
 
 void MainWindow::save_film(const std::filesystem::path& place, double end_s,
@@ -230,6 +233,9 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
     Film film;
     film.end_s = end_s;
     film.picture = [&](double at_s) {
+        if (!review_->complete())
+            throw InputError("the review ended before the film did", place.string(),
+                             "Open the recording again");
         go_to(at_s);
         patient_->simulation->update_frame();
         view_->show_frame(frame());
@@ -280,6 +286,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
+    review_->end();
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();
     recovery_->end();

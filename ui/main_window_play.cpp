@@ -140,7 +140,8 @@ void MainWindow::show_newest_frame() {
     }
     frame_waits_ = false;  // first: what comes from here on is told of again
     if (!patient_ || !patient_->simulation->update_frame()) return;
-    const bool marks_moved = view_->scene().set_marks(lessons_->marks_in(frame()));
+    const bool marks_moved = view_->scene().set_marks(
+        review_->reviewing() ? std::vector<Vec3>() : lessons_->marks_in(frame()));
     view_->show_frame(frame());
     if (marks_moved) view_->draw_again();
     follow(frame());

@@ -86,6 +86,10 @@ void ReviewDock::build() {
         remove_->setEnabled(events_->note(row).has_value());
         if (row >= 0) go_to(events_->at_s(row));
     });
+    // Also the one that is chosen already.
+    const auto again = [this](QListWidgetItem* item) { go_to(events_->at_s(events_->row(item))); };
+    connect(events_, &QListWidget::itemClicked, this, again);
+    connect(events_, &QListWidget::itemActivated, this, again);
     column->addWidget(events_, 1);
     column->addWidget(build_notes());
     setWidget(content);
@@ -171,6 +175,9 @@ QWidget* ReviewDock::build_notes() {
 }
 
 void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
+    if (ways_.lesson_runs())
+        return ways_.failed({"a lesson is being played, which this would end", recording.string(),
+                             "Leave the lesson first"});
     if (reviewing()) leave();
     forget();
     file_ = recording;
@@ -219,16 +226,20 @@ void ReviewDock::take(Found found) {
 }
 
 void ReviewDock::patient_shown() {
-    if (!std::exchange(waits_, false)) return;
-    QTimer::singleShot(0, this, [this] { begin(); });
+    if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
+    // One that was begun on another patient ends, also where nothing of it is shown yet.
+    if (patient_ != nullptr && ways_.patient() != patient_) forget();
 }
 
 void ReviewDock::begin() {
     const auto patient = ways_.patient();
     if (recording_ == nullptr || patient == nullptr) return;
-    if (hash_of(*patient) != recording_->patient_hash)
+    if (hash_of(*patient) != recording_->patient_hash) {
+        recording_.reset();
         return ways_.failed({"was played on another patient, of whom no case lies beside it",
                              file_.string(), "Open the case that was played on first"});
+    }
+    patient_ = patient;
     tape_ = std::make_shared<ReviewTape>();
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
@@ -378,7 +389,7 @@ void ReviewDock::add_note() {
 
 void ReviewDock::remove_note() {
     const auto index = events_->note(events_->currentRow());
-    if (!index) return;
+    if (!reviewing() || !index) return;
     std::vector<PlayNote> notes = notes_;
     notes.erase(notes.begin() + static_cast<std::ptrdiff_t>(*index));
     keep(std::move(notes));
@@ -398,6 +409,7 @@ bool ReviewDock::keep(std::vector<PlayNote> notes) {
 }
 
 void ReviewDock::leave() {
+    if (!reviewing()) return hide();
     forget();
     ways_.use(nullptr);
 }
@@ -412,6 +424,13 @@ void ReviewDock::forget() {
     if (screen_) screen_->gone = nullptr;
     screen_.reset();
     tape_.reset();
+    patient_.reset();
+    recording_.reset();
+    lesson_.reset();
+    notes_.clear();
+    waits_ = false;
+    events_->fill({}, {}, {});
+    line_->set_ticks({});
     hide();
 }
 

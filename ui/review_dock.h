@@ -47,6 +47,7 @@ class ReviewDock : public QDockWidget {
             beside;
         // Makes a film of it: `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
+        std::function<bool()> lesson_runs;  // which a review would end
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // in passing
     };
@@ -59,6 +60,8 @@ class ReviewDock : public QDockWidget {
     // the rest is still gone through. `lesson`: file or name; empty: the built-in one with that
     // scene, if any.
     void open(const std::filesystem::path& recording, const std::string& lesson = {});
+    // Nothing is shown or read any more; the simulation stays as it is.
+    void end() { forget(); }
     // There is another patient now: a recording that waited for him begins, one of another ends.
     void patient_shown();
     // Shows another recording of the same patient beside it, both from their beginnings.
@@ -98,7 +101,8 @@ class ReviewDock : public QDockWidget {
     std::filesystem::path file_;
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
-    bool waits_ = false;  // for its patient
+    bool waits_ = false;                          // for its patient
+    std::shared_ptr<const PatientCase> patient_;  // on whom it was begun
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;

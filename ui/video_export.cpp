@@ -33,12 +33,15 @@ QImage even(const QImage& picture) {
         .convertToFormat(QImage::Format_RGB32);
 }
 
+std::string picture_name(int number) {
+    return QString("%1.png").arg(number, 5, 10, QChar('0')).toStdString();
+}
+
 void write_pictures(const Film& film, const fs::path& folder, double share,
                     const std::function<bool(double)>& go_on) {
     for (int k = 0; k < film.count(); ++k) {
         ask(go_on, share * k / film.count());
-        const fs::path file =
-            folder / (QString("%1").arg(k, 5, 10, QChar('0')).toStdString() + ".png");
+        const fs::path file = folder / picture_name(k);
         if (!even(film.picture(film.at_s(k))).save(to_text(file), "PNG"))
             throw InputError("cannot be written", folder.string(), "Choose a disk with more room");
     }
@@ -47,6 +50,9 @@ void write_pictures(const Film& film, const fs::path& folder, double share,
 void write_folder_of_pictures(const Film& film, const fs::path& place,
                               const std::function<bool(double)>& go_on) {
     const bool stood_there = fs::exists(place);
+    if (fs::exists(place / picture_name(0)))
+        throw InputError("holds the pictures of another film", place.string(),
+                         "Choose an empty folder");
     try {
         write_files_atomically(
             place, [&](const fs::path& folder) { write_pictures(film, folder, 1.0, go_on); });
@@ -61,9 +67,11 @@ void encode(const Film& film, const fs::path& pictures, const fs::path& file, co
             const std::function<bool(double)>& go_on) {
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
+    // The folder's own name may hold what is a pattern to ffmpeg.
+    process.setWorkingDirectory(to_text(pictures));
     process.start(ffmpeg,
                   {"-y", "-loglevel", "error", "-framerate", QString::number(film.pictures_per_s),
-                   "-i", to_text(pictures / "%05d.png"), "-pix_fmt", "yuv420p", to_text(file)});
+                   "-i", "%05d.png", "-pix_fmt", "yuv420p", to_text(fs::absolute(file))});
     while (!process.waitForFinished(look_ms) && process.state() != QProcess::NotRunning)
         ask(go_on, share_of_pictures);  // the process ends with its object
     if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0 &&
@@ -87,7 +95,8 @@ QString ffmpeg_program() {
 
 void write_film(const Film& film, const fs::path& place, const QString& ffmpeg,
                 const std::function<bool(double)>& go_on) {
-    if (place.extension() != ".mp4") return write_folder_of_pictures(film, place, go_on);
+    if (!to_text(place).endsWith(".mp4", Qt::CaseInsensitive))
+        return write_folder_of_pictures(film, place, go_on);
     if (ffmpeg.isEmpty())
         throw InputError("needs the program ffmpeg, which is not installed", place.string(),
                          "Install it (apt install ffmpeg), or save a folder of pictures");

@@ -23,10 +23,10 @@ struct Film {
 QString ffmpeg_program();
 
 // NAME.mp4 is made by `ffmpeg`; any other place is a folder, which gets 00000.png, 00001.png, ...
-// All of it or nothing: what stood there before stays where anything fails. `go_on` is asked before
-// every picture, with how much is done, and for as long as ffmpeg runs; where it says no, Cancelled
-// is thrown. Throws InputError where the place cannot be written, there is no ffmpeg for a file, or
-// it fails (with the last thing it said).
+// A folder that holds such pictures already is refused. All of the film or nothing of it. `go_on`
+// is asked before every picture, with how much is done, and for as long as ffmpeg runs; where it
+// says no, Cancelled is thrown. Throws InputError where the place cannot be written, there is no
+// ffmpeg for a file, or it fails (with the last thing it said).
 void write_film(const Film& film, const std::filesystem::path& place, const QString& ffmpeg,
                 const std::function<bool(double share)>& go_on);
 

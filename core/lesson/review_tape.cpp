@@ -48,7 +48,8 @@ void ReviewTape::keep_half() {
 
 void ReviewTape::note(PlayEvent event) {
     const std::lock_guard lock(mutex_);
-    events_.push_back(std::move(event));
+    const auto later = std::ranges::upper_bound(events_, event.at_s, {}, &PlayEvent::at_s);
+    events_.insert(later, std::move(event));
 }
 
 std::shared_ptr<const Frame> ReviewTape::at(double at_s) const {

@@ -147,7 +147,8 @@ void write_files(const fs::path& folder, const PatientCase& patient) {
 }  // namespace
 
 bool is_case(const fs::path& path) {
-    return fs::is_regular_file(path / case_file::header) || is_case_archive(path);
+    std::error_code unreadable;  // it is none then
+    return fs::is_regular_file(path / case_file::header, unreadable) || is_case_archive(path);
 }
 
 bool is_replaceable_case(const fs::path& place) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/score.h"
@@ -103,8 +105,11 @@ TEST(Review, SaysWhereItIsNotWhatWasPlayed) {
     ReviewTape tape;
     Job job;
     EXPECT_EQ(review(changed, std::nullopt, small_patient(), tape, job).diverged_at, 31u);
-    EXPECT_THAT(tape.events().back().text, HasSubstr("not what was played"));
-    EXPECT_NEAR(tape.events().back().at_s, 20.0 / 60, 1e-9);
+    const auto events = tape.events();
+    EXPECT_THAT(events,
+                Contains(AllOf(Field(&PlayEvent::text, HasSubstr("not what was played")),
+                               Field(&PlayEvent::at_s, testing::DoubleNear(20.0 / 60, 1e-9)))));
+    EXPECT_TRUE(std::ranges::is_sorted(events, {}, &PlayEvent::at_s));
 }
 
 TEST(Review, OfNothingIsRefused) {

@@ -25,6 +25,7 @@ TEST(RecordedCase, IsTheFirstThatFitsAndWhatCannotBeReadIsPassedOver) {
     write_case(folder.path() / "d wanted.hep", wanted);
     fs::create_directory(folder.path() / "a damaged.hep");
     std::ofstream(folder.path() / "a damaged.hep" / "case.json") << "{";
+    fs::create_directory_symlink("e itself", folder.path() / "e itself");
     const fs::path recording = folder.path() / "play.hrec";  // need not be there
     Job job;
     const CaseSearch search = case_beside(recording, hash_of(wanted), job);

@@ -245,6 +245,40 @@ TEST_F(ReviewWindowTest, the_window_closes_with_two_recordings_in_it) {
     EXPECT_FALSE(window_.second_view().shown());
 }
 
+// What the panels' action shows again is not a review that is over.
+TEST_F(ReviewWindowTest, is_gone_once_it_was_left_also_for_the_next_window) {
+    write_notes(file_, {{0.5, "Slower"}});
+    open_built_in();
+    look_back();
+    ASSERT_EQ(events().count(), 3);
+    click("reviewLeave");
+    EXPECT_EQ(events().count(), 0);
+    QAction& panels = window_.actions()[ActionId::toggle_panels];
+    panels.trigger();
+    panels.trigger();
+    EXPECT_TRUE(dock().isHidden());
+    dock().findChild<QPushButton*>("reviewRemoveNote")->setEnabled(true);
+    click("reviewRemoveNote");
+    EXPECT_EQ(read_notes(file_).size(), 1u);
+    look_back();
+    EXPECT_TRUE(window_.close());
+    MainWindow next(settings_,
+                    {[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+                     [](const std::filesystem::path&, const PatientCase&) {}});
+    next.show();
+    EXPECT_TRUE(next.review().isHidden());
+}
+
+TEST_F(ReviewWindowTest, a_line_that_is_chosen_already_is_gone_to_again) {
+    open_built_in();
+    look_back();
+    events().setCurrentRow(0);
+    line().set_at(1.0);
+    const QRect place = events().visualItemRect(events().item(0));
+    QTest::mouseClick(events().viewport(), Qt::LeftButton, {}, place.center());
+    EXPECT_NEAR(dock().at_s(), (pull_begins + 1) / 60.0, 1e-9);
+}
+
 TEST_F(ReviewWindowTest, notes_that_cannot_be_kept_are_not_shown) {
     open_built_in();
     look_back();

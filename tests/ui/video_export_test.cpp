@@ -72,6 +72,14 @@ TEST(Film, AsAFolderIsNumberedPicturesOfEvenSize) {
     EXPECT_EQ(qRed(picture.pixel(0, 0)), 8);
 }
 
+TEST(Film, IsNotMixedWithAnother) {
+    const TemporaryFolder folder;
+    write_film(film_of(0.2), folder.path() / "film", "", always);
+    const auto before = names_in(folder.path() / "film");
+    EXPECT_THROW(write_film(film_of(0.1), folder.path() / "film", "", always), InputError);
+    EXPECT_EQ(names_in(folder.path() / "film"), before);
+}
+
 TEST(Film, ThatIsCancelledLeavesNothing) {
     const TemporaryFolder folder;
     for (const char* name : {"film", "film.mp4"}) {
