@@ -113,8 +113,11 @@ void LessonDock::patient_shown(bool built_in) {
     built_in_shown_ = built_in;
     keep_result();
     watch_.reset();
+    // Not on whoever was opened in the place of the lesson's own patient.
+    const bool fits = lesson_ && (lesson_->patient != "built-in" || built_in);
     // Once what says that the patient is being opened has gone, which takes room.
-    if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
+    if (std::exchange(waits_, false) && fits)
+        return QTimer::singleShot(0, this, [this] { begin(); });
     hide();
 }
 

@@ -52,6 +52,8 @@ class LessonDock : public QDockWidget {
     CourseDialog& course() { return *course_; }
     // There is another patient now: a lesson that waited for one begins, one that ran is over.
     void patient_shown(bool built_in);
+    // The patient that was being opened does not come: no lesson waits for him any more.
+    void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
     // Of the lesson that is being played or has ended.
     LessonStanding standing() const { return watch_->standing(); }

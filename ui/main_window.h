@@ -101,6 +101,8 @@ class MainWindow : public QMainWindow {
     void connect_context();
     void connect_themes();
     void build_slices(QWidget* parent);
+
+    // main_window_lessons.cpp: lessons, and recordings that are looked back on.
     void build_lessons();
     void build_review();
 

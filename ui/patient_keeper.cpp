@@ -20,33 +20,35 @@ PatientKeeper::PatientKeeper(Ways ways, Questions questions, Screen screen,
                  go_on();
              }}) {}
 
-void PatientKeeper::leave(std::function<void()> go) {
+void PatientKeeper::leave(std::function<void()> go, std::function<void()> stay) {
     discarded_version_.reset();
-    leave_if_safe(std::move(go));
+    leave_if_safe(std::move(go), std::move(stay));
 }
 
-void PatientKeeper::leave_if_safe(std::function<void()> go) {
+void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()> stay) {
     go_ = nullptr;
     if (!jobs_.holds(JobKind::save)) {
         if (!workspace_.dirty() || discarded_version_ == workspace_.version()) return go();
         const UnsavedAnswer answer = questions_.unsaved(workspace_.title());
-        if (answer == UnsavedAnswer::cancel) return;
+        if (answer == UnsavedAnswer::cancel) return stay();
         if (answer == UnsavedAnswer::discard) {
             discarded_version_ = workspace_.version();
             return go();
         }
-        if (!save()) return;
+        if (!save()) return stay();
     }
     go_ = std::move(go);
+    stay_ = std::move(stay);
 }
 
 // After a save: what was corrected since then is asked about again.
 void PatientKeeper::go_on() {
-    if (go_ && !jobs_.holds(JobKind::save)) leave_if_safe(std::exchange(go_, nullptr));
+    if (go_ && !jobs_.holds(JobKind::save)) leave_if_safe(std::exchange(go_, nullptr), stay_);
 }
 
 void PatientKeeper::open(const OpenRequest& request) {
-    leave([this, request = with_absolute_paths(request)] { start_opening(request); });
+    leave([this, request = with_absolute_paths(request)] { start_opening(request); },
+          screen_.not_opened);
 }
 
 void PatientKeeper::start_opening(const OpenRequest& request) {
@@ -71,29 +73,37 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     };
     job.failed = [this, title = job.title](const Failure& failure) {
         screen_.failed(title, failure);
+        screen_.not_opened();
     };
-    job.cancelled = [this] { screen_.say("Cancelled"); };
+    job.cancelled = [this] {
+        screen_.say("Cancelled");
+        screen_.not_opened();
+    };
     jobs_.replace(std::move(job));
 }
 
 void PatientKeeper::choose_series(OpenRequest request,
                                   const std::vector<SeriesDescription>& series) {
     const std::optional<int> chosen = questions_.which_series(series);
-    if (!chosen) return screen_.say("Cancelled");
+    if (!chosen) {
+        screen_.say("Cancelled");
+        return screen_.not_opened();
+    }
     request.reconstruct.series = *chosen;
     start_opening(request);
 }
 
 // The patient before may have been corrected while this one was made ready.
 void PatientKeeper::arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded) {
-    leave_if_safe([this, request, loaded] {
+    const auto show = [this, request, loaded] {
         // Saved over since it was read: what was read is not on disk any more.
         if (written_.contains(loaded->folder)) return start_opening(request);
         jobs_.drop(JobKind::correct);
         workspace_.open(*loaded);
         screen_.show(std::move(*loaded), false);
         screen_.changed();
-    });
+    };
+    leave_if_safe(show, screen_.not_opened);
 }
 
 void PatientKeeper::add(const TreeEdit& edit) {

@@ -57,6 +57,9 @@ class PatientKeeper {
         // `doing`: the job that failed.
         std::function<void(const std::string& doing, const Failure&)> failed;
         std::function<void(const std::string&)> say;
+        // An opening came to nothing: it failed, or the person gave it up. Not told of one whose
+        // place a newer one takes.
+        std::function<void()> not_opened = [] {};
         // A file that was opened or saved, and can be opened again.
         std::function<void(const std::filesystem::path&)> remember;
     };
@@ -80,13 +83,15 @@ class PatientKeeper {
     void cancel();
 
     // Does `go` once nothing is lost by it: at once, or when all is saved. Not at all where the
-    // person chose to stay, or where saving or correcting failed; only the newest `go` counts.
-    void leave(std::function<void()> go);
+    // person chose to stay (then `stay`), or where saving or correcting failed; only the newest
+    // `go` counts.
+    void leave(
+        std::function<void()> go, std::function<void()> stay = [] {});
     // Cancels all jobs and waits for the one that runs; a case that is being written is finished.
     void end() { jobs_.clear(); }
 
   private:
-    void leave_if_safe(std::function<void()> go);
+    void leave_if_safe(std::function<void()> go, std::function<void()> stay);
     void start_opening(const OpenRequest& request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded);
@@ -105,7 +110,7 @@ class PatientKeeper {
     Questions questions_;
     Screen screen_;
     Workspace workspace_;
-    std::function<void()> go_;                        // waits for saving to end
+    std::function<void()> go_, stay_;                 // wait for saving to end
     std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
     std::set<std::filesystem::path> written_;         // cases, since the last opening began to read
     JobQueue jobs_;

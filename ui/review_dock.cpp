@@ -185,7 +185,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
     callbacks.cancelled = [] {};
-    callbacks.ended = [] {};
+    callbacks.ended = [this] { job_.reset(); };
     const auto shown = ways_.patient();
     ways_.say("Reading the recording…");
     job_ = std::make_unique<BackgroundJob>(
@@ -223,6 +223,10 @@ void ReviewDock::take(Found found) {
     waits_ = found.request.has_value();
     if (found.request) return ways_.open(*found.request);
     QTimer::singleShot(0, this, [this] { begin(); });
+}
+
+void ReviewDock::patient_not_shown() {
+    if (waits_) forget();
 }
 
 void ReviewDock::patient_shown() {

@@ -62,6 +62,8 @@ class ReviewDock : public QDockWidget {
     void open(const std::filesystem::path& recording, const std::string& lesson = {});
     // Nothing is shown or read any more; the simulation stays as it is.
     void end() { forget(); }
+    // The patient that was being opened does not come: a recording that waits for him is let go of.
+    void patient_not_shown();
     // There is another patient now: a recording that waited for him begins, one of another ends.
     void patient_shown();
     // Shows another recording of the same patient beside it, both from their beginnings.
@@ -72,6 +74,8 @@ class ReviewDock : public QDockWidget {
     // Every frame of it, and of one beside it, has been gone through.
     bool complete() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
 
+    // A recording is being read, waits for its patient or is gone through.
+    bool busy() const { return waits_ || (job_ != nullptr && !complete()); }
     double at_s() const { return at_s_; }
     bool playing() const { return clock_.isActive(); }
 

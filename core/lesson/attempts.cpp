@@ -76,10 +76,7 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     const LessonFields fields(json, place, "");
     fields.know(
         {"format", "version", "lesson", "ended_at", "passed", "reasons", "reference", "metrics"});
-    if (const LessonFields named = fields.need("format"); named.text() != result_format)
-        named.refuse("is " + named.dump() + ", not \"" + result_format + "\"", result_remedy);
-    if (const LessonFields version = fields.need("version"); version.json() != 1)
-        version.refuse("is " + version.dump() + ", and this program knows 1", result_remedy);
+    fields.require_format(result_format, result_remedy);
     Attempt attempt;
     attempt.recording = recording;
     attempt.lesson = fields.need("lesson").text();

@@ -37,6 +37,16 @@ void LessonFields::know(std::initializer_list<const char*> keys) const {
             field.refuse("is not known", "Choose from " + known);
 }
 
+void LessonFields::require_format(const char* format, const char* remedy) const {
+    const LessonFields name = need("format");
+    if (name.text() != format)
+        name.refuse("is \"" + name.text() + "\", not \"" + format + "\"", remedy);
+    const LessonFields version = need("version");
+    if (version.number() != 1.0)
+        version.refuse("is " + version.dump() + ", and this program reads 1",
+                       "Take a newer program, or write the file for version 1");
+}
+
 std::vector<LessonFields> LessonFields::list() const {
     if (!json_.is_array()) refuse("is " + dump() + ", not a list", "Write it as [...]");
     std::vector<LessonFields> found;

@@ -30,6 +30,8 @@ class LessonFields {
     // Refuses every other key, so that a misspelt one is not silently ignored.
     void know(std::initializer_list<const char*> keys) const;
 
+    // Refuses a file of another format or version than {"format": `format`, "version": 1}.
+    void require_format(const char* format, const char* remedy) const;
     // --- of a list
     std::vector<LessonFields> list() const;
 

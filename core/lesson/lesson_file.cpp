@@ -121,18 +121,8 @@ Script setup_from(const LessonFields& fields) {
     return setup;
 }
 
-void require_format(const LessonFields& fields, const std::string& format) {
-    const LessonFields name = fields.need("format");
-    if (name.text() != format)
-        name.refuse("is \"" + name.text() + "\", not \"" + format + "\"", remedy);
-    const LessonFields version = fields.need("version");
-    if (version.number() != 1.0)
-        version.refuse("is " + version.dump() + ", and this program reads 1",
-                       "Take a newer program, or write the file for version 1");
-}
-
 Lesson lesson_from(const LessonFields& fields) {
-    require_format(fields, "hepatica-lesson");
+    fields.require_format("hepatica-lesson", remedy);
     fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "tools",
                  "marks", "target", "steps", "limits", "pass"});
     Lesson lesson;
@@ -158,7 +148,7 @@ Lesson lesson_from(const LessonFields& fields) {
 }
 
 Course course_from(const LessonFields& fields) {
-    require_format(fields, "hepatica-course");
+    fields.require_format("hepatica-course", remedy);
     fields.know({"format", "version", "name", "lessons"});
     Course course;
     course.name = fields.need("name").text();

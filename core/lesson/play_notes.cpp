@@ -40,11 +40,7 @@ std::vector<PlayNote> notes_of(const std::string& text, const std::string& place
     if (json.is_discarded()) throw InputError("is not JSON", place, notes_remedy);
     const LessonFields fields(json, place, "");
     fields.know({"format", "version", "notes"});
-    if (const LessonFields named = fields.need("format"); named.text() != notes_format)
-        named.refuse("is " + named.dump() + ", not \"" + notes_format + "\"", notes_remedy);
-    if (const LessonFields version = fields.need("version"); version.json() != 1)
-        version.refuse("is " + version.dump() + ", and this program knows 1",
-                       "Use the version of the program that wrote it");
+    fields.require_format(notes_format, notes_remedy);
     std::vector<PlayNote> notes;
     for (const LessonFields& note : fields.need("notes").list()) notes.push_back(note_from(note));
     std::ranges::stable_sort(notes, {}, &PlayNote::at_s);

@@ -2,11 +2,14 @@
 // Looking back on a recording in the window: its frames, its time line, jumps, notes, and the way
 // back to free play.
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
+#include <atomic>
 
 #include "core/lesson/play_notes.h"
 #include "core/session/recording_file.h"
@@ -58,6 +61,7 @@ class ReviewWindowTest : public testing::WindowTest {
   protected:
     ReviewWindowTest()
         : WindowTest({[this](const OpenRequest&, Job& job) {
+                          while (endless_) job.throw_if_cancelled();
                           ++opened_;
                           return play(test::small_patient(), job);
                       },
@@ -86,7 +90,8 @@ class ReviewWindowTest : public testing::WindowTest {
     }
 
     std::filesystem::path file_;
-    int opened_ = 0;
+    std::atomic<int> opened_ = 0;
+    std::atomic<bool> endless_ = false;  // nobody can be opened until he is given up
 };
 
 TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
@@ -108,10 +113,21 @@ TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
 TEST_F(ReviewWindowTest, plays_at_the_chosen_speed_and_ends_by_itself) {
     open_built_in();
     look_back();
-    dock().findChild<QComboBox*>("reviewSpeed")->setCurrentIndex(5);
+    auto* speed = dock().findChild<QComboBox*>("reviewSpeed");
+    speed->setCurrentIndex(0);
     QTest::keyClick(&line(), Qt::Key_Home);
+    QElapsedTimer wall;
+    wall.start();
     click("reviewPlay");
     EXPECT_TRUE(dock().playing());
+    ASSERT_TRUE(wait_for([this] { return dock().at_s() > 0.03; }));
+    EXPECT_GE(1e-3 * static_cast<double>(wall.elapsed()), 9.0 * dock().at_s()) << "a tenth";
+    speed->setCurrentIndex(5);
+    const double from_s = dock().at_s();
+    const qint64 from_ms = wall.elapsed();
+    ASSERT_TRUE(wait_for([&] { return dock().at_s() > from_s + 0.8; }));
+    const double passed_s = 1e-3 * static_cast<double>(wall.elapsed() - from_ms);
+    EXPECT_GT(dock().at_s() - from_s, 3.0 * std::min(passed_s, 0.3)) << "four times as fast";
     EXPECT_TRUE(wait_for([this] { return !dock().playing(); }));
     EXPECT_TRUE(shows_step(steps - 1));
     click("reviewPlay");  // from the beginning again
@@ -289,6 +305,20 @@ TEST_F(ReviewWindowTest, notes_that_cannot_be_kept_are_not_shown) {
     EXPECT_FALSE(window_.messages().text().isEmpty());
     EXPECT_EQ(note->text(), "Slower") << "it is not lost";
     EXPECT_EQ(events().count(), 2);
+}
+
+// A later patient does not begin what was given up, be it the same one.
+TEST_F(ReviewWindowTest, is_given_up_with_the_opening_of_its_patient) {
+    endless_ = true;
+    window_.open(to_text(file_));
+    ASSERT_TRUE(wait_for([this] { return window_.busy(); }));
+    window_.cancel_job();
+    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
+    endless_ = false;
+    open_built_in();
+    paint();
+    EXPECT_FALSE(dock().reviewing());
+    EXPECT_FALSE(dock().busy());
 }
 
 TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {

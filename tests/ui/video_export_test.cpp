@@ -91,6 +91,18 @@ TEST(Film, ThatIsCancelledLeavesNothing) {
     }
 }
 
+// Also while ffmpeg runs, which is ended.
+TEST(Film, ThatIsCancelledWhileFfmpegRunsLeavesNothing) {
+    const TemporaryFolder folder, programs;
+    const fs::path begun = programs.path() / "begun";
+    const QString program =
+        stand_in(programs.path(), "touch '" + begun.string() + "'; exec sleep 3600");
+    EXPECT_THROW(write_film(film_of(0.1), folder.path() / "film.mp4", program,
+                            [&](double) { return !fs::exists(begun); }),
+                 Cancelled);
+    EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
 TEST(Film, AsAFileIsMadeByFfmpegFromAllPictures) {
     const TemporaryFolder folder, programs;
     // Its last argument is the file; the pictures are counted where it reads them.
