@@ -23,10 +23,6 @@ namespace {
 constexpr double share_of_pictures = 0.9;
 constexpr int look_ms = 50;
 
-void ask(const std::function<bool(double)>& go_on, double share) {
-    if (!go_on(share)) throw Cancelled();
-}
-
 // Codecs want even sides.
 QImage even(const QImage& picture) {
     return picture.copy(0, 0, picture.width() & ~1, picture.height() & ~1)
@@ -40,7 +36,7 @@ std::string picture_name(int number) {
 void write_pictures(const Film& film, const fs::path& folder, double share,
                     const std::function<bool(double)>& go_on) {
     for (int k = 0; k < film.count(); ++k) {
-        ask(go_on, share * k / film.count());
+        if (!go_on(share * k / film.count())) throw Cancelled();
         const fs::path file = folder / picture_name(k);
         if (!even(film.picture(film.at_s(k))).save(to_text(file), "PNG"))
             throw InputError("cannot be written", folder.string(), "Choose a disk with more room");
@@ -72,8 +68,12 @@ void encode(const Film& film, const fs::path& pictures, const fs::path& file, co
     process.start(ffmpeg,
                   {"-y", "-loglevel", "error", "-framerate", QString::number(film.pictures_per_s),
                    "-i", "%05d.png", "-pix_fmt", "yuv420p", to_text(fs::absolute(file))});
-    while (!process.waitForFinished(look_ms) && process.state() != QProcess::NotRunning)
-        ask(go_on, share_of_pictures);  // the process ends with its object
+    while (!process.waitForFinished(look_ms) && process.state() != QProcess::NotRunning) {
+        if (go_on(share_of_pictures)) continue;
+        process.kill();
+        process.waitForFinished();
+        throw Cancelled();
+    }
     if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0 &&
         process.error() != QProcess::FailedToStart)
         return;
