@@ -59,6 +59,18 @@ TEST(ReviewTape, KeepsFewerFramesEvenlyRatherThanMoreMemory) {
         EXPECT_EQ(step_at(tape, k), static_cast<std::uint64_t>(k / stride * stride));
 }
 
+// However often the clock is held, what stays is evenly spaced in time.
+TEST(ReviewTape, FramesOfOneTimeCountOnce) {
+    constexpr std::size_t coordinates = 5000, bytes = coordinates * sizeof(float) + sizeof(Frame);
+    ReviewTape tape(20 * bytes);
+    for (int k = 0; k < 200; ++k)
+        for (int again = 0; again < 1 + k % 3; ++again) tape.add(k, frame_of(k, coordinates));
+    const auto stride = static_cast<int>(tape.stride());
+    EXPECT_GT(stride, 4);
+    for (int k = 0; k < 199; ++k)
+        EXPECT_EQ(step_at(tape, k), static_cast<std::uint64_t>(k / stride * stride));
+}
+
 // A bound below two frames still shows where it began and where it is.
 TEST(ReviewTape, KeepsTheFirstAndTheNewestWhateverTheBound) {
     ReviewTape tape(0);

@@ -150,6 +150,7 @@ TEST_F(ReviewWindowTest, jumps_to_what_happened) {
     EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9);
     click("reviewOn");
     EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9) << "nothing comes after";
+    line().set_at((pull_ends + 1) / 60.0 + 0.03);  // it has only just happened
     click("reviewBack");
     EXPECT_NEAR(dock().at_s(), (pull_begins + 1) / 60.0, 1e-9);
     events().setCurrentRow(1);
