@@ -12,6 +12,7 @@
 #include "core/lesson/attempts.h"
 #include "core/lesson/course_standing.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
 #include "ui/attempts_dialog.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_panel.h"
@@ -68,6 +69,7 @@ void LessonDock::fill(QMenu& menu) {
             [this] { ask_for_lesson(); });
     connect(menu.addAction("Open co&urse…"), &QAction::triggered, this,
             [this] { ask_for_course(); });
+    connect(menu.addAction("&Edit lessons…"), &QAction::triggered, this, [this] { ways_.edit(); });
 }
 
 void LessonDock::ask_for_lesson() {
@@ -121,10 +123,24 @@ void LessonDock::patient_shown(bool built_in) {
     hide();
 }
 
+void LessonDock::try_out(const Lesson& lesson) {
+    const fs::path file = tried() / "lesson.json";
+    try {
+        fs::create_directories(tried());
+        for (const auto& entry : fs::directory_iterator(tried()))
+            if (entry.path().extension() == ".hrec") fs::remove(entry.path());
+        write_lesson(file, lesson);
+    } catch (...) {
+        return ways_.failed("Try the lesson", std::current_exception());
+    }
+    start(file.string());
+}
+
 fs::path LessonDock::next_recording() const {
-    fs::create_directories(recordings_);
+    const fs::path folder = fs::path(name_).parent_path() == tried() ? tried() : recordings_;
+    fs::create_directories(folder);
     const QString now = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss-zzz");
-    return recordings_ / (fs::path(name_).stem().string() + "-" + now.toStdString() + ".hrec");
+    return folder / (fs::path(name_).stem().string() + "-" + now.toStdString() + ".hrec");
 }
 
 void LessonDock::begin() {
@@ -153,6 +169,7 @@ void LessonDock::leave() {
     lesson_.reset();
     hide();
     ways_.use(nullptr);
+    ways_.left();
 }
 
 void LessonDock::show_figures() {
@@ -163,6 +180,7 @@ void LessonDock::show_figures() {
 
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
+    if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
         write_attempt(attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),

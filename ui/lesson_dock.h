@@ -37,6 +37,8 @@ class LessonDock : public QDockWidget {
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             look_back;
         std::function<void(const std::string& csv)> save_attempts;  // asks where to
+        std::function<void()> edit;                                 // shows the editor of lessons
+        std::function<void()> left;                                 // a lesson, for free play
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
@@ -47,6 +49,9 @@ class LessonDock : public QDockWidget {
     // Begins on the patient that is shown, or opens the lesson's own first. `more_pass`: pass marks
     // beside the lesson's own, of a course.
     void start(const std::string& name, const std::vector<Predicate>& more_pass = {});
+    // Plays it from a file of its own. That is no attempt: no result is kept, and the recording
+    // goes when the next lesson is tried.
+    void try_out(const Lesson& lesson);
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
     CourseDialog& course() { return *course_; }
@@ -69,6 +74,8 @@ class LessonDock : public QDockWidget {
     void ask_for_course();
     void begin();
     void leave();
+    // Where lessons that are tried and their recordings are kept.
+    std::filesystem::path tried() const { return recordings_ / "tried"; }
     std::filesystem::path next_recording() const;
     void keep_result();  // of an attempt that has ended, once
     void show_attempts();

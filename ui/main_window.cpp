@@ -136,9 +136,9 @@ void MainWindow::build_view() {
          [this](const SurfacePick& pick) { inject(pick); },
          [this](const SurfacePick& pick) { show_hover(pick); },
          [this](const SurfacePick& pick) {
-             if (patient_)
-                 editing_->click(
-                     patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
+             if (!patient_) return;
+             if (view_->mouse().mode() == MouseMode::place) return set_lesson_place(pick);
+             editing_->click(patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
          },
          [this](int bridge) { editing_->accept(bridge); },
          [this](const SurfacePick& pick) {
@@ -201,6 +201,7 @@ void MainWindow::build_panels() {
     curves_->hide();
     build_branches();
     build_lessons();
+    build_lesson_editor();
     build_review();
 }
 

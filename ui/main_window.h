@@ -26,6 +26,7 @@ class DialKeeper;
 class EditPanel;
 class InjectPanel;
 class LessonDock;
+class LessonEditor;
 class LibraryDialog;
 class LiverKeeper;
 class MessageBar;
@@ -67,6 +68,7 @@ class MainWindow : public QMainWindow {
     MessageLog& log() { return *log_; }
     LibraryDialog& library() { return *library_; }
     LessonDock& lessons() { return *lessons_; }
+    LessonEditor& lesson_editor() { return *lesson_editor_; }
     ReviewDock& review() { return *review_; }
     SecondView& second_view() { return *second_view_; }
     Actions& actions() { return *actions_; }
@@ -104,6 +106,8 @@ class MainWindow : public QMainWindow {
 
     // main_window_lessons.cpp: lessons, and recordings that are looked back on.
     void build_lessons();
+    void build_lesson_editor();
+    void set_lesson_place(const SurfacePick& pick);
     void build_review();
 
     // main_window_files.cpp: what is opened and saved.
@@ -131,6 +135,8 @@ class MainWindow : public QMainWindow {
     // Frames come when the simulation has one to show: nothing asks for them.
     void follow_simulation();
     void show_newest_frame();
+    // The yellow balls of the lesson that is played or edited. True where they moved.
+    bool show_marks();
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
     void follow(const Frame& frame);  // by the controls of the play
@@ -169,6 +175,7 @@ class MainWindow : public QMainWindow {
     CurvesDock* curves_ = nullptr;
     BranchDock* branches_ = nullptr;
     LessonDock* lessons_ = nullptr;
+    LessonEditor* lesson_editor_ = nullptr;
     ReviewDock* review_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;

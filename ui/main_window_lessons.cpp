@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lessons and reviews in the window: the docks that play and show them, and their ways to the rest.
+#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <utility>
 
+#include "core/tree/station.h"
 #include "ui/curves_dock.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
@@ -14,6 +19,16 @@
 #include "ui/theme.h"
 
 namespace hepatica {
+namespace {
+
+// Letters and digits stay.
+QString as_file_name(QString name) {
+    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
+    name = name.simplified().toLower().replace(other, "_");
+    return name.isEmpty() ? "lesson" : name;
+}
+
+}  // namespace
 
 void MainWindow::build_lessons() {
     LessonDock::Ways ways;
@@ -34,11 +49,57 @@ void MainWindow::build_lessons() {
         review_->open(recording, lesson);
     };
     ways.save_attempts = [this](const std::string& csv) { save_table("attempts", csv); };
+    ways.edit = [this] { lesson_editor_->show_editor(); };
+    ways.left = [this] { lesson_editor_->back_from_trying(); };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+void MainWindow::build_lesson_editor() {
+    LessonEditor::Ways ways;
+    ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
+    ways.shown_case = [this] { return to_text(keeper_->workspace().folder()); };
+    ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
+    ways.places_changed = [this] {
+        if (patient_ && show_marks()) view_->draw_again();
+    };
+    ways.try_out = [this](const Lesson& lesson) { lessons_->try_out(lesson); };
+    ways.which_file = [this]() -> std::optional<std::filesystem::path> {
+        const QString file = QFileDialog::getOpenFileName(
+            lesson_editor_, "Edit lesson", settings_.last_folder(), "Lessons (*.json)");
+        return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
+    };
+    ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
+        const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
+        const QString file = QFileDialog::getSaveFileName(lesson_editor_, "Save lesson", suggested,
+                                                          "Lessons (*.json)");
+        if (file.isEmpty()) return std::nullopt;
+        return to_path(file.endsWith(".json", Qt::CaseInsensitive) ? file : file + ".json");
+    };
+    ways.may_discard = [this] {
+        return QMessageBox::question(lesson_editor_, "Hepatica",
+                                     "The lesson holds changes that are not saved. Let them go?",
+                                     QMessageBox::Discard | QMessageBox::Cancel,
+                                     QMessageBox::Cancel) == QMessageBox::Discard;
+    };
+    ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
+        fail(doing, failure_of(error));
+    };
+    lesson_editor_ = new LessonEditor(std::move(ways), to_path(settings_.lesson_draft()), this);
+}
+
+// On the centreline, so that it means the same whatever side was clicked on.
+void MainWindow::set_lesson_place(const SurfacePick& pick) {
+    const TreePoint at = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
+    (*actions_)[ActionId::pull_mode].trigger();
+    if (at.segment < 0) return;
+    const VesselTree& tree = patient_->patient->tree;
+    lesson_editor_->place_clicked(
+        station_at(tree.segments[static_cast<std::size_t>(at.segment)], at.arclength_mm)
+            .position_mm);
 }
 
 void MainWindow::build_review() {

@@ -12,6 +12,7 @@
 #include "ui/dial_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/liver_keeper.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -140,12 +141,20 @@ void MainWindow::show_newest_frame() {
     }
     frame_waits_ = false;  // first: what comes from here on is told of again
     if (!patient_ || !patient_->simulation->update_frame()) return;
-    const bool marks_moved = view_->scene().set_marks(
-        review_->reviewing() ? std::vector<Vec3>() : lessons_->marks_in(frame()));
+    const bool marks_moved = show_marks();
     view_->show_frame(frame());
     if (marks_moved) view_->draw_again();
     follow(frame());
     show_figures_soon();
+}
+
+bool MainWindow::show_marks() {
+    std::vector<Vec3> marks;
+    if (lessons_->playing() && !review_->reviewing())
+        marks = lessons_->marks_in(frame());
+    else if (!review_->reviewing())
+        marks = lesson_editor_->places();
+    return view_->scene().set_marks(marks);
 }
 
 void MainWindow::tell_dial_keeper() {
@@ -254,6 +263,7 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
                              : mode == MouseMode::inject ? "Click on a vessel to inject there"
                              : mode == MouseMode::edit   ? "Click on a vessel to correct the tree"
+                             : mode == MouseMode::place  ? "Click on a vessel: the place is there"
                              : mode == MouseMode::cut    ? "Draw a line across a vessel to cut it"
                              : mode == MouseMode::weaken
                                  ? "Draw a line across a vessel: it tears there when pulled"

@@ -124,7 +124,7 @@ std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
 
 void MouseTool::click_at(const Pixel& at) {
     if (pressed_bridge_ >= 0) return callbacks_.accept_bridge(pressed_bridge_);
-    if (mode_ != MouseMode::edit) return inject_at(at);
+    if (mode_ != MouseMode::edit && mode_ != MouseMode::place) return inject_at(at);
     const SurfacePick pick = view_.pick(at);
     if (pick.triangle >= 0) callbacks_.edit(pick);
 }

@@ -10,8 +10,8 @@
 // the tool in depth, Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
 // vessel tears more easily there.
-// In inject and edit mode a plain click on a vessel injects or edits there, and a drag that began
-// on it orbits. In every mode a click on the dashed line of a gap bridges it.
+// In inject, edit and place mode a plain click on a vessel injects, edits or sets a place there,
+// and a drag that began on it orbits. In every mode a click on the dashed line of a gap bridges it.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@
 namespace hepatica {
 
 enum class MouseButton { left, middle, right };
-enum class MouseMode { pull, inject, edit, tool, cut, weaken };
+enum class MouseMode { pull, inject, edit, tool, cut, weaken, place };
 
 struct MouseModifiers {
     bool shift = false;
@@ -41,8 +41,9 @@ class MouseTool {
         std::function<void(Command)> post;                    // to the simulation
         std::function<void(const SurfacePick& pick)> inject;  // the user chose this point
         std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
-        std::function<void(const SurfacePick& pick)> edit;    // the user chose it in edit mode
-        std::function<void(int bridge)> accept_bridge;        // of those that the view shows
+        // The user chose it in edit or place mode.
+        std::function<void(const SurfacePick& pick)> edit;
+        std::function<void(int bridge)> accept_bridge;  // of those that the view shows
         // Which way the vessel runs there; 0 where that is not known.
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
         // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.

@@ -92,6 +92,10 @@ QString Settings::recordings_folder() const {
     return data_folder() + "/recordings";
 }
 
+QString Settings::lesson_draft() const {
+    return store_ ? data_folder() + "/unsaved-lesson.json" : QString();
+}
+
 QString Settings::recovery_folder() const {
     return store_ ? data_folder() + "/recovery" : QString();
 }

@@ -39,6 +39,8 @@ class Settings {
 
     // Where plays of lessons are kept: with the user's data, in safe mode with what is temporary.
     QString recordings_folder() const;
+    // Where a lesson that is not saved yet is kept; empty in safe mode, which keeps none.
+    QString lesson_draft() const;
     // Where copies of unsaved work are kept; empty in safe mode, which keeps none.
     QString recovery_folder() const;
 

@@ -47,6 +47,7 @@ struct Lesson {
     std::string patient = "any";    // "built-in", "any", or a case (relative: to the lesson's file)
     SceneSpec scene;                // of the play
     Script setup;                   // done in the first step
+    std::string setup_json;         // its actions as they were given, a JSON array; may be empty
     std::vector<LessonTool> tools;  // empty: none
     std::vector<LessonMark> marks;
     std::optional<ScriptPlace> target;  // of the drug: the vessels from there on

@@ -130,7 +130,10 @@ Lesson lesson_from(const LessonFields& fields) {
     if (fields.has("about")) lesson.about = fields.need("about").text();
     if (fields.has("patient")) lesson.patient = fields.need("patient").text();
     lesson.scene = scene_from_json(fields.need("scene").json());
-    if (fields.has("setup")) lesson.setup = setup_from(fields.need("setup"));
+    if (fields.has("setup")) {
+        lesson.setup = setup_from(fields.need("setup"));
+        lesson.setup_json = fields.need("setup").dump();
+    }
     if (fields.has("tools"))
         for (const LessonFields& tool : fields.need("tools").list())
             lesson.tools.push_back(tool_from(tool));

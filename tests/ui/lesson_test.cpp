@@ -137,7 +137,7 @@ TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
             for (const QAction* action : menu->menu()->actions()) names << action->objectName();
     for (const BuiltInLesson& lesson : built_in_lessons())
         EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
-    EXPECT_EQ(names.size(), 11) << "with a line, a course, and two others to open";
+    EXPECT_EQ(names.size(), 12) << "with a line, a course, two others to open, and the editor";
 }
 
 TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {

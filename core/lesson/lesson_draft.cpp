@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson_draft.h"
+
+#include <algorithm>
+
+namespace hepatica {
+
+namespace {
+
+Predicate some_time() {
+    return {Quantity::step_time_s, -1, true, 5.0};
+}
+
+void forget(std::vector<Predicate>& bounds, int mark) {
+    std::erase_if(bounds, [&](const Predicate& bound) { return bound.mark == mark; });
+    for (Predicate& bound : bounds)
+        if (bound.mark > mark) --bound.mark;
+}
+
+}  // namespace
+
+LessonStep new_step() {
+    LessonStep step;
+    step.text = "What the trainee is to do.";
+    step.goal = {some_time()};
+    return step;
+}
+
+Lesson new_lesson() {
+    Lesson lesson;
+    lesson.name = "A new lesson";
+    lesson.scene = default_scene();
+    lesson.scene.name = "lesson";
+    lesson.scene.flow.reset();
+    lesson.tools = {LessonTool::pull};
+    lesson.marks = {{"mark 1", {std::nullopt, 0.5}}};
+    LessonStep step;
+    step.text = "Pull the vessel at the mark 10 mm aside and hold it for a second.";
+    step.hint = "Slowly.";
+    step.goal = {{Quantity::moved_mm, 0, true, 10.0}};
+    step.hold_s = 1.0;
+    lesson.steps = {step};
+    lesson.limits = {{Quantity::force_mn, -1, false, 1000.0}};
+    lesson.pass = {{Quantity::time_s, -1, false, 60.0}};
+    return lesson;
+}
+
+void remove_mark(Lesson& lesson, int mark) {
+    lesson.marks.erase(lesson.marks.begin() + mark);
+    for (LessonStep& step : lesson.steps) {
+        forget(step.goal, mark);
+        forget(step.limits, mark);
+        if (step.goal.empty()) step.goal = {some_time()};
+    }
+    forget(lesson.limits, mark);
+    forget(lesson.pass, mark);
+}
+
+std::string free_mark_name(const Lesson& lesson) {
+    const std::vector<std::string> names = lesson.mark_names();
+    for (int number = 1;; ++number) {
+        const std::string name = "mark " + std::to_string(number);
+        if (std::ranges::find(names, name) == names.end()) return name;
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an editor of lessons begins with, and what it does to a lesson beside setting its values.
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+namespace hepatica {
+
+// A whole lesson on any patient: a gentle pull at a mark in the middle of the longest path.
+Lesson new_lesson();
+
+// A step that can be reached.
+LessonStep new_step();
+
+// Without this mark, and without the bounds that name it. A goal that had no other gets one of
+// time, so that the step can still be read.
+void remove_mark(Lesson& lesson, int mark);
+
+// A name that no mark of the lesson has: "mark 1", "mark 2", ...
+std::string free_mark_name(const Lesson& lesson);
+
+}  // namespace hepatica

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson_writer.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
+
+namespace hepatica {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json place_json(const ScriptPlace& place) {
+    if (place.share_of_longest_path)
+        return {{"share_of_longest_path", *place.share_of_longest_path}};
+    const Vec3 at = place.point_mm.value_or(Vec3::Zero());
+    return {{"point_mm", {at.x(), at.y(), at.z()}}};
+}
+
+Json bounds_json(const std::vector<Predicate>& bounds, const std::vector<std::string>& marks) {
+    Json list = Json::array();
+    for (const Predicate& bound : bounds) {
+        const QuantityWords& words = words_of(bound.quantity);
+        Json json{{"what", words.name}};
+        if (words.of_mark && bound.mark >= 0)
+            json["mark"] = marks[static_cast<std::size_t>(bound.mark)];
+        json[bound.at_least ? "at_least" : "at_most"] = bound.bound;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
+    Json json{{"text", step.text}};
+    if (!step.hint.empty()) json["hint"] = step.hint;
+    json["goal"] = bounds_json(step.goal, marks);
+    if (step.hold_s != 0.0) json["hold_s"] = step.hold_s;
+    if (!step.limits.empty()) json["limits"] = bounds_json(step.limits, marks);
+    return json;
+}
+
+}  // namespace
+
+std::string text_of(const Lesson& lesson) {
+    const std::vector<std::string> marks = lesson.mark_names();
+    Json json{{"format", "hepatica-lesson"}, {"version", 1}, {"name", lesson.name}};
+    if (!lesson.about.empty()) json["about"] = lesson.about;
+    json["patient"] = lesson.patient;
+    json["scene"] = to_json(lesson.scene);
+    if (!lesson.setup_json.empty()) json["setup"] = Json::parse(lesson.setup_json);
+    json["tools"] = Json::array();
+    for (const LessonTool tool : lesson.tools) json["tools"].push_back(name_of(tool));
+    if (!lesson.marks.empty()) json["marks"] = Json::object();
+    for (const LessonMark& mark : lesson.marks) json["marks"][mark.name] = place_json(mark.place);
+    if (lesson.target) json["target"] = place_json(*lesson.target);
+    json["steps"] = Json::array();
+    for (const LessonStep& step : lesson.steps) json["steps"].push_back(step_json(step, marks));
+    if (!lesson.limits.empty()) json["limits"] = bounds_json(lesson.limits, marks);
+    if (!lesson.pass.empty()) json["pass"] = bounds_json(lesson.pass, marks);
+    return json.dump(2) + "\n";
+}
+
+void write_lesson(const std::filesystem::path& file, const Lesson& lesson) {
+    std::vector<std::string> names = lesson.mark_names();
+    std::ranges::sort(names);
+    if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
+        throw InputError("has two marks called \"" + *twice + "\"", file.string(),
+                         "Give each mark a name of its own");
+    const std::string text = text_of(lesson);
+    lesson_of(text, file.string());
+    write_text_atomically(file, text);
+}
+
+}  // namespace hepatica

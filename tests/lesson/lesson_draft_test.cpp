@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson_draft.h"
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/lesson_doubts.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
+
+namespace hepatica {
+namespace {
+
+TEST(LessonDraft, BeginsAsALessonThatCanBeReadAndPlayed) {
+    Lesson lesson = new_lesson();
+    lesson.steps.push_back(new_step());
+    EXPECT_NO_THROW(lesson_of(text_of(lesson), "new"));
+    EXPECT_TRUE(doubts_about(lesson).empty());
+}
+
+TEST(LessonDraft, TakesAMarkAwayWithWhatNamesIt) {
+    Lesson lesson = new_lesson();
+    lesson.marks = {
+        {"a", {std::nullopt, 0.1}}, {"b", {std::nullopt, 0.2}}, {"c", {std::nullopt, 0.3}}};
+    const Predicate of_a{Quantity::distance_mm, 0, false, 1.0};
+    const Predicate of_b{Quantity::moved_mm, 1, true, 2.0};
+    const Predicate of_c{Quantity::touch_mm, 2, false, 3.0};
+    const Predicate of_none{Quantity::time_s, -1, false, 4.0};
+    lesson.steps = {new_step(), new_step()};
+    lesson.steps[0].goal = {of_b};
+    lesson.steps[0].limits = {of_c, of_b};
+    lesson.steps[1].goal = {of_a, of_b};
+    lesson.limits = {of_b, of_none};
+    lesson.pass = {of_none, of_c};
+
+    remove_mark(lesson, 1);
+
+    Predicate now_of_c = of_c;
+    now_of_c.mark = 1;
+    EXPECT_EQ(lesson.mark_names(), (std::vector<std::string>{"a", "c"}));
+    EXPECT_EQ(lesson.steps[0].limits, std::vector{now_of_c});
+    EXPECT_EQ(lesson.steps[1].goal, std::vector{of_a});
+    EXPECT_EQ(lesson.limits, std::vector{of_none});
+    EXPECT_EQ(lesson.pass, (std::vector{of_none, now_of_c}));
+    ASSERT_EQ(lesson.steps[0].goal.size(), 1u);  // a step without a goal could not be read
+    EXPECT_EQ(lesson.steps[0].goal[0].mark, -1);
+    EXPECT_NO_THROW(lesson_of(text_of(lesson), "draft"));
+}
+
+TEST(LessonDraft, NamesMarksAnew) {
+    Lesson lesson;
+    EXPECT_EQ(free_mark_name(lesson), "mark 1");
+    lesson.marks = {{"mark 1", {}}, {"mark 3", {}}};
+    EXPECT_EQ(free_mark_name(lesson), "mark 2");
+}
+
+}  // namespace
+}  // namespace hepatica

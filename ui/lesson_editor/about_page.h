@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a lesson is for, whose vessels it is played on, which parts its scene has and which tools
+// the trainee may use.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "ui/lesson_editor/lesson_page.h"
+
+class QCheckBox;
+class QComboBox;
+class QGroupBox;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace hepatica {
+
+class DecimalSpinBox;
+
+class AboutPage : public LessonPage {
+  public:
+    // `shown_case`: the folder of the case that is shown; empty where it lies nowhere.
+    AboutPage(Changes changes, std::function<QString()> shown_case);
+
+  protected:
+    void fill(const Lesson& lesson) override;
+
+  private:
+    QGroupBox* make_scene();
+    QGroupBox* make_tools();
+    QCheckBox* add_part(QGroupBox& box, const QString& text, const char* name,
+                        const std::function<void(SceneSpec&, bool)>& set);
+    void fill_patients(const std::string& patient);
+    void fill_scene(const SceneSpec& scene);
+
+    std::function<QString()> shown_case_;
+    QLineEdit* name_;
+    QPlainTextEdit* about_;
+    QComboBox* patient_;
+    QComboBox* material_ = nullptr;
+    QCheckBox *moves_ = nullptr, *touches_ = nullptr, *self_ = nullptr, *tears_ = nullptr,
+              *flows_ = nullptr;
+    DecimalSpinBox* drug_speed_ = nullptr;
+    std::array<std::pair<LessonTool, QCheckBox*>, 9> tools_{};
+};
+
+}  // namespace hepatica

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_editor/lesson_document.h"
+
+#include <utility>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_path(const std::string& patient) {
+    return patient != "any" && patient != "built-in";
+}
+
+// Relative where that does not climb out of the file's folder.
+std::string beside(const std::string& patient, const fs::path& file) {
+    const fs::path relative = fs::path(patient).lexically_relative(file.parent_path());
+    const bool climbs = relative.empty() || *relative.begin() == "..";
+    return climbs ? patient : relative.string();
+}
+
+}  // namespace
+
+LessonDocument::LessonDocument(fs::path kept_copy) : kept_copy_(std::move(kept_copy)) {
+    if (!kept_copy_.empty() && fs::exists(kept_copy_)) {
+        try {
+            forget_states(read_lesson(kept_copy_));
+            left_behind_ = true;
+            return;
+        } catch (const InputError&) {
+            // Of another version of the program: a new lesson then.
+        }
+    }
+    begin(new_lesson());
+}
+
+void LessonDocument::forget_states(Lesson lesson) {
+    states_ = {std::move(lesson)};
+    now_ = 0;
+    field_.clear();
+    left_behind_ = false;
+}
+
+void LessonDocument::begin(Lesson lesson) {
+    saved_text_ = text_of(lesson);
+    forget_states(std::move(lesson));
+    file_.clear();
+}
+
+void LessonDocument::open(const fs::path& file) {
+    const fs::path place = fs::absolute(file).lexically_normal();
+    Lesson lesson = read_lesson(place);
+    if (is_path(lesson.patient))
+        lesson.patient = (place.parent_path() / lesson.patient).lexically_normal().string();
+    begin(std::move(lesson));
+    file_ = place;
+}
+
+bool LessonDocument::dirty() const {
+    return text_of(lesson()) != saved_text_;
+}
+
+bool LessonDocument::change(const std::string& field, const std::function<void(Lesson&)>& change) {
+    Lesson changed = lesson();
+    change(changed);
+    if (text_of(changed) == text_of(lesson())) return false;
+    states_.resize(now_ + 1);
+    const bool joins = now_ > 0 && !field.empty() && field == field_;
+    if (!joins) {
+        states_.emplace_back();
+        ++now_;
+    }
+    states_[now_] = std::move(changed);
+    field_ = field;
+    return true;
+}
+
+void LessonDocument::undo() {
+    if (can_undo()) --now_;
+    field_.clear();
+}
+
+void LessonDocument::redo() {
+    if (can_redo()) ++now_;
+    field_.clear();
+}
+
+void LessonDocument::save(const fs::path& file) {
+    const fs::path place = fs::absolute(file).lexically_normal();
+    Lesson written = lesson();
+    if (is_path(written.patient)) written.patient = beside(written.patient, place);
+    write_lesson(place, written);
+    file_ = place;
+    saved_text_ = text_of(lesson());
+    left_behind_ = false;
+    keep_copy();
+}
+
+void LessonDocument::keep_copy() {
+    if (kept_copy_.empty()) return;
+    std::error_code ignored;
+    if (!dirty()) {
+        fs::remove(kept_copy_, ignored);
+        return;
+    }
+    try {
+        lesson_of(text_of(lesson()), "");
+    } catch (const InputError&) {
+        return;  // half of a change: the copy before stays
+    }
+    fs::create_directories(kept_copy_.parent_path(), ignored);
+    write_text_atomically(kept_copy_, text_of(lesson()));
+}
+
+}  // namespace hepatica

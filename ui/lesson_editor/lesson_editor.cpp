@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_editor/lesson_editor.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <exception>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/lesson/lesson_doubts.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
+#include "ui/lesson_editor/about_page.h"
+#include "ui/lesson_editor/places_page.h"
+#include "ui/lesson_editor/rules_page.h"
+#include "ui/lesson_editor/steps_page.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+// What keeps it from being played, else what can hardly be meant; empty: nothing.
+QString doubts_in_words(const Lesson& lesson) {
+    try {
+        lesson_of(text_of(lesson), "This lesson");
+    } catch (const InputError& error) {
+        return QString::fromStdString(error.place() + " " + error.problem() + ". " +
+                                      error.remedy() + ".");
+    }
+    QStringList lines;
+    for (const std::string& doubt : doubts_about(lesson))
+        lines << "• " + QString::fromStdString(doubt);
+    constexpr qsizetype most = 4;
+    if (lines.size() > most)
+        lines = lines.mid(0, most - 1) << QString("• and %1 more").arg(lines.size() - most + 1);
+    return lines.join("\n");
+}
+
+QPushButton* add_button(QBoxLayout& row, const QString& text, const char* name,
+                        const std::function<void()>& run) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    QObject::connect(button, &QPushButton::clicked, button, [run] { run(); });
+    row.addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent)
+    : QWidget(parent, Qt::Dialog),
+      ways_(std::move(ways)),
+      document_(std::move(kept_copy)),
+      pages_(new QTabWidget),
+      doubts_(new QLabel),
+      keep_(new QTimer(this)) {
+    setObjectName("lessonEditor");
+    resize(640, 700);
+    keep_->setSingleShot(true);
+    keep_->setInterval(500);
+    connect(keep_, &QTimer::timeout, this, [this] { keep_now(); });
+    build();
+}
+
+LessonEditor::~LessonEditor() = default;
+
+void LessonEditor::build() {
+    const LessonPage::Changes changes{
+        [this](const std::string& field, const std::function<void(Lesson&)>& change) {
+            if (document_.change(field, change)) changed(false);
+        },
+        [this](const std::function<void(Lesson&)>& change) {
+            document_.change("", change);
+            changed(true);
+        }};
+    places_ = new PlacesPage(changes, ways_.ask_for_place);
+    pages_->setObjectName("lessonPages");
+    pages_->addTab(new AboutPage(changes, ways_.shown_case), "&Lesson");
+    pages_->addTab(places_, "&Places");
+    pages_->addTab(new StepsPage(changes), "&Steps");
+    pages_->addTab(new RulesPage(changes), "Limits and pass &marks");
+    connect(pages_, &QTabWidget::currentChanged, this, [this] { show_page(); });
+    doubts_->setObjectName("lessonDoubts");
+    doubts_->setWordWrap(true);
+    doubts_->setTextFormat(Qt::PlainText);
+    doubts_->setAccessibleName("What is doubtful in this lesson");
+    auto* foot = new QWidget;
+    build_buttons(*foot);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(pages_, 1);
+    column->addWidget(doubts_);
+    column->addWidget(foot);
+}
+
+void LessonEditor::build_buttons(QWidget& foot) {
+    auto* row = new QHBoxLayout(&foot);
+    row->setContentsMargins(0, 0, 0, 0);
+    QPushButton* begin = add_button(*row, "&Begin with", "lessonBegin", [] {});
+    auto* menu = new QMenu(begin);
+    connect(menu->addAction("A new lesson"), &QAction::triggered, this, [this] { begin_with(""); });
+    connect(menu->addAction("A file…"), &QAction::triggered, this, [this] { open(); });
+    menu->addSeparator();
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        QAction* action =
+            menu->addAction("A copy of: " + QString::fromStdString(find_lesson(entry.id).name));
+        action->setObjectName(QString("beginWith_") + entry.id);
+        connect(action, &QAction::triggered, this, [this, id = entry.id] { begin_with(id); });
+    }
+    begin->setMenu(menu);
+    undo_ = add_button(*row, "&Undo", "lessonUndo", [this] {
+        document_.undo();
+        changed(true);
+    });
+    redo_ = add_button(*row, "Red&o", "lessonRedo", [this] {
+        document_.redo();
+        changed(true);
+    });
+    row->addStretch(1);
+    add_button(*row, "&Try it", "lessonTry", [this] { try_out(); });
+    add_button(*row, "Sa&ve", "lessonSave", [this] { save(false); });
+    add_button(*row, "Save &as…", "lessonSaveAs", [this] { save(true); });
+    add_button(*row, "&Close", "lessonClose", [this] { hide(); });
+}
+
+void LessonEditor::show_editor() {
+    // Over the panels at the right: the vessels stay to be seen and clicked on.
+    if (const QWidget* window = parentWidget(); window && !isVisible())
+        move(window->mapToGlobal(QPoint(window->width() - width(), 40)));
+    show();
+    changed(true);
+    raise();
+    activateWindow();
+}
+
+void LessonEditor::show_page() {
+    static_cast<LessonPage*>(pages_->currentWidget())->show_lesson(document_.lesson());
+}
+
+void LessonEditor::changed(bool shape) {
+    if (shape) show_page();
+    show_state();
+    keep_->start();
+    ways_.places_changed();
+}
+
+void LessonEditor::show_state() {
+    const QString file =
+        document_.file().empty() ? "not saved yet" : to_text(document_.file().filename());
+    setWindowTitle(QString::fromStdString(document_.lesson().name) + "[*] (" + file +
+                   ") - Lesson editor");
+    setWindowModified(document_.dirty());
+    const QString left = document_.left_behind()
+                             ? "This lesson was left unsaved by an earlier run of the program.\n"
+                             : "";
+    const QString doubts = doubts_in_words(document_.lesson());
+    doubts_->setText(left + doubts);
+    doubts_->setVisible(!doubts_->text().isEmpty());
+    undo_->setEnabled(document_.can_undo());
+    redo_->setEnabled(document_.can_redo());
+}
+
+void LessonEditor::keep_now() {
+    keep_->stop();
+    attempt("Keep the unsaved lesson", [this] { document_.keep_copy(); });
+}
+
+void LessonEditor::attempt(const std::string& doing, const std::function<void()>& task) {
+    try {
+        task();
+    } catch (...) {
+        ways_.failed(doing, std::current_exception());
+    }
+}
+
+void LessonEditor::begin_with(const std::string& id) {
+    if (document_.dirty() && !ways_.may_discard()) return;
+    document_.begin(id.empty() ? new_lesson() : find_lesson(id));
+    changed(true);
+}
+
+void LessonEditor::open() {
+    if (document_.dirty() && !ways_.may_discard()) return;
+    const auto file = ways_.which_file();
+    if (!file) return;
+    attempt("Open lesson", [&] { document_.open(*file); });
+    changed(true);
+}
+
+// A number that is being typed counts.
+void LessonEditor::save(bool ask) {
+    if (QWidget* field = QApplication::focusWidget()) field->clearFocus();
+    std::optional<std::filesystem::path> file = document_.file();
+    if (ask || file->empty())
+        file = ways_.where_to_save(QString::fromStdString(document_.lesson().name));
+    if (!file) return;
+    attempt("Save lesson", [&] { document_.save(*file); });
+    show_state();
+}
+
+void LessonEditor::try_out() {
+    if (QWidget* field = QApplication::focusWidget()) field->clearFocus();
+    keep_now();
+    trying_ = true;
+    hide();
+    ways_.try_out(document_.lesson());
+}
+
+void LessonEditor::back_from_trying() {
+    if (std::exchange(trying_, false)) show_editor();
+}
+
+void LessonEditor::place_clicked(const Vec3& place_mm) {
+    places_->place_clicked(place_mm);
+}
+
+std::vector<Vec3> LessonEditor::places() const {
+    std::vector<Vec3> places;
+    const std::shared_ptr<const PatientCase> patient = ways_.patient();
+    if (!isVisible() || patient == nullptr) return places;
+    const auto add = [&](const ScriptPlace& place) {
+        places.push_back(
+            place.point_mm
+                ? *place.point_mm
+                : point_on_longest_path(patient->tree, place.share_of_longest_path.value_or(0.0)));
+    };
+    for (const LessonMark& mark : document_.lesson().marks) add(mark.place);
+    if (document_.lesson().target) add(*document_.lesson().target);
+    return places;
+}
+
+void LessonEditor::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    places_->wait_no_more();
+    keep_now();
+    ways_.places_changed();
+}
+
+}  // namespace hepatica

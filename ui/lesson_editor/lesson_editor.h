@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lessons are made and changed here, beside the window: pages of what a lesson says and asks, what
+// can hardly be meant in words, undo, a play to try it, and its file.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/patient/patient_case.h"
+#include "ui/lesson_editor/lesson_document.h"
+
+class QLabel;
+class QPushButton;
+class QTabWidget;
+class QTimer;
+
+namespace hepatica {
+
+class LessonPage;
+class PlacesPage;
+
+// UI thread. A window of its own, but no QDialog: Enter in a field presses no button.
+class LessonEditor : public QWidget {
+  public:
+    struct Ways {
+        // The patient that is shown, null: none; and the folder of his case, empty: none.
+        std::function<std::shared_ptr<const PatientCase>()> patient;
+        std::function<QString()> shown_case;
+        // The next click on a vessel is for place_clicked().
+        std::function<void()> ask_for_place;
+        // places() are others now.
+        std::function<void()> places_changed;
+        // Plays it; the editor comes back by back_from_trying().
+        std::function<void(const Lesson&)> try_out;
+        // A file to open, or to save under the name that is suggested; none: not after all.
+        std::function<std::optional<std::filesystem::path>()> which_file;
+        std::function<std::optional<std::filesystem::path>(const QString& suggested)> where_to_save;
+        // Unsaved changes would be lost: may they be?
+        std::function<bool()> may_discard;
+        std::function<void(const std::string& doing, const std::exception_ptr& error)> failed;
+    };
+    // See LessonDocument about the copy.
+    LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent);
+    ~LessonEditor() override;
+
+    // Shows the lesson where it was left.
+    void show_editor();
+    // On the centreline, undeformed.
+    void place_clicked(const Vec3& place_mm);
+    // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
+    std::vector<Vec3> places() const;
+    void back_from_trying();
+    const LessonDocument& document() const { return document_; }
+
+  protected:
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    void build();
+    void build_buttons(QWidget& foot);
+    void changed(bool shape);
+    void show_page();
+    void show_state();
+    void keep_now();
+    void begin_with(const std::string& id);  // empty: a new one
+    void open();
+    void save(bool ask);
+    void try_out();
+    void attempt(const std::string& doing, const std::function<void()>& task);
+
+    Ways ways_;
+    LessonDocument document_;
+    QTabWidget* pages_;
+    PlacesPage* places_ = nullptr;
+    QLabel* doubts_;
+    QPushButton *undo_ = nullptr, *redo_ = nullptr;
+    QTimer* keep_;
+    bool trying_ = false;
+};
+
+}  // namespace hepatica

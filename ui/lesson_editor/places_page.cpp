@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_editor/places_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/lesson/lesson_draft.h"
+#include "ui/decimal_spin_box.h"
+
+namespace hepatica {
+namespace {
+
+const ScriptPlace half_way{std::nullopt, 0.5};
+
+QLabel* text_of_point(const Vec3& at) {
+    return new QLabel(QString("at %1, %2, %3 mm")
+                          .arg(at.x(), 0, 'f', 1)
+                          .arg(at.y(), 0, 'f', 1)
+                          .arg(at.z(), 0, 'f', 1));
+}
+
+QLabel* quiet(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setObjectName("quiet");
+    label->setWordWrap(true);
+    return label;
+}
+
+}  // namespace
+
+PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place)
+    : LessonPage(std::move(changes)),
+      ask_for_place_(std::move(ask_for_place)),
+      marks_(new QVBoxLayout),
+      target_(new QVBoxLayout),
+      add_target_(new QPushButton("&Give it a target")) {
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(new QLabel("<b>Marks</b>"));
+    column->addWidget(
+        quiet("Yellow balls on the vessels that goals speak of; they move with them. A share of "
+              "the longest path (0 % the root, 100 % its end) is found on every patient; a point "
+              "that is clicked on belongs to the patient who is shown."));
+    column->addLayout(marks_);
+    auto* add = new QPushButton("&Add a mark");
+    add->setObjectName("lessonAddMark");
+    connect(add, &QPushButton::clicked, this, [this] {
+        change_shape([](Lesson& lesson) {
+            lesson.marks.push_back({free_mark_name(lesson), half_way});
+        });
+    });
+    column->addWidget(add, 0, Qt::AlignLeft);
+    column->addSpacing(12);
+    column->addWidget(new QLabel("<b>Target of the drug</b>"));
+    column->addWidget(
+        quiet("The vessels beyond this place. What is delivered there is the dose in "
+              "the target, all other is elsewhere."));
+    column->addLayout(target_);
+    add_target_->setObjectName("lessonAddTarget");
+    connect(add_target_, &QPushButton::clicked, this,
+            [this] { change_shape([](Lesson& lesson) { lesson.target = half_way; }); });
+    column->addWidget(add_target_, 0, Qt::AlignLeft);
+    column->addStretch(1);
+}
+
+void PlacesPage::fill(const Lesson& lesson) {
+    wait_no_more();
+    names_ = lesson.mark_names();
+    clear_rows(*marks_);
+    for (std::size_t i = 0; i < lesson.marks.size(); ++i)
+        marks_->addWidget(
+            make_row(static_cast<int>(i), lesson.marks[i].name, lesson.marks[i].place));
+    clear_rows(*target_);
+    if (lesson.target) target_->addWidget(make_row(target, "", *lesson.target));
+    add_target_->setVisible(!lesson.target);
+}
+
+QWidget* PlacesPage::make_row(int place, const std::string& name, const ScriptPlace& at) {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    const QString prefix = place == target ? "target" : "mark" + QString::number(place);
+    if (place != target) {
+        auto* text = new QLineEdit(QString::fromStdString(name));
+        text->setObjectName(prefix + "name");
+        text->setAccessibleName("Name of the mark");
+        connect(text, &QLineEdit::editingFinished, this,
+                [this, place, text] { rename(place, *text); });
+        line->addWidget(text, 1);
+    }
+    if (at.point_mm) {
+        line->addWidget(text_of_point(*at.point_mm));
+        auto* share = new QPushButton("As a share");
+        share->setObjectName(prefix + "asShare");
+        connect(share, &QPushButton::clicked, this,
+                [this, place] { set_place(place, half_way, false); });
+        line->addWidget(share);
+    } else {
+        auto* share = new DecimalSpinBox(0.0, 100.0, 100.0 * at.share_of_longest_path.value_or(0.0),
+                                         1, "% of the longest path");
+        share->setObjectName(prefix + "share");
+        share->setAccessibleName("Share of the longest path");
+        connect(share, &DecimalSpinBox::valueChanged, this, [this, place](double value) {
+            set_place(place, {std::nullopt, value / 100.0}, true);
+        });
+        line->addWidget(share);
+    }
+    auto* click = new QPushButton("Click on it");
+    click->setObjectName(prefix + "click");
+    click->setToolTip("The next click on a vessel in the view sets the place");
+    connect(click, &QPushButton::clicked, this, [this, place] { ask(place); });
+    line->addWidget(click);
+    auto* gone = new QPushButton("Remove");
+    gone->setObjectName(prefix + "remove");
+    connect(gone, &QPushButton::clicked, this, [this, place] { remove(place); });
+    line->addWidget(gone);
+    if (place == target) line->addStretch(1);
+    return row;
+}
+
+void PlacesPage::ask(int place) {
+    waits_for_ = place;
+    ask_for_place_();
+}
+
+void PlacesPage::wait_no_more() {
+    waits_for_ = nobody;
+}
+
+void PlacesPage::place_clicked(const Vec3& place_mm) {
+    const int place = std::exchange(waits_for_, nobody);
+    if (place == nobody) return;
+    const Vec3 rounded = (10.0 * place_mm).array().round() / 10.0;
+    set_place(place, {rounded, std::nullopt}, false);
+}
+
+// Two marks of a name could not be told apart.
+void PlacesPage::rename(int mark, QLineEdit& field) {
+    const std::string name = field.text().trimmed().toStdString();
+    std::string& present = names_[static_cast<std::size_t>(mark)];
+    if (name.empty() || (name != present && std::ranges::find(names_, name) != names_.end()))
+        return field.setText(QString::fromStdString(present));
+    present = name;
+    change_value("",
+                 [&](Lesson& lesson) { lesson.marks[static_cast<std::size_t>(mark)].name = name; });
+}
+
+void PlacesPage::set_place(int place, const ScriptPlace& at, bool same_row) {
+    const auto set = [&](Lesson& lesson) {
+        if (place == target)
+            lesson.target = at;
+        else
+            lesson.marks[static_cast<std::size_t>(place)].place = at;
+    };
+    if (same_row)
+        change_value("place" + std::to_string(place), set);
+    else
+        change_shape(set);
+}
+
+void PlacesPage::remove(int place) {
+    change_shape([&](Lesson& lesson) {
+        if (place == target)
+            lesson.target.reset();
+        else
+            remove_mark(lesson, place);
+    });
+}
+
+}  // namespace hepatica
