@@ -42,9 +42,11 @@ Json run_paper(const PaperChoices& options, Job& job) {
         paper.title = patient->source.name.empty() ? "a patient" : patient->source.name;
     }
     Json facts;
-    write_folder_atomically(options.out, [&](const fs::path& folder) {
-        facts = write_paper(patient, folder, paper, job);
-    });
+    // What an older page had and this one has not does no harm.
+    renew_folder_atomically(
+        options.out,
+        [&](const fs::path& folder) { facts = write_paper(patient, folder, paper, job); },
+        [](const fs::path&) { return false; });
     Json answer{{"page", (options.out / "index.html").string()}};
     answer.update(facts);
     return answer;

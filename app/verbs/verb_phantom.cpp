@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 
@@ -54,6 +55,14 @@ void parse(PhantomChoices& options) {
                              "Choose dicom, nifti or both: dicom,nifti");
 }
 
+// Of another phantom, which this one replaces. Whatever else lies in the folder stays.
+bool is_of_a_phantom(const fs::path& file) {
+    constexpr std::array<const char*, 4> names{"ct.nii.gz", "truth_mask.nii.gz", "liver.nii.gz",
+                                               "truth_tree.vtp"};
+    if (file.parent_path() == "ct") return is_written_slice(file);
+    return std::ranges::find(names, file.string()) != names.end();
+}
+
 Json make(PhantomChoices options, Job& job) {
     parse(options);
     require_writable(options.out);
@@ -65,7 +74,7 @@ Json make(PhantomChoices options, Job& job) {
     job.expect_stages(growing_to_scanning + (wanted("dicom") ? 1 : 0) + writing_the_truth);
     const Phantom phantom = make_phantom(options.phantom, job);
     Json made = Json::array();
-    write_folder_atomically(options.out, [&](const fs::path& folder) {
+    const auto write = [&](const fs::path& folder) {
         if (wanted("dicom")) {
             write_dicom_series(folder / "ct", phantom.ct, {}, job);
             made.push_back((options.out / "ct").string());
@@ -80,7 +89,8 @@ Json make(PhantomChoices options, Job& job) {
         write_nifti(folder / "liver.nii.gz", phantom.liver);
         write_tree_vtp(folder / "truth_tree.vtp", phantom.tree);
         job.advance(1.0);
-    });
+    };
+    renew_folder_atomically(options.out, write, is_of_a_phantom);
     return {{"ct", made},
             {"truth_tree", (options.out / "truth_tree.vtp").string()},
             {"truth_mask", (options.out / "truth_mask.nii.gz").string()},

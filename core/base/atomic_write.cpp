@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <string>
 #include <system_error>
@@ -37,15 +38,17 @@ class Temporary {
         : path_(fs::absolute(target).parent_path() / name_beside(target)) {}
     ~Temporary() {
         std::error_code ignored;
-        fs::remove_all(path_, ignored);
+        if (!kept_) fs::remove_all(path_, ignored);
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
     const fs::path& path() const { return path_; }
+    void keep() { kept_ = true; }
 
   private:
     fs::path path_;
+    bool kept_ = false;
 };
 
 fs::path without_trailing_slash(const fs::path& path) {
@@ -104,20 +107,60 @@ void write_text_atomically(const fs::path& file, std::string_view text) {
     });
 }
 
-void write_folder_atomically(const fs::path& target,
-                             const std::function<void(const fs::path&)>& write) {
+namespace {
+
+// Moves what is not the program's own from the folder that was to the one that is. Returns the
+// first that could not be moved.
+std::optional<fs::path> move_foreign(const fs::path& was, const fs::path& is,
+                                     const std::function<bool(const fs::path&)>& is_own) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(was))
+        if (entry.is_symlink() || !entry.is_directory())
+            files.push_back(entry.path().lexically_relative(was));
+    for (const fs::path& file : files) {
+        if (is_own(file) || fs::exists(fs::symlink_status(is / file))) continue;
+        std::error_code error;
+        fs::create_directories((is / file).parent_path(), error);
+        fs::rename(was / file, is / file, error);
+        if (error) return was / file;
+    }
+    return std::nullopt;
+}
+
+void replace_folder(const fs::path& target, const std::function<void(const fs::path&)>& write,
+                    const std::function<bool(const fs::path&)>& is_own) {
     const fs::path folder = behind_links(without_trailing_slash(target));
     make_parent(folder);
-    const Temporary temporary(folder);
+    Temporary temporary(folder);
     std::error_code error;
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(target, error);
     write(temporary.path());
-    if (fs::exists(folder))  // a folder cannot be renamed over a full one
+    const bool replaces = fs::exists(folder);
+    if (replaces)  // a folder cannot be renamed over a full one
         exchange(temporary.path(), folder, error);
     else
         fs::rename(temporary.path(), folder, error);
     if (error) throw_unwritable(target, error);
+    if (!replaces) return;
+    if (const auto left = move_foreign(temporary.path(), folder, is_own)) {
+        temporary.keep();
+        throw InputError("was in the folder and could not be put back into it", left->string(),
+                         "Move it to " + target.string() + " by hand");
+    }
+}
+
+}  // namespace
+
+void write_folder_atomically(const fs::path& target,
+                             const std::function<void(const fs::path&)>& write) {
+    replace_folder(target, write, [](const fs::path&) { return true; });
+}
+
+void renew_folder_atomically(const fs::path& target,
+                             const std::function<void(const fs::path&)>& write,
+                             const std::function<bool(const fs::path&)>& is_own) {
+    replace_folder(target, write, is_own);
 }
 
 void write_files_atomically(const fs::path& folder,

@@ -21,9 +21,17 @@ void write_file_atomically(const std::filesystem::path& file,
 void write_text_atomically(const std::filesystem::path& file, std::string_view text);
 
 // Calls write(temporary_folder), an empty folder, then renames it to `folder`, replacing a folder
-// that stood there. Throws InputError as above.
+// that stood there with all that was in it: for folders of the program's own. Throws InputError as
+// above.
 void write_folder_atomically(const std::filesystem::path& folder,
                              const std::function<void(const std::filesystem::path&)>& write);
+
+// The same for a folder into which others may put files: those for which is_own(path below the
+// folder) is false, and that are not written anew, stay. They follow once the new folder is there;
+// one that cannot is named in an InputError and lies in the temporary folder, which then stays.
+void renew_folder_atomically(const std::filesystem::path& folder,
+                             const std::function<void(const std::filesystem::path&)>& write,
+                             const std::function<bool(const std::filesystem::path& below)>& is_own);
 
 // Calls write(temporary_folder), an empty folder, then moves the files in it into `folder`, in the
 // order of their names, beside what else is there; older files of these names are replaced. On an

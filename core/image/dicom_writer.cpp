@@ -176,6 +176,11 @@ void set_pixels(gdcm::DataSet& data, const Volume& volume, int z) {
 
 }  // namespace
 
+bool is_written_slice(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with("slice_") && name.ends_with(".dcm");
+}
+
 void write_dicom_series(const fs::path& folder, const Volume& volume, const DicomSeriesInfo& info,
                         Job& job) {
     gdcm::Trace::WarningOff();
@@ -186,7 +191,7 @@ void write_dicom_series(const fs::path& folder, const Volume& volume, const Dico
             throw InputError("cannot hold " + std::to_string(grid.dims[a]) + " pixels in a row",
                              folder.string(), "Crop the image first");
     const UidMaker uids(volume, info);
-    write_folder_atomically(folder, [&](const fs::path& temporary) {
+    const auto write_slices = [&](const fs::path& temporary) {
         for (int z = 0; z < grid.dims[2]; ++z) {
             job.advance(static_cast<double>(z) / grid.dims[2]);
             gdcm::Writer writer;
@@ -205,7 +210,8 @@ void write_dicom_series(const fs::path& folder, const Volume& volume, const Dico
                 throw InputError("cannot be written", (folder / name.data()).string(),
                                  "Check that the disk has free space");
         }
-    });
+    };
+    renew_folder_atomically(folder, write_slices, is_written_slice);
 }
 
 }  // namespace hepatica

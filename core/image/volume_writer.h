@@ -41,9 +41,12 @@ struct DicomSeriesInfo {
 };
 
 // A CT series (SOP class CT Image Storage, explicit little endian, 16 bits signed, one file a
-// slice named slice_0001.dcm ...), UIDs derived from the content. Replaces a folder that stood
-// there. Throws InputError as above, and Cancelled.
+// slice named slice_0001.dcm ...), UIDs derived from the content. Replaces slices so named that
+// stood there. Throws InputError as above, and Cancelled.
 void write_dicom_series(const std::filesystem::path& folder, const Volume& volume,
                         const DicomSeriesInfo& info, Job& job);
+
+// Named as one of its slices.
+bool is_written_slice(const std::filesystem::path& file);
 
 }  // namespace hepatica

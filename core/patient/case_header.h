@@ -2,6 +2,7 @@
 // case.json: what a case was made from and how, its tree in numbers, and the digests of its files.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -25,6 +26,8 @@ inline constexpr const char* mesh = "mesh.vtu";
 inline constexpr const char* corrections = "corrections.json";
 inline constexpr const char* extracted = "tree_extracted.vtp";
 inline constexpr const char* dial = "dial.json";
+inline constexpr std::array all{header, mask,    skeleton, organs,      couinaud,  tree,
+                                swc,    surface, mesh,     corrections, extracted, dial};
 }  // namespace case_file
 
 struct CaseHeader {

@@ -151,6 +151,10 @@ bool is_case(const fs::path& path) {
     return fs::is_regular_file(path / case_file::header, unreadable) || is_case_archive(path);
 }
 
+bool is_of_a_case(const fs::path& file) {
+    return std::ranges::find(case_file::all, file.string()) != case_file::all.end();
+}
+
 bool is_replaceable_case(const fs::path& place) {
     return is_case_archive(place) ? archive_holds(place, case_file::header) : is_case(place);
 }
@@ -160,8 +164,9 @@ void write_case(const fs::path& place, const PatientCase& patient) {
         throw InputError("is there already and is not a patient's case", place.string(),
                          "Give --out another name; only an older case is replaced");
     if (!is_archive_name(place) || fs::is_directory(place))
-        return write_folder_atomically(
-            place, [&](const fs::path& temporary) { write_files(temporary, patient); });
+        return renew_folder_atomically(
+            place, [&](const fs::path& temporary) { write_files(temporary, patient); },
+            is_of_a_case);
     const TemporaryFolder folder;
     write_files(folder.path(), patient);
     pack_case(folder.path(), place);

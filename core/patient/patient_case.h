@@ -71,8 +71,11 @@ bool is_case(const std::filesystem::path& path);
 // A case that write_case() would replace: a folder or an archive that holds a case.json.
 bool is_replaceable_case(const std::filesystem::path& place);
 
+// A file of a case, by its path below the case's folder; others belong to somebody else.
+bool is_of_a_case(const std::filesystem::path& file);
+
 // Writes the whole case or nothing, in one file where the place is called NAME.hepz; a case that
-// stood there is replaced.
+// stood there is replaced. What else lies in its folder stays.
 // Throws InputError where the place cannot be written or the disk is full.
 void write_case(const std::filesystem::path& place, const PatientCase& patient);
 

@@ -46,6 +46,38 @@ TEST_F(AtomicWrite, ReplacesAFileWhole) {
     EXPECT_EQ(entries(), 1);
 }
 
+// What others put into a folder of ours stays, at any depth; what is ours and not written anew
+// goes.
+TEST_F(AtomicWrite, RenewsItsOwnFilesAndKeepsThoseOfOthers) {
+    const fs::path made = folder_ / "made";
+    fs::create_directories(made / "ct" / "deep");
+    for (const char* name : {"ours.txt", "ours_old.txt", "notes.txt", "ct/ours_1.txt",
+                             "ct/deep/photo.txt", "both.txt"})
+        std::ofstream(made / name) << "old";
+    fs::create_symlink("nowhere", made / "link");
+    renew_folder_atomically(
+        made,
+        [](const fs::path& temporary) {
+            std::ofstream(temporary / "ours.txt") << "new";
+            std::ofstream(temporary / "both.txt") << "new";
+        },
+        [](const fs::path& file) { return file.filename().string().starts_with("ours"); });
+    EXPECT_EQ(read(made / "ours.txt"), "new");
+    EXPECT_EQ(read(made / "both.txt"), "new") << "what is written wins";
+    EXPECT_FALSE(fs::exists(made / "ours_old.txt"));
+    EXPECT_FALSE(fs::exists(made / "ct" / "ours_1.txt"));
+    EXPECT_EQ(read(made / "notes.txt"), "old");
+    EXPECT_EQ(read(made / "ct" / "deep" / "photo.txt"), "old");
+    EXPECT_TRUE(fs::is_symlink(made / "link"));
+    EXPECT_EQ(entries(), 1) << "no temporary is left";
+    EXPECT_THROW(
+        renew_folder_atomically(
+            made, [](const fs::path&) { throw Cancelled(); }, [](const fs::path&) { return true; }),
+        Cancelled);
+    EXPECT_EQ(read(made / "notes.txt"), "old");
+    EXPECT_EQ(entries(), 1);
+}
+
 TEST_F(AtomicWrite, KeepsTheOldFileAndLeavesNothingWhenWritingFails) {
     write_text_atomically(folder_ / "a.txt", "old");
     EXPECT_THROW(write_file_atomically(folder_ / "a.txt",

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/sha256.h"
+#include "core/patient/case_header.h"
 #include "tests/patient/some_patient.h"
 
 namespace hepatica {
@@ -143,6 +144,22 @@ TEST_F(PatientCaseTest, ReplacesAnOlderCaseButNothingElse) {
     std::ofstream(precious / "thesis.txt") << "years of work";
     EXPECT_THROW(write_case(precious, some_patient()), InputError);
     EXPECT_EQ(text_of(precious / "thesis.txt"), "years of work");
+}
+
+// A radiologist's letter beside the case, and its dial, which belongs to the mesh that is gone.
+TEST_F(PatientCaseTest, KeepsWhatOthersPutIntoItsFolder) {
+    PatientCase patient = some_patient();
+    patient.dial_json = "{}";
+    write_case(case_, patient);
+    std::ofstream(case_ / "letter.txt") << "dear colleague";
+    patient.dial_json.clear();
+    write_case(case_, patient);
+    EXPECT_EQ(text_of(case_ / "letter.txt"), "dear colleague");
+    EXPECT_FALSE(fs::exists(case_ / case_file::dial));
+    EXPECT_EQ(hash_of(read_case(case_)), hash_of(patient));
+    for (const auto& entry : fs::directory_iterator(case_))
+        EXPECT_EQ(is_of_a_case(entry.path().filename()), entry.path().filename() != "letter.txt")
+            << entry.path();
 }
 
 TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
