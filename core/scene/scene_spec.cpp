@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
+#include "core/base/unknown_key.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -52,7 +53,8 @@ class Fields {
     }
     void refuse_unknown() const {
         for (const auto& [key, value] : json_.items())
-            if (std::ranges::find(known_, key) == known_.end()) refuse("is not known", key);
+            if (std::ranges::find(known_, key) == known_.end())
+                refuse(unknown_key(key, known_), key);
     }
     [[noreturn]] void refuse(const std::string& problem, const std::string& key) const {
         throw InputError(problem, where_ + ": " + key, "docs/scenes.md lists the keys of a scene");

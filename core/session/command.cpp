@@ -207,6 +207,15 @@ struct Reader {
     }
 };
 
+struct NameCollector {
+    std::vector<std::string>& names;
+
+    template <class T>
+    void operator()(const char* name, const T&) {
+        names.emplace_back(name);
+    }
+};
+
 template <std::size_t I>
 Command read_alternative(const Json& json) {
     std::variant_alternative_t<I, Command> command;
@@ -234,6 +243,14 @@ Json to_json(const Command& command) {
     Command copy = command;
     std::visit([&](auto& alternative) { fields(alternative, writer); }, copy);
     return json;
+}
+
+std::vector<std::string> field_names(const Command& command) {
+    std::vector<std::string> found;
+    NameCollector collector{found};
+    Command copy = command;
+    std::visit([&](auto& alternative) { fields(alternative, collector); }, copy);
+    return found;
 }
 
 Command command_from_json(const Json& json) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/base/vector.h"
 #include "core/deform/stepper/stepper_options.h"
@@ -162,5 +163,8 @@ using Command =
 // Reading throws InputError that names the command and the field that is missing or out of range.
 nlohmann::ordered_json to_json(const Command& command);
 Command command_from_json(const nlohmann::ordered_json& json);
+
+// The keys of its fields, those that may be left out among them.
+std::vector<std::string> field_names(const Command& command);
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "core/base/json_problem.h"
 #include "core/base/program_files.h"
 #include "core/base/text_file.h"
+#include "core/base/unknown_key.h"
 
 namespace hepatica {
 
@@ -48,10 +49,30 @@ Vec3 vector_of(const Json& json, const char* key) {
     return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
+using Keys = std::vector<std::string>;
+
+// Refuses every other key, so that a misspelt one is not silently ignored.
+void know(const Json& json, const Keys& keys) {
+    for (const auto& [key, value] : json.items())
+        if (std::ranges::find(keys, key) == keys.end())
+            throw InputError(unknown_key(key, keys), key,
+                             "docs/scenes.md lists the keys of a script");
+}
+
+// The keys of the command but for those that the action says in its own way, and the action's.
+Keys keys_of(const Command& command, const Keys& said_otherwise, const Keys& own) {
+    Keys keys = own;
+    for (const std::string& name : field_names(command))
+        if (std::ranges::find(said_otherwise, name) == said_otherwise.end()) keys.push_back(name);
+    return keys;
+}
+
 ScriptPlace place_of(const Json& action, const char* key = "where") {
     const auto where = action.find(key);
     if (where == action.end() || !where->is_object())
         refuse("needs a \"" + std::string(key) + "\" with point_mm or share_of_longest_path");
+    know(*where, {"point_mm", "share_of_longest_path"});
+    if (where->size() > 1) refuse("needs either point_mm or share_of_longest_path");
     ScriptPlace place;
     if (where->contains("point_mm")) {
         place.point_mm = vector_of(*where, "point_mm");
@@ -84,6 +105,65 @@ Command tool_of(Json action) {
     return command_of("add_tool", action, AddTool{});
 }
 
+// Reads what the action does, and returns the keys that it may have.
+Keys read_action(const Json& json, ScriptAction& action) {
+    if (action.what == "grab") {
+        action.place = place_of(json);
+        return {"where"};
+    }
+    if (action.what == "move") {
+        action.by_mm = vector_of(json, "by_mm");
+        action.over_s = number(json, "over_s", 0.0);
+        return {"by_mm", "over_s"};
+    }
+    if (action.what == "inject") {
+        action.place = place_of(json);
+        action.command = command_of("inject_drug", json, InjectDrug{});
+        return keys_of(*action.command, {"point_mm"}, {"where"});
+    }
+    if (action.what == "tool") {
+        action.place = place_of(json);
+        action.command = tool_of(json);
+        return keys_of(*action.command, {"point_mm", "kind"}, {"tool", "where"});
+    }
+    if (action.what == "move_tool") {
+        if (json.contains("to_mm") == json.contains("by_mm")) refuse("needs either to_mm or by_mm");
+        if (json.contains("to_mm"))
+            action.to_mm = vector_of(json, "to_mm");
+        else
+            action.by_mm = vector_of(json, "by_mm");
+        action.over_s = number(json, "over_s", 0.0);
+        return {"to_mm", "by_mm", "over_s"};
+    }
+    if (action.what == "close_forceps" || action.what == "open_forceps") {
+        action.over_s = number(json, "over_s", 0.0);
+        return {"over_s"};
+    }
+    if (action.what == "cut_line") {
+        action.place = place_of(json, "from");
+        action.to_place = place_of(json, "to");
+        CutLine line;
+        line.strength = number(json, "strength", 0.0);
+        if (!(line.strength >= 0.0 && line.strength <= 1.0))
+            refuse("strength must lie from 0 to 1");
+        action.command = line;
+        return {"from", "to", "strength"};
+    }
+    if (action.what == "blade") {
+        action.command = Blade{vector_of(json, "from_mm"), vector_of(json, "to_mm")};
+        action.over_s = number(json, "over_s", 0.0);
+        return {"from_mm", "to_mm", "over_s"};
+    }
+    if (action.what == "release") {
+        action.command = ReleaseGrab{};
+        return {};
+    }
+    Json command = json;
+    command["command"] = action.what;
+    action.command = command_from_json(command);
+    return field_names(*action.command);
+}
+
 ScriptAction action_from(const Json& json) {
     if (!json.is_object()) refuse("is not an object");
     ScriptAction action;
@@ -92,44 +172,9 @@ ScriptAction action_from(const Json& json) {
     const auto what = json.find("do");
     if (what == json.end() || !what->is_string()) refuse(R"(needs a "do")");
     action.what = what->get<std::string>();
-    if (action.what == "grab") {
-        action.place = place_of(json);
-    } else if (action.what == "move") {
-        action.by_mm = vector_of(json, "by_mm");
-        action.over_s = number(json, "over_s", 0.0);
-    } else if (action.what == "inject") {
-        action.place = place_of(json);
-        action.command = command_of("inject_drug", json, InjectDrug{});
-    } else if (action.what == "tool") {
-        action.place = place_of(json);
-        action.command = tool_of(json);
-    } else if (action.what == "move_tool") {
-        if (json.contains("to_mm") == json.contains("by_mm")) refuse("needs either to_mm or by_mm");
-        if (json.contains("to_mm"))
-            action.to_mm = vector_of(json, "to_mm");
-        else
-            action.by_mm = vector_of(json, "by_mm");
-        action.over_s = number(json, "over_s", 0.0);
-    } else if (action.what == "close_forceps" || action.what == "open_forceps") {
-        action.over_s = number(json, "over_s", 0.0);
-    } else if (action.what == "cut_line") {
-        action.place = place_of(json, "from");
-        action.to_place = place_of(json, "to");
-        CutLine line;
-        line.strength = number(json, "strength", 0.0);
-        if (!(line.strength >= 0.0 && line.strength <= 1.0))
-            refuse("strength must lie from 0 to 1");
-        action.command = line;
-    } else if (action.what == "blade") {
-        action.command = Blade{vector_of(json, "from_mm"), vector_of(json, "to_mm")};
-        action.over_s = number(json, "over_s", 0.0);
-    } else if (action.what == "release") {
-        action.command = ReleaseGrab{};
-    } else {
-        Json command = json;
-        command["command"] = action.what;
-        action.command = command_from_json(command);
-    }
+    Keys keys = read_action(json, action);
+    keys.insert(keys.end(), {"at_s", "do"});
+    know(json, keys);
     return action;
 }
 
@@ -298,6 +343,7 @@ Script script_of(const std::string& text, const std::filesystem::path& file) {
     Script script;
     std::size_t number = 0;
     try {
+        know(json, {"name", "scene", "actions"});
         script.name = json.value("name", file.stem().string());
         if (json.contains("scene")) script.scene = scene_from_json(json["scene"]);
         for (const Json& action : json["actions"]) {

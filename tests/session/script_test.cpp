@@ -150,5 +150,72 @@ TEST_F(ScriptFile, NamesTheActionThatIsWrong) {
     EXPECT_THROW(read("{"), InputError);
 }
 
+// {"over": 2} in the place of "over_s" once made a move of a single step, without a word.
+TEST_F(ScriptFile, RefusesAMisspeltKeyAndNamesTheNearest) {
+    const std::string where = R"("where": {"share_of_longest_path": 0.5})";
+    const auto expect = [&](const std::string& action, const std::string& key,
+                            const std::string& nearest) {
+        const std::string said = refusal(action);
+        for (const std::string& part :
+             {file_.string() + ", action 2", key + " is not known",
+              nearest.empty() ? std::string("choose from") : "nearest key is \"" + nearest + "\"",
+              std::string("docs/scenes.md")})
+            EXPECT_NE(said.find(part), std::string::npos) << part << ": " << said;
+    };
+    expect(R"({"do": "move", "by_mm": [1, 2, 3], "over": 2})", "over", "over_s");
+    expect(R"({"do": "grab", "place": 1, )" + where + "}", "place", "");
+    expect(R"({"do": "grab", "where": {"share_of_longest_path": 1, "points": 1}})", "points",
+           "point_mm");
+    expect(R"({"do": "inject", "mass_flow": 2, )" + where + "}", "mass_flow", "mass_flow_g_s");
+    expect(R"({"do": "inject", "point_mm": [1, 2, 3], )" + where + "}", "point_mm", "");
+    expect(R"({"do": "tool", "tool": "hook", "sides": 1, )" + where + "}", "sides", "side");
+    expect(R"({"do": "move_tool", "by_mm": [1, 2, 3], "share": 1})", "share", "");
+    expect(R"({"do": "close_forceps", "overs": 1})", "overs", "over_s");
+    expect(R"({"do": "cut_line", "from": {"point_mm": [1, 2, 3]}, "to": {"point_mm": [1, 2, 3]},
+               "strengt": 1})",
+           "strengt", "strength");
+    expect(R"({"do": "blade", "from_mm": [1, 2, 3], "to_mm": [1, 2, 3], "over_ss": 1})", "over_ss",
+           "over_s");
+    expect(R"({"do": "release", "at": 1})", "at", "at_s");
+    expect(R"({"do": "set_gravity", "gravity_mm_per_s2": [0, 0, 0], "gravity": 1})", "gravity",
+           "gravity_mm_per_s2");
+    try {
+        read(R"({"actions": [], "nmae": "n"})");
+        ADD_FAILURE() << "a misspelt key of the script itself was passed over";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("nearest key is \"name\""), std::string::npos)
+            << error.what();
+    }
+    EXPECT_NE(refusal(R"({"do": "grab", "where": {"share_of_longest_path": 1,
+                                                  "point_mm": [1, 2, 3]}})")
+                  .find("either"),
+              std::string::npos);
+}
+
+// Whatever a command may hold, an action of its name may say.
+TEST_F(ScriptFile, KnowsTheKeysThatMayBeLeftOut) {
+    EXPECT_EQ(refusal(R"({"do": "inject", "drug_viscosity_pa_s": 0.01, "void_fraction": 0.5,
+                          "second_phase": "lipiodol", "pressure_model": "consistent",
+                          "where": {"share_of_longest_path": 0}})"),
+              "");
+    EXPECT_EQ(refusal(R"({"do": "tool", "tool": "hook", "radius_mm": 2, "length_mm": 20,
+                          "direction": [0, 0, 1], "side": [1, 0, 0],
+                          "where": {"share_of_longest_path": 0}})"),
+              "");
+    EXPECT_EQ(refusal(R"({"do": "add_tool", "kind": "hook", "radius_mm": 2, "length_mm": 20,
+                          "direction": [0, 0, 1], "side": [1, 0, 0], "point_mm": [0, 0, 0]})"),
+              "");
+}
+
+TEST(ShippedScripts, AreRead) {
+    int read = 0;
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(HEPATICA_SOURCE_DIR) / "assets" / "scripts")) {
+        EXPECT_NO_THROW(read_script(entry.path())) << entry.path();
+        ++read;
+    }
+    EXPECT_GE(read, 4);
+}
+
 }  // namespace
 }  // namespace hepatica
