@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/score.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -20,6 +21,26 @@ nlohmann::ordered_json what_must_agree(SceneSpec scene) {
     return to_json(scene);
 }
 
+// "deform.material is "a", not "b"" of each value that differs, by its place in the scene.
+std::string differences(const nlohmann::ordered_json& recorded,
+                        const nlohmann::ordered_json& wanted) {
+    const auto a = recorded.flatten(), b = wanted.flatten();
+    std::string words;
+    const auto tell = [&](std::string place, const std::string& is) {
+        place.erase(0, 1);
+        std::ranges::replace(place, '/', '.');
+        words += (words.empty() ? "" : "; ") + place + " " + is;
+    };
+    for (const auto& [place, value] : a.items())
+        if (!b.contains(place))
+            tell(place, "is " + value.dump() + ", not left out");
+        else if (b[place] != value)
+            tell(place, "is " + value.dump() + ", not " + b[place].dump());
+    for (const auto& [place, value] : b.items())
+        if (!a.contains(place)) tell(place, "is left out, not " + value.dump());
+    return words;
+}
+
 }  // namespace
 
 bool is_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
@@ -28,10 +49,9 @@ bool is_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
 
 void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
     if (is_same_scene(recorded, wanted)) return;
-    const auto a = what_must_agree(recorded), b = what_must_agree(wanted);
-    throw InputError(
-        "was played in another scene than the lesson's: " + a.dump() + ", not " + b.dump(),
-        "recording", "Give a recording of this lesson");
+    throw InputError("was played in another scene than the lesson's: " +
+                         differences(what_must_agree(recorded), what_must_agree(wanted)),
+                     "recording", "Give a recording of this lesson");
 }
 
 std::optional<Lesson> built_in_lesson_of(const Recording& recording) {

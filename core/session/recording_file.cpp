@@ -176,6 +176,9 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
 }
 
 Recording read_recording(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw InputError("does not exist", file.string(), "Give a recording");
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file))
         throw InputError("cannot be read", file.string(), "Give a recording");

@@ -191,5 +191,32 @@ TEST(LessonLimits, ScenesMayDifferInTheSolversAccuracyAlone) {
     EXPECT_THROW(require_same_scene(scene, other), InputError);
 }
 
+// What differs, and not two whole scenes.
+TEST(LessonScene, NamesWhatDiffers) {
+    SceneSpec recorded, wanted;
+    recorded.deform->tether_pa_per_mm2 = 7.0;
+    wanted.deform->wall_mm = 2.0;
+    wanted.tear.emplace();
+    try {
+        require_same_scene(recorded, wanted);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        const std::string said = error.what();
+        EXPECT_NE(said.find("deform.tether_pa_per_mm2 is 7.0, not 20.0"), std::string::npos)
+            << said;
+        EXPECT_NE(said.find("deform.wall_mm is left out, not 2.0"), std::string::npos) << said;
+        EXPECT_NE(said.find("tear.tear_factor is left out, not 1.0"), std::string::npos) << said;
+        EXPECT_EQ(said.find("material"), std::string::npos) << said;
+    }
+    try {
+        require_same_scene(wanted, recorded);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("deform.wall_mm is 2.0, not left out"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace hepatica
