@@ -58,7 +58,8 @@ class IncrementalPotential {
     void damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
                       const std::vector<Vec3>& product, std::vector<Vec3>& damping) const;
     // Keeps beta K_0, which the first iterate's matrix holds together with `beside` (may be null),
-    // before that is overwritten. `first_mm` is where that iterate was.
+    // before that is overwritten; in live rows, all others meet no motion. `first_mm` is where that
+    // iterate was.
     void keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
                       const BlockMatrix* beside);
     // beta K_0 w, from what was kept.
@@ -67,6 +68,8 @@ class IncrementalPotential {
     }
 
   private:
+    template <class Visit>
+    void for_each_live_row(const Visit& visit) const;
     void find_cut_blocks();
 
     const Body& body_;
