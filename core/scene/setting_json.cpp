@@ -45,6 +45,8 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
         options.newton_iterations = whole_number<int>(value);
     } else if (key == "substeps") {
         options.substeps = whole_number<int>(value);
+    } else if (key == "tension") {
+        options.tension = value.get<bool>();
     } else if (key == "published") {
         options.published = value.get<bool>();
     } else {
@@ -61,6 +63,7 @@ Json to_json(const StepperOptions& options) {
               {"max_iterations", options.linear.max_iterations},
               {"newton_iterations", options.newton_iterations},
               {"substeps", options.substeps}};
+    if (options.tension) json["tension"] = true;
     if (options.published) json["published"] = true;
     return json;
 }

@@ -51,6 +51,7 @@ class Assembly {
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
     const AssemblyPlan& plan() const { return *plan_; }
+    const ElementSlots& slots() const { return slots_; }
 
     // Separate slots that share the plan.
     Assembly with_own_slots() const { return Assembly(*this); }

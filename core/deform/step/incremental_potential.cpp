@@ -4,17 +4,31 @@
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
+namespace {
+
+constexpr std::size_t live_rows_at_once = 256;
+
+}  // namespace
 
 IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tangent)
     : body_(body),
       live_(body),
       assembly_(body, tangent, &live_),
+      tension_(body, assembly_.plan(), live_),
       elastic_force_(body.node_count(), Vec3::Zero()),
       force_(body.node_count(), Vec3::Zero()) {
     const AssemblyPlan& plan = assembly_.plan();
     matrix_ = {plan.row_begin, plan.column, std::vector<Mat3>(plan.column.size(), Mat3::Zero()),
                plan.diagonal};
     find_cut_blocks();
+}
+
+template <class Visit>
+void IncrementalPotential::for_each_live_row(const Visit& visit) const {
+    const auto rows = live_.rows();
+    parallel_blocks(rows.size(), live_rows_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) visit(rows[r]);
+    });
 }
 
 void IncrementalPotential::freeze(std::span<const std::uint8_t> frozen) {
@@ -96,8 +110,10 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     stiffness_known_ = true;
     assembly_.gather_stiffness(step.iterate == 0 ? dt * dt + dt * beta : dt * dt, matrix_);
     if (step.iterate > 0 && beta > 0.0)
-        for_each_node(matrix_.block.size(),
-                      [&](std::size_t k) { matrix_.block[k] += dt * damping_.block[k]; });
+        for_each_live_row([&](int i) {
+            for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k)
+                matrix_.block[k] += dt * damping_.block[k];
+        });
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
     for_each_node(step.positions.size(), [&](std::size_t i) {
         matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
@@ -108,6 +124,13 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
         if (held(i)) matrix_.block[matrix_.diagonal[i]] = Mat3::Identity();
     assembled_rows_.assign(live_.changed_rows().begin(), live_.changed_rows().end());
     live_.written();
+    tension_added_ = false;
+}
+
+void IncrementalPotential::add_tension(double dt_s) {
+    tension_.make(assembly_.slots(), dt_s * dt_s);
+    tension_.add_to(matrix_, 1.0);
+    tension_added_ = true;
 }
 
 void IncrementalPotential::damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
@@ -120,6 +143,7 @@ void IncrementalPotential::damping_from(const StepUnderway& step, const std::vec
         damping[i] = product[i] - inertia * body_.mass_g[i] * d[i];
     });
     step.potentials.add_product(step.positions, -dt * dt, d, matrix_, damping);
+    if (tension_added_) tension_.subtract_product(d, damping);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_node(d.size(), [&](std::size_t i) {
         damping[i] = held(i) ? Vec3(Vec3::Zero()) : Vec3(scale * damping[i]);
@@ -130,16 +154,22 @@ void IncrementalPotential::damping_from(const StepUnderway& step, const std::vec
 void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
                                         const BlockMatrix* beside) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
-    damping_ = matrix_;
-    for (std::size_t k = 0; beside && k < damping_.block.size(); ++k)
-        damping_.block[k] -= beside->block[k];
+    if (damping_.block.size() != matrix_.block.size()) damping_ = matrix_;
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
-    for_each_node(body_.mass_g.size(), [&](std::size_t i) {
+    for_each_live_row([&](int i) {
+        for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k) {
+            damping_.block[k] = matrix_.block[k];
+            if (beside) damping_.block[k] -= beside->block[k];
+        }
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
     });
     step.potentials.add_stiffness(first_mm, -dt * dt, damping_);
+    if (tension_added_) tension_.add_to(damping_, -1.0);
     const double scale = beta / (dt * dt + dt * beta);
-    for_each_node(damping_.block.size(), [&](std::size_t k) { damping_.block[k] *= scale; });
+    for_each_live_row([&](int i) {
+        for (int k = damping_.row_begin[i]; k < damping_.row_begin[i + 1]; ++k)
+            damping_.block[k] *= scale;
+    });
 }
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/step/assembly.h"
 #include "core/deform/step/step_underway.h"
+#include "core/deform/step/tension_stiffness.h"
 
 namespace hepatica {
 
@@ -46,6 +47,14 @@ class IncrementalPotential {
     // A at the present iterate.
     void assemble(const StepUnderway& step);
     BlockMatrix& matrix() { return matrix_; }
+    // Which elements are taut, at the positions of the last evaluation, and whether any is.
+    void find_tension(std::span<const Vec3> positions_mm) {
+        tension_.find(assembly_.slots(), positions_mm);
+    }
+    bool taut() const { return tension_.any(); }
+    // Adds their resistance to turning to A, in the frames of the present iterate. Neither the
+    // value nor its gradient has it, nor what damping_from() and keep_damping() find.
+    void add_tension(double dt_s);
     // The rows that the last assemble() may have changed.
     std::span<const int> assembled_rows() const { return assembled_rows_; }
     // To be called where the matrix was used for something else than the step at hand.
@@ -58,7 +67,8 @@ class IncrementalPotential {
     void damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
                       const std::vector<Vec3>& product, std::vector<Vec3>& damping) const;
     // Keeps beta K_0, which the first iterate's matrix holds together with `beside` (may be null),
-    // before that is overwritten. `first_mm` is where that iterate was.
+    // before that is overwritten; in live rows, all others meet no motion. `first_mm` is where that
+    // iterate was.
     void keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
                       const BlockMatrix* beside);
     // beta K_0 w, from what was kept.
@@ -67,11 +77,15 @@ class IncrementalPotential {
     }
 
   private:
+    template <class Visit>
+    void for_each_live_row(const Visit& visit) const;
     void find_cut_blocks();
 
     const Body& body_;
     LiveSet live_;
     Assembly assembly_;
+    TensionStiffness tension_;
+    bool tension_added_ = false;   // to the matrix
     std::vector<int> cut_blocks_;  // beside the diagonal, with a held node
     std::vector<int> assembled_rows_;
     BlockMatrix matrix_;

@@ -135,6 +135,7 @@ MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
     return {.dt_s = step.dt_s,
             .first_mm = first_mm_,
             .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
+            .taut_mm = taut(step) ? step.start.positions_mm : std::vector<Vec3>{},
             .held = potential_.live().held(),
             .grabs = step.potentials.grabs(),
             .velocity_error = settings_.velocity_error};
@@ -149,6 +150,8 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
     validate_state(origin.first_mm, origin.first_mm, nodes);
     const bool first = origin.iterate_mm.empty();
     if (!first) validate_state(origin.iterate_mm, origin.iterate_mm, nodes);
+    const bool taut = !origin.taut_mm.empty();
+    if (taut) validate_state(origin.taut_mm, origin.taut_mm, nodes);
     if (origin.held.size() != nodes)
         throw InputError("holds " + std::to_string(origin.held.size()) + " nodes instead of " +
                              std::to_string(nodes),
@@ -173,8 +176,13 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
                       .positions = origin.first_mm};
     potential_.freeze(origin.held);
     potential_.forget_matrix();
+    if (taut) {
+        potential_.evaluate_forces(origin.taut_mm);
+        potential_.find_tension(origin.taut_mm);
+    }
     potential_.evaluate(step.positions);
     potential_.assemble(step);
+    if (taut) potential_.add_tension(step.dt_s);
     if (error.any()) error.add_to(potential_, body_, step.dt_s);
     if (first) return;
     if (body_.damping.beta_s > 0.0)
@@ -316,6 +324,7 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
         }
     }
     steepest_ = residual_;
+    if (step.iterate == 0 && taut(step)) potential_.add_tension(step.dt_s);
     if (step.iterate == 0 && velocity_error_.any())
         velocity_error_.add_to(potential_, body_, step.dt_s);
     solve(step, report);
@@ -413,10 +422,17 @@ bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& 
     step.start_force = potential_.elastic_force();
     step.potentials.add_forces(step.positions, step.start_force);
     step.standing = step.value;
+    if (settings_.tension) potential_.find_tension(step.positions);
     if (settings_.line_search) predict(step);
     if (iterate_from_here(step, most_solves, report)) return true;
     if (step.predicted) stay_at_start(step);
     return false;
+}
+
+// How many iterates may follow a single one that had to be shortened.
+int NewtonStep::iterates_after_cut(const StepUnderway& step) const {
+    if (!step.predicted || meets_pads(step)) return rescue_iterates;
+    return taut(step) ? 1 : 0;
 }
 
 // False where the first direction lowers the potential at no step length.
@@ -433,8 +449,8 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
             break;
         }
         if (longest <= settings_.tolerance * body_.mean_edge_mm) return true;
-        if (settings_.iterations == 1 && (!step.predicted || meets_pads(step)))
-            most = step.step_length < 1.0 ? std::min(1 + rescue_iterates, most_solves) : 1;
+        if (settings_.iterations == 1)
+            most = step.step_length < 1.0 ? std::min(1 + iterates_after_cut(step), most_solves) : 1;
         if (step.iterate + 1 >= most) break;
     }
     report.predicted = step.predicted;

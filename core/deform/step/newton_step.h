@@ -28,6 +28,7 @@ struct NewtonSettings {
     // Linear solves of one step beside `iterations`, for iterates of a step from rest that had to
     // be shortened and for the halves of one that had to be cut: its budget is the sum of both.
     int extra_solves = 24;
+    bool tension = false;              // see StepperOptions
     RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
     SolveLimits linear{};
     bool audit = false;  // see StepperOptions
@@ -61,6 +62,10 @@ class NewtonStep {
 
   private:
     MatrixOrigin origin_of(const StepUnderway& step) const;
+    // Whether the first iterate's matrix has the resistance of taut elements to being turned.
+    bool taut(const StepUnderway& step) const {
+        return settings_.tension && step.predicted && potential_.taut();
+    }
     void assemble_again(const SolverCheckpoint& checkpoint);
     void predict(StepUnderway& step);
     bool begin_at(StepUnderway& step, const std::vector<Vec3>& velocity);
@@ -68,6 +73,7 @@ class NewtonStep {
     void stay_at_start(StepUnderway& step);
     bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
     bool iterate(StepUnderway& step, StepReport& report);
+    int iterates_after_cut(const StepUnderway& step) const;
     void begin_damping(StepUnderway& step);
     void find_damping_along(const StepUnderway& step);
     void keep_damping(const StepUnderway& step);

@@ -18,9 +18,11 @@ namespace hepatica {
 // The inputs from which one system matrix of eq. (12) is assembled. The matrix of a later Newton
 // iterate uses the damping of the first iterate.
 struct MatrixOrigin {
-    double dt_s = 0.0;               // > 0
-    std::vector<Vec3> first_mm;      // positions of the first iterate
-    std::vector<Vec3> iterate_mm;    // positions of this iterate; empty where it is the first
+    double dt_s = 0.0;             // > 0
+    std::vector<Vec3> first_mm;    // positions of the first iterate
+    std::vector<Vec3> iterate_mm;  // positions of this iterate; empty where it is the first
+    std::vector<Vec3>
+        taut_mm;  // where the tension of the first is of; empty where nothing was taut
     std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
     std::vector<Grab> grabs;
     RayleighDamping velocity_error;  // E of eq. (11)

@@ -41,6 +41,7 @@ NewtonSettings newton_of(const StepperOptions& options) {
     return {.iterations = options.newton_iterations,
             .tolerance = options.newton_tolerance,
             .line_search = !options.published,
+            .tension = options.tension && !options.published,
             .velocity_error = options.velocity_error,
             .linear = options.linear,
             .audit = options.audit};

@@ -114,6 +114,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.dt_s);
     visit(value.first_mm);
     visit(value.iterate_mm);
+    visit(value.taut_mm);
     visit(value.held);
     visit(value.grabs);
     visit(value.velocity_error.alpha_per_s);

@@ -22,6 +22,10 @@ struct StepperOptions {
     // limited so that at least a tenth of inertia and stiffness remains and the matrix stays
     // positive definite.
     RayleighDamping velocity_error{};
+    // Adds what taut elements resist being turned to the matrix of a step that begins at the
+    // present velocity, see TensionStiffness: such a step need not be shortened. `corotated` and
+    // one iterate only, on the processor.
+    bool tension = false;
     // Takes the step of the publication unchanged, even where it creates energy. Otherwise such a
     // step is shortened, which the report says.
     bool published = false;
