@@ -82,6 +82,10 @@ void refuse_case(const fs::path& place, const std::string& problem) {
 
 CaseHeader read_case_header(const fs::path& folder) {
     const fs::path file = folder / case_file::header;
+    std::error_code ignored;
+    if (!fs::exists(folder, ignored))
+        throw InputError("does not exist", folder.string(),
+                         "Check the path: a case is a folder NAME.hep or one file NAME.hepz");
     std::ifstream in(file);
     if (!in) refuse_case(folder, "is not a patient's case: it holds no case.json");
     const Json json = Json::parse(in, nullptr, false);

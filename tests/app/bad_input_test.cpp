@@ -249,6 +249,19 @@ TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
     }
 }
 
+TEST_F(BadInput, WhatIsNotThereIsSaidNotToBeThere) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"render", path("no such.hep"), "--out", path("a.png")},
+          {"copy", path("no such.hepz"), "--out", path("a.hep")},
+          {"replay", path("no such.hrec")},
+          {"lesson", "gentle_pull", "--recording", path("no such.hrec")}}) {
+        const Outcome run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 1) << arguments[0] << run.errors;
+        EXPECT_NE(run.errors.find("no such.h"), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find("does not exist"), std::string::npos) << run.errors;
+    }
+}
+
 TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
     const std::vector<std::string> adult{"phantom",     path("p"),   "--dims",
                                          "256,256,160", "--spacing", "0.8,0.8,1.0"};
