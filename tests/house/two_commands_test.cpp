@@ -43,5 +43,34 @@ TEST(TwoCommands, PrintHelpBeforeTheyInstallAndBuild) {
     }
 }
 
+TEST(TwoCommands, RefuseWhatTheyDoNotKnowBeforeTheyInstallAndBuild) {
+    const std::string program = "'" + (fs::path(HEPATICA_SOURCE_DIR) / "run").string() + "' ";
+    for (const char* wrong : {"--full-screen", "/no/such/case.hep", ". --json", ". ."}) {
+        const Answer answer = run(program + wrong);
+        EXPECT_NE(answer.status, 0) << wrong;
+        EXPECT_TRUE(answer.output.starts_with("run: ")) << wrong << ": " << answer.output;
+    }
+}
+
+// A mistyped preset, or a question for help, once left a folder of its name.
+TEST(Build, PrintsHelpAndRefusesAnUnknownPresetWithoutMakingAFolder) {
+    const fs::path alone = fs::path(testing::TempDir()) / "build alone";
+    fs::create_directories(alone / "scripts");
+    fs::copy_file(fs::path(HEPATICA_SOURCE_DIR) / "CMakePresets.json", alone / "CMakePresets.json");
+    fs::copy_file(fs::path(HEPATICA_SOURCE_DIR) / "scripts" / "build", alone / "scripts" / "build");
+    const std::string program = "'" + (alone / "scripts" / "build").string() + "' ";
+    for (const char* option : {"--help", "-h"}) {
+        const Answer help = run(program + option);
+        EXPECT_EQ(help.status, 0) << help.output;
+        EXPECT_NE(help.output.find("PRESET"), std::string::npos) << help.output;
+    }
+    for (const char* wrong : {"", "relase", "base", "--release"}) {
+        const Answer answer = run(program + wrong);
+        EXPECT_NE(answer.status, 0) << wrong;
+        EXPECT_NE(answer.output.find("no preset"), std::string::npos) << answer.output;
+    }
+    EXPECT_FALSE(fs::exists(alone / "build"));
+}
+
 }  // namespace
 }  // namespace hepatica
