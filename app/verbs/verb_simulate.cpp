@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 #include <optional>
 
@@ -9,9 +11,12 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_run.h"
 #include "core/mesh/mesh_io.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
+#include "core/scene/measured_dial.h"
 #include "core/scene/world.h"
 #include "core/session/recording_file.h"
 #include "core/session/script.h"
@@ -24,6 +29,7 @@ namespace {
 struct SimulateChoices {
     std::filesystem::path patient;
     std::filesystem::path script;
+    std::string lesson;
     std::filesystem::path record;
     std::filesystem::path final_mesh;
     int steps = 600;
@@ -43,12 +49,40 @@ void write_final_mesh(const World& world, const std::filesystem::path& file) {
     write_vtu(file, world.deform()->shape());
 }
 
-SceneSpec scene_of(const SimulateChoices& options, const Script& script) {
-    SceneSpec spec = script.scene.value_or(default_scene());
+SceneSpec scene_of(const SimulateChoices& options, const Script& script,
+                   const std::optional<Lesson>& lesson) {
+    SceneSpec spec = lesson ? lesson->scene : script.scene.value_or(default_scene());
     if (options.dt_s > 0.0) spec.dt_s = options.dt_s;
     if (options.quality >= 0.0 && spec.deform) spec.deform->quality = options.quality;
     if (options.as_published) use_as_published(spec);
     return spec;
+}
+
+// What each step is to do. A lesson begins with a step of its own, its setup's, so that the
+// recording can be scored.
+std::vector<std::vector<Command>> commands_of(const SimulateChoices& options, const Script& script,
+                                              const std::optional<Lesson>& lesson, double dt_s,
+                                              const std::shared_ptr<const PatientCase>& patient) {
+    auto commands = schedule(script, patient->tree, dt_s, options.steps);
+    if (lesson) commands.insert(commands.begin(), LessonRun(*lesson, patient).setup());
+    if (options.as_published) use_as_published(commands);
+    return commands;
+}
+
+// The dial has as many settings as were measured: the one that is used seldom has the very quality
+// that was asked for.
+void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& patient) {
+    if (spec.deform->setting) {
+        spdlog::warn("--quality {} changes nothing: the scene names its setting", wanted);
+        return;
+    }
+    const QualityDial dial = spec.tear ? dial_that_tears(dial_of(patient)) : dial_of(patient);
+    const std::size_t used = dial.index_at(wanted);
+    if (dial.quality_of(used) == wanted) return;
+    spdlog::info(
+        "--quality {}: the dial has {} settings, and the most accurate that costs no more stands "
+        "at {:.5g}",
+        wanted, dial.front().size(), dial.quality_of(used));
 }
 
 Json run_simulate(const SimulateChoices& options, Job& job) {
@@ -58,10 +92,14 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
+    std::optional<Lesson> lesson;
+    if (!options.lesson.empty()) lesson = find_lesson(options.lesson);
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
-    const SceneSpec spec = scene_of(options, script);
+    const SceneSpec spec = scene_of(options, script, lesson);
+    if (options.quality >= 0.0 && spec.deform && !options.automatic)
+        explain_quality(options.quality, spec, *patient);
     Session session(patient, spec, job, back_end.back_end);
     std::optional<RecordingWriter> recording;
     if (!options.record.empty()) {
@@ -70,8 +108,7 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     }
     job.begin_stage("Simulating");
     if (options.automatic) session.post(SetAutomaticQuality{true});
-    auto commands = schedule(script, patient->tree, spec.dt_s, options.steps);
-    if (options.as_published) use_as_published(commands);
+    const auto commands = commands_of(options, script, lesson, spec.dt_s, patient);
     const MeasuredPlay played = measure_play(session, commands, options.fit_velocity_error, job);
     if (recording) recording->close();
     if (!options.final_mesh.empty()) write_final_mesh(session.world(), options.final_mesh);
@@ -93,6 +130,9 @@ void add_simulate(CommandLine& line) {
     verb.add_option("--script", options->script,
                     "Script, such as the program's own scripts/drag.json")
         ->required();
+    verb.add_option("--lesson", options->lesson,
+                    "Lesson to play, a file or a name such as gentle_pull: its scene in the place "
+                    "of the script's, its setup before the first step");
     verb.add_option("--steps", options->steps, "How many steps")
         ->check(CLI::Range(1, 10'000'000))
         ->capture_default_str();
@@ -119,6 +159,8 @@ void add_simulate(CommandLine& line) {
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");
     for (const char* other : {"--quality", "--automatic"})
         as_published->excludes(verb.get_option(other));
+    for (const char* other : {"--dt-s", "--as-published"})
+        verb.get_option("--lesson")->excludes(verb.get_option(other));
 }
 
 }  // namespace hepatica

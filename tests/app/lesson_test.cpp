@@ -59,6 +59,30 @@ TEST_F(LessonVerb, SaysWhatWasNotReached) {
     EXPECT_EQ(scored["reasons"][0], "step 1 of 1 was not reached: Pull");
 }
 
+// The script names no scene, and the lesson is in the middle of something when it begins.
+TEST_F(LessonVerb, ScoresWhatSimulatePlayedOfALesson) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["scene"]["tear"] = Json::object();
+    const Json place = Json::object({{"share_of_longest_path", 0.8}});
+    lesson["setup"] =
+        Json::array({Json{{"do", "cut_line"}, {"from", place}, {"to", place}, {"strength", 0.5}}});
+    std::ofstream(path("torn lesson.json")) << lesson.dump();
+    Json script = Json::parse(contents_of(path("play.json")));
+    script.erase("scene");
+    for (Json& action : script["actions"]) action["at_s"] = 0.0;
+    std::ofstream(path("script.json")) << script.dump();
+    const std::vector<std::string> simulate{"simulate", path("p.hep"),
+                                            "--script", path("script.json"),
+                                            "--steps",  "45",
+                                            "--lesson", path("torn lesson.json"),
+                                            "--record", path("scored.hrec")};
+    answer(simulate);
+    const Json scored =
+        answer({"lesson", path("torn lesson.json"), "--recording", path("scored.hrec")});
+    EXPECT_EQ(scored["passed"], true) << scored.dump(1);
+}
+
 TEST_F(LessonVerb, RefusesALessonOfAnotherSceneAndOneThatIsNone) {
     play(3.0);
     const Outcome other = run_cli(

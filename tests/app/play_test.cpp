@@ -118,5 +118,16 @@ TEST_F(Play, LeavesAnOlderReportWholeWhereItIsInterrupted) {
     EXPECT_NE(text_of(path("kept/report.html")), "older");
 }
 
+TEST_F(Play, SaysWhyTheDialStandsElsewhereThanWasAskedFor) {
+    std::ofstream(path("rest.json")) << R"({"name": "rest", "actions": []})";
+    const auto told = [&](const char* quality) {
+        return test::run_cli({"simulate", path("p.hep"), "--script", path("rest.json"), "--steps",
+                              "1", "--quality", quality})
+            .errors;
+    };
+    EXPECT_NE(told("0.4321").find("--quality 0.4321: the dial has"), std::string::npos);
+    EXPECT_EQ(told("1").find("the dial has"), std::string::npos) << "its last setting is there";
+}
+
 }  // namespace
 }  // namespace hepatica
