@@ -114,7 +114,7 @@ void TensionStiffness::list_taut() {
             }
     }
     std::ranges::sort(rows_);
-    rows_.erase(std::ranges::unique(rows_).begin(), rows_.end());
+    rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
     row_begin_.assign(1, 0);
     for (const int i : rows_)
         row_begin_.push_back(row_begin_.back() + plan_.row_begin[i + 1] - plan_.row_begin[i]);
