@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/push_button.h"
 namespace hepatica {
 namespace {
 
@@ -19,15 +20,6 @@ QLabel* add_label(QVBoxLayout& column, const char* name) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     column.addWidget(label);
     return label;
-}
-
-QPushButton* add_button(QHBoxLayout& row, const QString& text, const char* name,
-                        const std::function<void()>& run) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    QObject::connect(button, &QPushButton::clicked, button, [run] { run(); });
-    row.addWidget(button);
-    return button;
 }
 
 // A row of a table: a mark that colour alone need not tell, the bound, and how it stands.

@@ -201,7 +201,6 @@ void MainWindow::build_panels() {
     curves_->hide();
     build_branches();
     build_lessons();
-    build_lesson_editor();
     build_review();
 }
 

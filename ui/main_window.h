@@ -68,7 +68,7 @@ class MainWindow : public QMainWindow {
     MessageLog& log() { return *log_; }
     LibraryDialog& library() { return *library_; }
     LessonDock& lessons() { return *lessons_; }
-    LessonEditor& lesson_editor() { return *lesson_editor_; }
+    LessonEditor& lesson_editor();  // made when it is wanted first
     ReviewDock& review() { return *review_; }
     SecondView& second_view() { return *second_view_; }
     Actions& actions() { return *actions_; }
@@ -175,7 +175,7 @@ class MainWindow : public QMainWindow {
     CurvesDock* curves_ = nullptr;
     BranchDock* branches_ = nullptr;
     LessonDock* lessons_ = nullptr;
-    LessonEditor* lesson_editor_ = nullptr;
+    LessonEditor* lesson_editor_ = nullptr;  // null until then
     ReviewDock* review_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;

@@ -49,13 +49,20 @@ void MainWindow::build_lessons() {
         review_->open(recording, lesson);
     };
     ways.save_attempts = [this](const std::string& csv) { save_table("attempts", csv); };
-    ways.edit = [this] { lesson_editor_->show_editor(); };
-    ways.left = [this] { lesson_editor_->back_from_trying(); };
+    ways.edit = [this] { lesson_editor().show_editor(); };
+    ways.left = [this] {
+        if (lesson_editor_) lesson_editor_->back_from_trying();
+    };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+LessonEditor& MainWindow::lesson_editor() {
+    if (lesson_editor_ == nullptr) build_lesson_editor();
+    return *lesson_editor_;
 }
 
 void MainWindow::build_lesson_editor() {

@@ -152,7 +152,7 @@ bool MainWindow::show_marks() {
     std::vector<Vec3> marks;
     if (lessons_->playing() && !review_->reviewing())
         marks = lessons_->marks_in(frame());
-    else if (!review_->reviewing())
+    else if (lesson_editor_ && !review_->reviewing())
         marks = lesson_editor_->places();
     return view_->scene().set_marks(marks);
 }

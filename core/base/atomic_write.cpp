@@ -44,7 +44,7 @@ class Temporary {
     Temporary& operator=(const Temporary&) = delete;
 
     const fs::path& path() const { return path_; }
-    void keep() { kept_ = true; }
+    void keep(bool kept) { kept_ = kept; }
 
   private:
     fs::path path_;
@@ -114,9 +114,12 @@ namespace {
 std::optional<fs::path> move_foreign(const fs::path& was, const fs::path& is,
                                      const std::function<bool(const fs::path&)>& is_own) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(was))
-        if (entry.is_symlink() || !entry.is_directory())
-            files.push_back(entry.path().lexically_relative(was));
+    std::error_code unreadable;
+    for (fs::recursive_directory_iterator entry(was, unreadable), end; !unreadable && entry != end;
+         entry.increment(unreadable))
+        if (entry->is_symlink() || !entry->is_directory())
+            files.push_back(entry->path().lexically_relative(was));
+    if (unreadable) return was;
     for (const fs::path& file : files) {
         if (is_own(file) || fs::exists(fs::symlink_status(is / file))) continue;
         std::error_code error;
@@ -143,11 +146,11 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
         fs::rename(temporary.path(), folder, error);
     if (error) throw_unwritable(target, error);
     if (!replaces) return;
-    if (const auto left = move_foreign(temporary.path(), folder, is_own)) {
-        temporary.keep();
+    temporary.keep(true);  // whatever goes wrong from here on, nothing of others is removed
+    if (const auto left = move_foreign(temporary.path(), folder, is_own))
         throw InputError("was in the folder and could not be put back into it", left->string(),
                          "Move it to " + target.string() + " by hand");
-    }
+    temporary.keep(false);
 }
 
 }  // namespace

@@ -78,6 +78,21 @@ TEST_F(AtomicWrite, RenewsItsOwnFilesAndKeepsThoseOfOthers) {
     EXPECT_EQ(entries(), 1);
 }
 
+// The new folder has a file where the old one had a folder of somebody's.
+TEST_F(AtomicWrite, SaysWhereAFileOfOthersIsThatCannotBePutBack) {
+    const fs::path made = folder_ / "made";
+    fs::create_directories(made / "ct");
+    std::ofstream(made / "ct" / "photo.txt") << "mine";
+    const auto write = [](const fs::path& temporary) { std::ofstream(temporary / "ct") << "new"; };
+    try {
+        renew_folder_atomically(made, write, [](const fs::path&) { return false; });
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_EQ(read(error.place()), "mine") << "it is where the message says";
+    }
+    EXPECT_EQ(read(made / "ct"), "new");
+}
+
 TEST_F(AtomicWrite, KeepsTheOldFileAndLeavesNothingWhenWritingFails) {
     write_text_atomically(folder_ / "a.txt", "old");
     EXPECT_THROW(write_file_atomically(folder_ / "a.txt",

@@ -103,6 +103,7 @@ TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
     EXPECT_FALSE(LessonDocument(copy).left_behind());
     std::ofstream(copy) << "{half";
     EXPECT_EQ(LessonDocument(copy).lesson().name, new_lesson().name);
+    EXPECT_EQ(read_text_file(copy.string() + ".unreadable", ""), "{half");
 }
 
 class LessonEditorTest : public ::testing::Test {

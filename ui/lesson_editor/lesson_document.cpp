@@ -34,7 +34,9 @@ LessonDocument::LessonDocument(fs::path kept_copy) : kept_copy_(std::move(kept_c
             left_behind_ = true;
             return;
         } catch (const InputError&) {
-            // Of another version of the program: a new lesson then.
+            // Of another version of the program: set aside, for whoever wants it.
+            std::error_code ignored;
+            fs::rename(kept_copy_, kept_copy_.string() + ".unreadable", ignored);
         }
     }
     begin(new_lesson());

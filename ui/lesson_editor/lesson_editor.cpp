@@ -22,6 +22,7 @@
 #include "ui/lesson_editor/rules_page.h"
 #include "ui/lesson_editor/steps_page.h"
 #include "ui/paths.h"
+#include "ui/push_button.h"
 
 namespace hepatica {
 namespace {
@@ -41,15 +42,6 @@ QString doubts_in_words(const Lesson& lesson) {
     if (lines.size() > most)
         lines = lines.mid(0, most - 1) << QString("• and %1 more").arg(lines.size() - most + 1);
     return lines.join("\n");
-}
-
-QPushButton* add_button(QBoxLayout& row, const QString& text, const char* name,
-                        const std::function<void()>& run) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    QObject::connect(button, &QPushButton::clicked, button, [run] { run(); });
-    row.addWidget(button);
-    return button;
 }
 
 }  // namespace
