@@ -344,6 +344,9 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     EXPECT_TRUE(editor().isVisible());
     const Attempts attempts = all_attempts(to_path(settings_.recordings_folder()));
     EXPECT_TRUE(attempts.list.empty());
+    const std::filesystem::path tried = to_path(settings_.recordings_folder()) / "tried";
+    for (const auto& entry : std::filesystem::directory_iterator(tried))
+        EXPECT_EQ(entry.path().string().find(".result."), std::string::npos) << entry.path();
     EXPECT_EQ(editor().places().size(), 1u);
 }
 

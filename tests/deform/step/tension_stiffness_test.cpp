@@ -96,6 +96,18 @@ TEST(TensionStiffness, IsWhatHeldRotationsLeaveOutWhereATautBarIsTurned) {
     EXPECT_NEAR(bar.tension_form(turn), exact, 0.1 * exact);
 }
 
+// V s / 4 |sum_a h_a x d_a|^2 in closed form: under a homogeneous strain e the virial is V s with
+// s = E e (1 + e), and of a turn by w about z the sum is w (trace(F) - F_zz).
+TEST(TensionStiffness, IsTheClosedFormOfAHomogeneousStretch) {
+    const double e = 0.05;
+    const StretchedBar bar(e);
+    const Material material{};
+    const double sum = (1.0 + e) + (1.0 - material.poisson_ratio * e);
+    const double stress = material.young_modulus_pa * e * (1.0 + e);
+    const double closed = 0.25 * bar_length_mm * stress * sum * sum;
+    EXPECT_NEAR(bar.tension_form(bar.turned(Vec3(0.0, 0.0, 1.0))), closed, 1e-4 * closed);
+}
+
 TEST(TensionStiffness, IsNothingAtRestAndUnderPressure) {
     EXPECT_FALSE(StretchedBar(0.0).tension().any());
     EXPECT_FALSE(StretchedBar(-0.05).tension().any());
