@@ -14,7 +14,6 @@ IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tang
     : body_(body),
       live_(body),
       assembly_(body, tangent, &live_),
-      tension_(body, assembly_.plan(), live_),
       elastic_force_(body.node_count(), Vec3::Zero()),
       force_(body.node_count(), Vec3::Zero()) {
     const AssemblyPlan& plan = assembly_.plan();
@@ -128,8 +127,8 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
 }
 
 void IncrementalPotential::add_tension(double dt_s) {
-    tension_.make(assembly_.slots(), dt_s * dt_s);
-    tension_.add_to(matrix_, 1.0);
+    tension_->make(assembly_.slots(), dt_s * dt_s);
+    tension_->add_to(matrix_, 1.0);
     tension_added_ = true;
 }
 
@@ -143,7 +142,7 @@ void IncrementalPotential::damping_from(const StepUnderway& step, const std::vec
         damping[i] = product[i] - inertia * body_.mass_g[i] * d[i];
     });
     step.potentials.add_product(step.positions, -dt * dt, d, matrix_, damping);
-    if (tension_added_) tension_.subtract_product(d, damping);
+    if (tension_added_) tension_->subtract_product(d, damping);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_node(d.size(), [&](std::size_t i) {
         damping[i] = held(i) ? Vec3(Vec3::Zero()) : Vec3(scale * damping[i]);
@@ -164,7 +163,7 @@ void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<cons
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
     });
     step.potentials.add_stiffness(first_mm, -dt * dt, damping_);
-    if (tension_added_) tension_.add_to(damping_, -1.0);
+    if (tension_added_) tension_->add_to(damping_, -1.0);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_live_row([&](int i) {
         for (int k = damping_.row_begin[i]; k < damping_.row_begin[i + 1]; ++k)

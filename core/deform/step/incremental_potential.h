@@ -5,6 +5,7 @@
 //   A = (1 + dt alpha) M + dt beta K_0 + dt^2 K + dt^2 K_potentials.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,9 +50,10 @@ class IncrementalPotential {
     BlockMatrix& matrix() { return matrix_; }
     // Which elements are taut, at the positions of the last evaluation, and whether any is.
     void find_tension(std::span<const Vec3> positions_mm) {
-        tension_.find(assembly_.slots(), positions_mm);
+        if (!tension_) tension_.emplace(body_, assembly_.plan(), live_);
+        tension_->find(assembly_.slots(), positions_mm);
     }
-    bool taut() const { return tension_.any(); }
+    bool taut() const { return tension_ && tension_->any(); }
     // Adds their resistance to turning to A, in the frames of the present iterate. Neither the
     // value nor its gradient has it, nor what damping_from() and keep_damping() find.
     void add_tension(double dt_s);
@@ -84,9 +86,9 @@ class IncrementalPotential {
     const Body& body_;
     LiveSet live_;
     Assembly assembly_;
-    TensionStiffness tension_;
-    bool tension_added_ = false;   // to the matrix
-    std::vector<int> cut_blocks_;  // beside the diagonal, with a held node
+    std::optional<TensionStiffness> tension_;  // made where a setting asks for it
+    bool tension_added_ = false;               // to the matrix
+    std::vector<int> cut_blocks_;              // beside the diagonal, with a held node
     std::vector<int> assembled_rows_;
     BlockMatrix matrix_;
     BlockMatrix damping_;           // beta K_0
