@@ -94,7 +94,10 @@ TEST(RestingSession, APauseIsRestInMidPull) {
     running.session().post(GrabPoint{start});
     running.session().post(MoveGrab{start + Vec3(3, 0, 0)});
     running.session().post(SetPaused{true});
-    ASSERT_TRUE(running.comes_to_rest());
+    // Not the rest before the commands came.
+    ASSERT_TRUE(running.comes_to([](const Frame& frame) {
+        return frame.statistics.paused && frame.statistics.resting && frame.grab;
+    }));
     running.expect_nothing_happens();
     running.session().post(SetPaused{false});
     EXPECT_TRUE(running.comes_to([](const Frame& frame) { return !frame.statistics.paused; }));
