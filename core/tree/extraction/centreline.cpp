@@ -121,8 +121,11 @@ Centreline resampled(const Centreline& curve, double step_mm) {
         while (i + 2 < at.size() && at[i + 1] < wanted) ++i;
         const double gap = at[i + 1] - at[i];
         const double share = gap > 0.0 ? std::clamp((wanted - at[i]) / gap, 0.0, 1.0) : 0.0;
-        even.points_mm.push_back(curve.points_mm[i] +
-                                 share * (curve.points_mm[i + 1] - curve.points_mm[i]));
+        const Vec3 place =
+            curve.points_mm[i] + share * (curve.points_mm[i + 1] - curve.points_mm[i]);
+        // Where the curve turns back on itself, even steps can end where they begin.
+        if (k > 0 && k < pieces && place == even.points_mm.back()) continue;
+        even.points_mm.push_back(place);
         even.radii_mm.push_back(curve.radii_mm[i] +
                                 share * (curve.radii_mm[i + 1] - curve.radii_mm[i]));
     }

@@ -27,7 +27,8 @@ std::vector<double> median_values(const std::vector<Vec3>& points_mm,
 std::vector<double> arclengths_mm(const std::vector<Vec3>& points_mm);
 
 // A curve with its radii resampled at even distances of about `step_mm`, ends included. A curve
-// shorter than a step keeps its two ends. Throws InputError where there would be more than ten
+// shorter than a step keeps its two ends. No point but the last equals the one before, also where
+// the curve turns back on itself. Throws InputError where there would be more than ten
 // million steps.
 struct Centreline {
     std::vector<Vec3> points_mm;

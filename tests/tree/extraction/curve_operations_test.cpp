@@ -115,6 +115,23 @@ TEST(Resampled, HasEvenStepsAndInterpolatesRadii) {
     EXPECT_EQ(resampled(line, 4.1).points_mm.size(), 3u);  // 2.4 pieces: two
 }
 
+// There and back along one line: an odd number of pieces has its middle one from a point to itself.
+TEST(Resampled, ACurveThatTurnsBackOnItselfHasNoPointTwiceInARow) {
+    const Centreline hairpin{{{0, 0, 0}, {3.5, 0, 0}, {0, 0, 0}}, {1.0, 2.0, 1.0}};
+    for (const double step : {0.5, 1.0, 7.0 / 3.0, 7.0}) {
+        const Centreline even = resampled(hairpin, step);
+        ASSERT_EQ(even.points_mm.size(), even.radii_mm.size());
+        EXPECT_EQ(even.points_mm.front(), hairpin.points_mm.front());
+        EXPECT_EQ(even.points_mm.back(), hairpin.points_mm.back());
+        if (step == 7.0) {
+            EXPECT_EQ(even.points_mm.size(), 2u);  // ends stay, though they are one place
+            continue;
+        }
+        for (std::size_t i = 1; i < even.points_mm.size(); ++i)
+            EXPECT_NE(even.points_mm[i], even.points_mm[i - 1]) << "step " << step << ", " << i;
+    }
+}
+
 TEST(Resampled, KeepsTheCurveAndItsEnds) {
     const std::vector<Vec3> points = uneven_curve();
     const Centreline even = resampled({points, std::vector<double>(points.size(), 1.0)}, 0.3);
