@@ -105,7 +105,7 @@ std::vector<Bridge> open_bridges(const PatientCase& patient) {
 
 TreeEdit acceptance_of(const Bridge& bridge) {
     return {TreeEditKind::add_link, bridge.path_mm.front(), bridge.path_mm.back(), bridge.path_mm,
-            VascularSystem::unknown};
+            VascularSystem::unknown, {}};
 }
 
 TreeEdit refusal_of(const Bridge& bridge) {

@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/editing/cut_gap.h"
+#include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/extraction/bridged_points.h"
 #include "core/tree/extraction/centreline.h"
 #include "core/tree/extraction/vessel_graph.h"
@@ -17,10 +19,6 @@ namespace {
 
 constexpr double reach_mm = 10.0;  // of a click
 
-std::string text_of(const Vec3& p) {
-    return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
-}
-
 // The confidence of a system that a person chose.
 double confidence_by_hand(VascularSystem system) {
     return system == VascularSystem::unknown ? 0.0 : 1.0;
@@ -29,7 +27,7 @@ double confidence_by_hand(VascularSystem system) {
 TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     const TreePoint found = nearest_point(tree, position_mm);
     if (!(found.distance_mm <= reach_mm))
-        throw InputError("no vessel within 10 mm", text_of(position_mm),
+        throw InputError("no vessel within 10 mm", place_text(position_mm),
                          "Name a place on a vessel");
     return found;
 }
@@ -70,7 +68,7 @@ class Edit {
         const auto stretch = cut_stretch(graph_, at.segment, at.arclength_mm);
         if (!stretch)
             throw InputError("the vessel is too short here to be parted by a gap of 1 mm",
-                             text_of(edit.at_mm), "Cut a longer one beside it, or delete it");
+                             place_text(edit.at_mm), "Cut a longer one beside it, or delete it");
         int taken = at.segment;
         if (stretch->to_mm) split_link(graph_, taken, *stretch->to_mm, 0.0);
         // The part beyond the cut gets its root at the cut, unless it has one already.
@@ -98,7 +96,7 @@ class Edit {
         const auto [from, system] = node_at(edit.at_mm);
         const auto [to, other_system] = node_at(edit.to_mm);
         if (from == to)
-            throw InputError("both ends of the link lie at one point", text_of(edit.at_mm),
+            throw InputError("both ends of the link lie at one point", place_text(edit.at_mm),
                              "Name two places that are not joined yet");
         add_path(from, to, system, edit.path_mm);
         if (other_system != system) adopt(to, system, other_system);
@@ -139,6 +137,15 @@ class Edit {
         merge_touching_nodes(graph_, wishes_);
         // A part that touches nothing of its new system begins where it was attached before.
         wishes_.push_back({graph_.links[first].from, edit.system});
+    }
+
+    void draw(const TreeEdit& edit) {
+        const DrawnVessel drawn =
+            add_drawn_vessel(graph_, {edit.path_mm, edit.radii_mm}, edit.system);
+        if (drawn.grows_out && drawn.leads_in && drawn.system_at_to != drawn.system)
+            adopt(drawn.to, drawn.system, drawn.system_at_to);
+        // A vessel of its own is drawn from where blood comes in.
+        if (!drawn.grows_out && !drawn.leads_in) wishes_.push_back({drawn.from, drawn.system});
     }
 
     VesselTree result() {
@@ -219,8 +226,21 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
         case TreeEditKind::reassign_system:
             work.reassign(edit);
             break;
+        case TreeEditKind::draw_vessel:
+            work.draw(edit);
+            break;
     }
     return work.result();
+}
+
+TreeEdit drawing_of(Centreline traced, VascularSystem system) {
+    TreeEdit edit;
+    edit.kind = TreeEditKind::draw_vessel;
+    edit.at_mm = traced.points_mm.front();
+    edit.path_mm = std::move(traced.points_mm);
+    edit.radii_mm = std::move(traced.radii_mm);
+    edit.system = system;
+    return edit;
 }
 
 TreeEditor::TreeEditor(VesselTree tree) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/tree/extraction/centreline.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
@@ -18,21 +19,26 @@ enum class TreeEditKind {
     delete_branch,    // removes the segment at `at_mm` and all that hangs on it
     set_root,         // makes the end nearest to `at_mm` the root of its component
     reassign_system,  // gives the segment at `at_mm` and all that hangs on it to `system`
+    draw_vessel,      // adds the vessel along `path_mm` (drawn_vessel.h), which begins at `at_mm`
 };
 
 struct TreeEdit {
     TreeEditKind kind = TreeEditKind::cut_link;
     Vec3 at_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();  // add_link
-    std::vector<Vec3> path_mm;  // add_link: points between the two vessels; empty: straight
-    VascularSystem system = VascularSystem::unknown;  // reassign_system
+    // add_link: points between the two vessels; empty: straight. draw_vessel: its centreline, two
+    // points or more.
+    std::vector<Vec3> path_mm;
+    // reassign_system; draw_vessel: where it touches no vessel that has one.
+    VascularSystem system = VascularSystem::unknown;
+    std::vector<double> radii_mm;  // draw_vessel: one per point of the path, above 0
 
     bool operator==(const TreeEdit&) const = default;
 };
 
 // The tree after the edit. Throws InputError where the edit cannot be done (an empty tree, a place
 // farther than 10 mm from any vessel, two ends of a link at one point, a cut between two forks too
-// close for a gap).
+// close for a gap, a vessel drawn where there is one).
 VesselTree edited(const VesselTree& tree, const TreeEdit& edit);
 
 // A tree and the edits made to it. Not thread-safe.
@@ -56,6 +62,9 @@ class TreeEditor {
     std::vector<TreeEdit> edits_;
     std::size_t done_ = 0;
 };
+
+// The vessel that was traced (vessel_tracing.h) as an edit. `system` counts where it touches none.
+TreeEdit drawing_of(Centreline traced, VascularSystem system = VascularSystem::unknown);
 
 // Edits as a JSON array, and back. Reading throws InputError that names `place` (the file).
 std::string edits_to_json(const std::vector<TreeEdit>& edits);

@@ -9,12 +9,15 @@ namespace hepatica {
 
 namespace {
 
+constexpr double widest_mm = 50.0;  // of a vessel that is drawn
+
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
     {TreeEditKind::add_link, "add_link"},
     {TreeEditKind::delete_branch, "delete_branch"},
     {TreeEditKind::set_root, "set_root"},
     {TreeEditKind::reassign_system, "reassign_system"},
+    {TreeEditKind::draw_vessel, "draw_vessel"},
 };
 
 const char* name_of(TreeEditKind kind) {
@@ -37,17 +40,35 @@ VascularSystem system_from(const nlohmann::json& value, const std::string& place
                      "Name one of these: " + list_of_systems());
 }
 
+void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdit& edit) {
+    edit.path_mm = path_from(value.at("path_mm"));
+    edit.radii_mm = value.at("radii_mm").get<std::vector<double>>();
+    if (edit.path_mm.size() < 2 || edit.radii_mm.size() != edit.path_mm.size())
+        throw InputError("a vessel is drawn by " + std::to_string(edit.path_mm.size()) +
+                             " points with " + std::to_string(edit.radii_mm.size()) + " radii",
+                         place, "Give two points or more in path_mm, and one of radii_mm for each");
+    for (const double radius : edit.radii_mm)
+        if (!(radius > 0.0 && radius <= widest_mm))
+            throw InputError("a vessel is drawn with a radius of " + std::to_string(radius) + " mm",
+                             place, "Give radii above 0 and up to 50 mm");
+    edit.at_mm = edit.path_mm.front();
+    if (value.contains("system")) edit.system = system_from(value.at("system"), place);
+}
+
 TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     TreeEdit edit;
     edit.kind = kind_named(value.at("edit").get<std::string>(), place);
-    edit.at_mm = vec3_from(value.at("at_mm"));
+    if (edit.kind == TreeEditKind::draw_vessel)
+        read_drawing(value, place, edit);
+    else
+        edit.at_mm = vec3_from(value.at("at_mm"));
     if (edit.kind == TreeEditKind::add_link) {
         edit.to_mm = vec3_from(value.at("to_mm"));
         if (value.contains("path_mm")) edit.path_mm = path_from(value.at("path_mm"));
     }
     require_in_patient_space(edit.at_mm, "an edit", place);
     require_in_patient_space(edit.to_mm, "the end of a link", place);
-    for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a link", place);
+    for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a vessel", place);
     if (edit.kind == TreeEditKind::reassign_system)
         edit.system = system_from(value.at("system"), place);
     return edit;
@@ -63,7 +84,12 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
             value["to_mm"] = json_of(edit.to_mm);
             if (!edit.path_mm.empty()) value["path_mm"] = json_of(edit.path_mm);
         }
-        if (edit.kind == TreeEditKind::reassign_system) value["system"] = name_of(edit.system);
+        if (edit.kind == TreeEditKind::draw_vessel) {
+            value["path_mm"] = json_of(edit.path_mm);
+            value["radii_mm"] = edit.radii_mm;
+        }
+        if (edit.kind == TreeEditKind::reassign_system || edit.system != VascularSystem::unknown)
+            value["system"] = name_of(edit.system);
         list.push_back(std::move(value));
     }
     return list.dump(1);

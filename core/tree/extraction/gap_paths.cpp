@@ -11,9 +11,8 @@ namespace hepatica {
 
 namespace {
 
-constexpr double darkest = 0.1;           // a dark millimetre costs as much as ten bright ones
-constexpr double own_reach_mm = 4.0;      // how far back into its own piece a path may lead
-constexpr double longest_cost_mm = 40.0;  // four millimetres of darkness
+constexpr double darkest = 0.1;       // a dark millimetre costs as much as ten bright ones
+constexpr double own_reach_mm = 4.0;  // how far back into its own piece a path may lead
 
 struct Reached {
     double cost_mm;
@@ -78,7 +77,7 @@ class Search {
         }
         const double cost = entry.cost_mm + price * step_mm;
         const double gap = entry.gap_mm + (outside ? step_mm : 0.0);
-        if (cost > longest_cost_mm || gap > search_.longest_gap_mm) return;
+        if (cost > search_.longest_cost_mm || gap > search_.longest_gap_mm) return;
         const auto [known, is_new] = reached_.try_emplace(next, Reached{cost, gap, here, false});
         if (!is_new) {
             if (known->second.closed || known->second.cost_mm <= cost) return;

@@ -27,6 +27,8 @@ struct GapSearch {
     // 0 where it is as dark as parenchyma, 1 where it is as bright as a vessel.
     std::function<double(const Vec3& position_mm)> brightness;
     double longest_gap_mm = 15.0;
+    // A dark millimetre costs ten: four of them, or forty bright ones.
+    double longest_cost_mm = 40.0;
 };
 
 // The cheapest path from a voxel to each other piece in reach, in the order in which they are

@@ -47,11 +47,12 @@ void smooth_link(VesselLink& link, double voxel_mm) {
 class Measurement {
   public:
     Measurement(VesselGraph& graph, const Mask& vessels, const Volume* ct,
-                const std::function<void(double)>& progress)
+                const std::function<void(double)>& progress, double contrast_hu)
         : graph_(graph),
           vessels_(vessels),
           ct_(ct),
           progress_(progress),
+          known_contrast_hu_(contrast_hu),
           voxel_mm_(std::cbrt(vessels.grid.spacing_mm.prod())),
           at_node_(links_of_nodes(graph)),
           stations_(graph.links.size()) {}
@@ -213,6 +214,7 @@ class Measurement {
             }
         }
         if (contrasts.size() >= enough_stations) return median(contrasts);
+        if (known_contrast_hu_ > 0.0) return known_contrast_hu_;
         const auto of_system = contrast_hu_.find(system);
         return of_system == contrast_hu_.end() ? 0.0 : of_system->second;
     }
@@ -260,6 +262,7 @@ class Measurement {
     static constexpr std::size_t sections_per_report = 64;  // some milliseconds
     const std::function<void(double)>& progress_;
     std::atomic<int> links_done_ = 0;  // in all rounds
+    double known_contrast_hu_;         // 0: of none
     double voxel_mm_;
     std::vector<std::vector<int>> at_node_;
     std::vector<Stations> stations_;
@@ -270,8 +273,8 @@ class Measurement {
 }  // namespace
 
 void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct,
-                   const std::function<void(double)>& progress) {
-    Measurement(graph, vessels, ct, progress).run();
+                   const std::function<void(double)>& progress, double contrast_hu) {
+    Measurement(graph, vessels, ct, progress, contrast_hu).run();
 }
 
 }  // namespace hepatica

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/editing/vessel_tracing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/median.h"
+#include "core/base/patient_space.h"
+#include "core/image/filters.h"
+#include "core/image/interpolation.h"
+#include "core/image/morphology.h"
+#include "core/tree/extraction/gap_paths.h"
+#include "core/tree/extraction/inscribed_radius.h"
+#include "core/tree/extraction/lumen_measurement.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double margin_mm = 12.0;        // of CT around the clicks: the widest lumen and a detour
+constexpr double smoothing_mm = 0.5;      // against noise
+constexpr double least_contrast_hu = 15;  // as for gaps (gap_bridging.cpp)
+constexpr double longest_step_mm = 50.0;
+constexpr double same_place_mm = 0.5;
+constexpr double wide_voxels = 3.0;  // radius from which the middle of a lumen is not blurred
+
+Index3 voxel_at(const Grid& grid, const Vec3& position_mm) {
+    const Vec3 index = grid.to_index(position_mm);
+    return {static_cast<int>(std::lround(index[0])), static_cast<int>(std::lround(index[1])),
+            static_cast<int>(std::lround(index[2]))};
+}
+
+std::size_t offset_of(const Grid& grid, const Index3& voxel) {
+    return grid.offset(voxel[0], voxel[1], voxel[2]);
+}
+
+std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) {
+    std::vector<Vec3> places;
+    for (const Vec3& click : clicks_mm) {
+        const Vec3 index = ct.grid.to_index(click);
+        bool inside = true;
+        for (int a = 0; a < 3; ++a)  // also false where it is not a number
+            inside = inside && index[a] >= -0.5 && index[a] < ct.grid.dims[a] - 0.5;
+        if (!inside)
+            throw InputError("the place lies outside of the CT", place_text(click),
+                             "Point at the vessel within the image");
+        if (!places.empty() && (click - places.back()).norm() < same_place_mm) continue;
+        if (!places.empty() && (click - places.back()).norm() > longest_step_mm)
+            throw InputError("two places that follow each other are more than 50 mm apart",
+                             place_text(click), "Point at places between them");
+        places.push_back(click);
+    }
+    if (places.size() < 2)
+        throw InputError("a vessel needs two places at least", "the vessel that is drawn",
+                         "Point at its beginning and at its end");
+    return places;
+}
+
+IndexBox box_around(const Grid& grid, const std::vector<Vec3>& places_mm) {
+    IndexBox box{voxel_at(grid, places_mm.front()), voxel_at(grid, places_mm.front())};
+    for (const Vec3& place : places_mm) {
+        const Index3 voxel = voxel_at(grid, place);
+        for (int a = 0; a < 3; ++a) {
+            box.begin[a] = std::min(box.begin[a], voxel[a]);
+            box.end[a] = std::max(box.end[a], voxel[a] + 1);
+        }
+    }
+    return grow_box(box, grid, margin_mm);
+}
+
+class Tracer {
+  public:
+    Tracer(Volume ct, std::vector<Vec3> places_mm)
+        : ct_(std::move(ct)), places_mm_(std::move(places_mm)), smooth_(to_float(ct_)) {
+        Job job;
+        gaussian_smooth(smooth_, Vec3::Constant(smoothing_mm), job);
+        background_hu_ = median(smooth_.voxels);
+        std::vector<float> seen;
+        for (const Vec3& place : places_mm_) seen.push_back(brightest_beside(place));
+        vessel_hu_ = median(std::move(seen));
+        if (vessel_hu_ - background_hu_ < least_contrast_hu)
+            throw InputError(
+                "the CT shows no vessel there that is 15 HU brighter than its "
+                "surroundings",
+                place_text(places_mm_.front()),
+                "Point at the middle of a bright vessel; what the CT does not show "
+                "is joined as two vessels are linked");
+    }
+
+    Centreline centreline(double blood_contrast_hu) const {
+        Mask lumen = lumen_around(path([this](const Vec3& place) { return brightness(place); }));
+        // That path cuts corners along the inner wall; the next one is cheap where the lumen is
+        // deep.
+        Job job;
+        const FloatVolume outside_mm = signed_distance(lumen, job);
+        const double voxel_mm = std::cbrt(ct_.grid.spacing_mm.prod());
+        const std::vector<Index3> voxels = path([&](const Vec3& place) {
+            const double depth_mm = std::max(0.0, -interpolate(outside_mm, place));
+            return depth_mm / (depth_mm + voxel_mm);
+        });
+        for (const Index3& voxel : voxels) lumen.voxels[offset_of(ct_.grid, voxel)] = 1;
+        return measured(voxels, lumen, blood_contrast_hu);
+    }
+
+  private:
+    // A hand misses the middle of a thin vessel by a voxel.
+    float brightest_beside(const Vec3& place_mm) const {
+        const auto [x, y, z] = voxel_at(ct_.grid, place_mm);
+        float brightest = smooth_.at(x, y, z);
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    if (ct_.grid.contains(x + dx, y + dy, z + dz))
+                        brightest = std::max(brightest, smooth_.at(x + dx, y + dy, z + dz));
+        return brightest;
+    }
+
+    double brightness(const Vec3& position_mm) const {
+        const double share =
+            (interpolate(smooth_, position_mm) - background_hu_) / (vessel_hu_ - background_hu_);
+        return std::clamp(share, 0.0, 1.0);
+    }
+
+    Centreline measured(const std::vector<Index3>& voxels, const Mask& lumen,
+                        double blood_contrast_hu) const {
+        InscribedRadius radius(lumen);
+        VesselLink link{0, 1, VascularSystem::unknown, 0.0, {}, {}};
+        for (const Index3& voxel : voxels) {
+            link.points_mm.push_back(ct_.grid.to_mm(voxel[0], voxel[1], voxel[2]));
+            link.radii_mm.push_back(radius.at(voxel));
+        }
+        VesselGraph graph;
+        graph.nodes = {{link.points_mm.front(), link.radii_mm.front()},
+                       {link.points_mm.back(), link.radii_mm.back()}};
+        graph.links.push_back(std::move(link));
+        // What the clicks show is no more than what is there: thin vessels are blurred.
+        const double contrast_hu = std::max(blood_contrast_hu, vessel_hu_ - background_hu_);
+        measure_lumen(
+            graph, lumen, &ct_, [](double) {}, contrast_hu);
+        return {graph.links[0].points_mm, graph.links[0].radii_mm};
+    }
+
+    using Brightness = std::function<double(const Vec3&)>;
+
+    // Voxels from click to click.
+    std::vector<Index3> path(const Brightness& bright) const {
+        std::vector<Index3> voxels;
+        for (std::size_t i = 1; i < places_mm_.size(); ++i) add_path(i, bright, voxels);
+        return voxels;
+    }
+
+    // The first is left out where it is there already.
+    void add_path(std::size_t to, const Brightness& bright, std::vector<Index3>& voxels) const {
+        const Index3 start = voxel_at(ct_.grid, places_mm_[to - 1]);
+        const Index3 goal = voxel_at(ct_.grid, places_mm_[to]);
+        if (voxels.empty()) voxels.push_back(start);
+        if (start == goal) return;
+        GapSearch search;
+        search.grid = &ct_.grid;
+        search.piece_of = [wanted = offset_of(ct_.grid, goal)](std::size_t offset) {
+            return offset == wanted ? 1 : -1;
+        };
+        search.brightness = bright;
+        // The box is all that there is to search, and its darkest way is not refused.
+        search.longest_gap_mm = search.longest_cost_mm = std::numeric_limits<double>::infinity();
+        const std::vector<GapPath> paths = gap_paths(search, 0, start);
+        for (std::size_t i = 1; i < paths.front().points_mm.size(); ++i)
+            voxels.push_back(voxel_at(ct_.grid, paths.front().points_mm[i]));
+    }
+
+    // What is brighter than half-way between vessel and surroundings and hangs together with the
+    // path, and the path itself.
+    Mask lumen_around(const std::vector<Index3>& path) const {
+        Mask lumen(ct_.grid);
+        const auto half_hu = static_cast<float>(0.5 * (vessel_hu_ + background_hu_));
+        std::vector<Index3> open = path;
+        for (const Index3& voxel : path) lumen.voxels[offset_of(ct_.grid, voxel)] = 1;
+        while (!open.empty()) {
+            const auto [x, y, z] = open.back();
+            open.pop_back();
+            for (int axis = 0; axis < 3; ++axis)
+                for (const int step : {-1, 1}) {
+                    Index3 next{x, y, z};
+                    next[axis] += step;
+                    if (!ct_.grid.contains(next[0], next[1], next[2])) continue;
+                    const std::size_t offset = offset_of(ct_.grid, next);
+                    if (lumen.voxels[offset] != 0 || smooth_.voxels[offset] < half_hu) continue;
+                    lumen.voxels[offset] = 1;
+                    open.push_back(next);
+                }
+        }
+        return lumen;
+    }
+
+    Volume ct_;
+    std::vector<Vec3> places_mm_;
+    FloatVolume smooth_;
+    double background_hu_ = 0.0;
+    double vessel_hu_ = 0.0;
+};
+
+}  // namespace
+
+double blood_contrast_hu(const Volume& ct, const VesselTree& tree) {
+    const double voxel_mm = std::cbrt(ct.grid.spacing_mm.prod());
+    std::vector<double> inside, around;
+    for (const VesselSegment& segment : tree.segments)
+        for (std::size_t i = 0; i < segment.points_mm.size(); ++i) {
+            const double radius_mm = segment.radii_mm[i];
+            if (radius_mm < wide_voxels * voxel_mm) continue;
+            inside.push_back(interpolate(ct, segment.points_mm[i]));
+            for (int a = 0; a < 6; ++a) {
+                const double away_mm = 2.0 * radius_mm + 3.0 * voxel_mm;
+                around.push_back(interpolate(
+                    ct,
+                    segment.points_mm[i] + (a % 2 == 0 ? away_mm : -away_mm) * Vec3::Unit(a / 2)));
+            }
+        }
+    if (inside.empty()) return 0.0;
+    return std::max(0.0, median(std::move(inside)) - median(std::move(around)));
+}
+
+Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
+                         double blood_contrast_hu) {
+    std::vector<Vec3> places = checked(ct, clicks_mm);
+    Volume around = crop(ct, box_around(ct.grid, places));
+    return Tracer(std::move(around), std::move(places)).centreline(blood_contrast_hu);
+}
+
+}  // namespace hepatica

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vessels drawn by hand into the tree of test_trees.h.
+#include "core/tree/editing/drawn_vessel.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/tree/editing/tree_edit.h"
+#include "tests/support/test_trees.h"
+
+namespace hepatica {
+
+using namespace test;
+
+namespace {
+
+// A straight vessel with points a millimetre apart.
+Centreline straight(const Vec3& from, const Vec3& to, double radius_mm) {
+    Centreline line;
+    const int steps = static_cast<int>((to - from).norm()) + 1;
+    for (int i = 0; i <= steps; ++i) {
+        line.points_mm.push_back(from + (to - from) * i / steps);
+        line.radii_mm.push_back(radius_mm);
+    }
+    return line;
+}
+
+const Vec3 in_trunk(1.5, 10, 1.5);  // 1.5 mm beside its axis, radius 3.8
+const Vec3 free_place(30, 8, 0);
+
+VesselTree tree_of(VascularSystem trunk) {
+    VesselGraph graph = forked_graph();
+    for (VesselLink& link : graph.links) link.system = trunk;
+    return directed(std::move(graph));
+}
+
+std::string problem_of(const VesselTree& tree, const Centreline& line) {
+    try {
+        edited(tree, drawing_of(line));
+    } catch (const InputError& error) {
+        return error.problem();
+    }
+    return {};
+}
+
+TEST(DrawnVessel, GrowsOutOfTheVesselItBeginsIn) {
+    const VesselTree before = tree_of(VascularSystem::portal);
+    const VesselTree after = edited(before, drawing_of(straight(in_trunk, free_place, 1.2)));
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 1u);
+    EXPECT_EQ(bifurcation_count(after), bifurcation_count(before) + 1);
+    EXPECT_EQ(end_count(after), end_count(before) + 1);
+    const TreePoint tip = nearest_point(after, free_place);
+    EXPECT_LT(tip.distance_mm, 1e-9);
+    const VesselSegment& drawn = after.segments[static_cast<std::size_t>(tip.segment)];
+    EXPECT_EQ(drawn.system, VascularSystem::portal);
+    EXPECT_EQ(drawn.system_confidence, 1.0);
+    EXPECT_EQ(drawn.points_mm.back(), free_place);  // blood flows the way it was drawn
+    // From the trunk's centreline on, and never as wide as the trunk.
+    EXPECT_LT(nearest_point(before, drawn.points_mm.front()).distance_mm, 1e-6);
+    for (const double radius : drawn.radii_mm) EXPECT_NEAR(radius, 1.2, 1e-9);
+}
+
+TEST(DrawnVessel, DrawnTowardsTheTreeItHangsOnItAsWell) {
+    const VesselTree before = tree_of(VascularSystem::hepatic);
+    const VesselTree after = edited(before, drawing_of(straight(free_place, in_trunk, 1.2)));
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 1u);
+    const TreePoint tip = nearest_point(after, free_place);
+    const VesselSegment& drawn = after.segments[static_cast<std::size_t>(tip.segment)];
+    EXPECT_EQ(drawn.system, VascularSystem::hepatic);
+    EXPECT_EQ(drawn.points_mm.back(), free_place);
+}
+
+TEST(DrawnVessel, ReachesAWallThatItEndsBeside) {
+    // 0.8 mm beyond the wall; 1.5 mm beyond it is a vessel of its own.
+    for (const auto& [gap_mm, joined] : {std::pair{0.8, true}, std::pair{1.5, false}}) {
+        const VesselTree before = forked_tree();
+        const Vec3 begin(0.05 + 3.85 + gap_mm, 10, 1.5);
+        const VesselTree after = edited(before, drawing_of(straight(begin, free_place, 1.0)));
+        validate(after);
+        EXPECT_EQ(roots(after).size(), joined ? 1u : 2u) << gap_mm;
+    }
+}
+
+TEST(DrawnVessel, StandsAloneWhereItTouchesNothing) {
+    TreeEdit edit =
+        drawing_of(straight(Vec3(40, 0, 0), Vec3(60, 0, 0), 2.0), VascularSystem::hepatic);
+    const VesselTree after = edited(forked_tree(), edit);
+    validate(after);
+    ASSERT_EQ(roots(after).size(), 2u);
+    const int own = nearest_point(after, Vec3(50, 0, 0)).segment;
+    const VesselSegment& drawn = after.segments[static_cast<std::size_t>(own)];
+    EXPECT_EQ(drawn.parent, -1);
+    EXPECT_EQ(drawn.points_mm.front(), Vec3(40, 0, 0));  // where blood comes in
+    EXPECT_EQ(drawn.system, VascularSystem::hepatic);
+}
+
+TEST(DrawnVessel, JoinsTwoTreesAndTheSecondTakesTheSystemOfTheFirst) {
+    VesselGraph graph = forked_graph();
+    for (VesselLink& link : graph.links) link.system = VascularSystem::portal;
+    const int far = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({Vec3(40, 0, 0), 2.0});
+    graph.nodes.push_back({Vec3(40, 30, 0), 2.0});
+    graph.links.push_back(straight_link(graph, far, far + 1, 2.0, 2.0, VascularSystem::hepatic));
+    const VesselTree before = directed(std::move(graph));
+    const VesselTree after = edited(before, drawing_of(straight(in_trunk, Vec3(39, 10, 0), 1.0)));
+    validate(after);
+    EXPECT_EQ(roots(after).size(), 1u);
+    for (const VesselSegment& segment : after.segments)
+        EXPECT_EQ(segment.system, VascularSystem::portal);
+}
+
+TEST(DrawnVessel, RefusesWhatIsThereAlready) {
+    const VesselTree tree = forked_tree();
+    const Vec3 along = (tree.nodes[1].position_mm - tree.nodes[0].position_mm).normalized();
+    const auto inside = straight(Vec3(0.5, 2, 0.3), Vec3(0.5, 2, 0.3) + 14.0 * along, 1.0);
+    EXPECT_NE(problem_of(tree, inside).find("more than half"), std::string::npos);
+    // Out of the trunk and back to the same place of it.
+    Centreline hairpin = straight(in_trunk, free_place, 1.0);
+    for (std::size_t i = hairpin.points_mm.size() - 1; i-- > 0;) {
+        hairpin.points_mm.push_back(hairpin.points_mm[i]);
+        hairpin.radii_mm.push_back(1.0);
+    }
+    EXPECT_NE(problem_of(tree, hairpin).find("one point"), std::string::npos);
+}
+
+TEST(DrawnVessel, IsTheSameAfterItsFile) {
+    const TreeEdit drawn = drawing_of(straight(in_trunk, free_place, 1.2), VascularSystem::hepatic);
+    const std::vector<TreeEdit> read = edits_from_json(edits_to_json({drawn}), "here");
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0], drawn);
+    const TreeEdit alone = drawing_of(straight(in_trunk, free_place, 1.2));
+    EXPECT_EQ(edits_from_json(edits_to_json({alone}), "here")[0], alone);
+}
+
+TEST(DrawnVessel, AFileWithoutPathOrRadiiIsRefused) {
+    const auto read = [](const std::string& more) {
+        return edits_from_json(R"([{"edit": "draw_vessel", )" + more + "}]", "drawn.json");
+    };
+    const std::string path = R"("path_mm": [[0, 0, 0], [5, 0, 0]])";
+    EXPECT_EQ(read(path + R"(, "radii_mm": [1, 1])").size(), 1u);
+    for (const std::string& more :
+         {path, path + R"(, "radii_mm": [1])", path + R"(, "radii_mm": [1, 0])",
+          path + R"(, "radii_mm": [1, -1])", path + R"(, "radii_mm": [1, 51])",
+          path + R"(, "radii_mm": [1, null])", path + R"(, "radii_mm": [1, 1], "system": "gut")",
+          std::string(R"("path_mm": [[0, 0, 0]], "radii_mm": [1])"),
+          std::string(R"("path_mm": [], "radii_mm": [])"),
+          std::string(R"("path_mm": [[0, 0, 0], [1e9, 0, 0]], "radii_mm": [1, 1])")})
+        EXPECT_THROW(read(more), InputError) << more;
+}
+
+}  // namespace
+}  // namespace hepatica
