@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
 
 namespace hepatica {
@@ -19,6 +21,8 @@ QString text_of(const TreeEdit& edit) {
             return "Branch deleted";
         case TreeEditKind::set_root:
             return "Root set";
+        case TreeEditKind::draw_vessel:
+            return "Vessel drawn";
         case TreeEditKind::reassign_system:
             break;
     }
@@ -113,6 +117,23 @@ void CaseEditing::click(const TreePoint& point) {
 void CaseEditing::accept(int bridge) {
     if (bridge < 0 || bridge >= static_cast<int>(bridges_.size())) return;
     callbacks_.add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
+}
+
+VesselPen::Answer CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm) {
+    if (!workspace_.has_patient()) return {};
+    const VesselTree& tree = workspace_.patient()->tree;
+    try {
+        const Centreline traced = traced_vessel(ct, places_mm, blood_contrast_hu(ct, tree));
+        const TreeEdit edit = drawing_of(traced);
+        edited(tree, edit);  // refused now, while its places can still be changed
+        callbacks_.add(edit);
+        return {true, QString("A vessel of %1 mm, radius %2 mm")
+                          .arg(arclengths_mm(traced.points_mm).back(), 0, 'f', 0)
+                          .arg(traced.radii_mm[traced.radii_mm.size() / 2], 0, 'f', 1)
+                          .toStdString()};
+    } catch (const InputError& error) {
+        return {false, "Not drawn: " + error.problem() + ". " + error.remedy()};
+    }
 }
 
 }  // namespace hepatica

@@ -11,6 +11,7 @@
 #include "core/patient/corrections.h"
 #include "render/bridge_actor.h"
 #include "ui/edit_panel.h"
+#include "ui/slices/vessel_pen.h"
 #include "ui/workspace.h"
 
 namespace hepatica {
@@ -35,6 +36,8 @@ class CaseEditing {
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);
     void accept(int bridge);
+    // A vessel was drawn through these places of the patient's CT.
+    VesselPen::Answer draw(const Volume& ct, const std::vector<Vec3>& places_mm);
 
   private:
     void choose_bridge(int bridge);

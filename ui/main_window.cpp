@@ -173,6 +173,9 @@ void MainWindow::build_slices(QWidget* parent) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };
     callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
+    callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places) {
+        return editing_->draw(ct, places);
+    };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
 }
 

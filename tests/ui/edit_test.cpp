@@ -10,10 +10,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/image/volume_writer.h"
+#include "core/patient/image_digest.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/slices/slice_view.h"
+#include "ui/slices/view_layout.h"
 
 namespace hepatica {
 namespace {
@@ -159,6 +163,48 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(5, 5));
     wait();
     EXPECT_EQ(saved().corrections.edits.size(), 2u);
+}
+
+// A vessel that the tree lacks, bright in the CT, from the trunk of the tree of test_trees.h.
+TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
+    const Vec3 begin(1, 10, 1.5), end(34, 4, 1.5);
+    Volume ct;
+    ct.grid.dims = {96, 60, 12};
+    ct.grid.spacing_mm = Vec3(0.6, 0.6, 1.5);
+    ct.grid.origin_mm = Vec3(-15, -10, -6);
+    ct.voxels.resize(ct.grid.count());
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
+        const auto [x, y, z] = ct.grid.index_of(i);
+        const Vec3 p = ct.grid.to_mm(x, y, z);
+        const double share =
+            std::clamp((p - begin).dot(end - begin) / (end - begin).squaredNorm(), 0.0, 1.0);
+        ct.voxels[i] = (p - begin - share * (end - begin)).norm() < 1.8 ? 180 : 100;
+    }
+    const auto file = to_path(folder_.filePath("ct.nii.gz"));
+    write_nifti(file, ct);
+    auto shown = std::make_shared<PatientCase>(*window_.workspace().patient());
+    shown->source.image_sha256 = digest_of(ct);
+    shown->source.image_grid = ct.grid;
+    ViewLayout& views = window_.view_layout();
+    views.show_patient(shown, {}, file);
+    window_.actions()[ActionId::toggle_slices].trigger();
+    ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
+    views.slices().set_crosshair(begin);
+    emit child<QComboBox>("measure").activated(4);
+    SliceView& axial = views.slice_view(SliceDirection::axial);
+    for (const Vec3& place : {begin, Vec3(0.5 * (begin + end)), end})
+        QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(place).toPoint());
+    const std::size_t before = saved().tree.segments.size();
+    child<QPushButton>("drawVessel").click();
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::draw_vessel);
+    EXPECT_EQ(saved_.tree.segments.size(), before + 2);  // the trunk has a fork more
+    EXPECT_LT(nearest_point(saved_.tree, end).distance_mm, 0.6);
+    EXPECT_TRUE(views.slices().pen().places_mm().empty());
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_TRUE(saved().corrections.edits.empty());
+    EXPECT_EQ(saved_.tree.segments.size(), before);
 }
 
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {

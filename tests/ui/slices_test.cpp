@@ -238,6 +238,55 @@ TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {
     EXPECT_NE(scene().crosshair_mm(), crosshair);
 }
 
+TEST_F(Slices, TakePlacesOfAVesselThatIsDrawn) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    SliceView& coronal = view(SliceDirection::coronal);
+    auto* choice = window_.findChild<QComboBox*>("measure");
+    auto* button = window_.findChild<QPushButton*>("drawVessel");
+    auto* said = window_.findChild<QLabel*>("slicePlace");
+    VesselPen& pen = scene().pen();
+    EXPECT_FALSE(button->isVisible());
+    emit choice->activated(4);
+    EXPECT_EQ(choice->currentText(), "Draw a vessel");
+    EXPECT_TRUE(button->isVisible());
+    EXPECT_FALSE(button->isEnabled());
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(8, 5));
+    ASSERT_EQ(pen.places_mm().size(), 1u);
+    EXPECT_EQ(scene().crosshair_mm(), pen.places_mm()[0]) << "the other slices follow";
+    QTest::keyClick(&axial, Qt::Key_Return);
+    EXPECT_TRUE(said->text().contains("two places"));
+    const QPoint far = coronal.place_of(pen.places_mm()[0] - Vec3(0, 0, 60)).toPoint();
+    QTest::mouseClick(&coronal, Qt::LeftButton, {}, far);
+    QTest::mouseDClick(&coronal, Qt::LeftButton, {}, far);
+    ASSERT_EQ(pen.places_mm().size(), 2u);
+    EXPECT_TRUE(button->isEnabled());
+    // What cannot be drawn stays to be changed.
+    QTest::keyClick(&coronal, Qt::Key_Return);
+    EXPECT_TRUE(said->text().startsWith("Not drawn: two places that follow each other are more"))
+        << said->text().toStdString();
+    EXPECT_EQ(pen.places_mm().size(), 2u);
+    // By keys alone: the arrows lead, Enter sets a place.
+    QTest::keyClick(&coronal, Qt::Key_Right);
+    QTest::keyClick(&coronal, Qt::Key_Return);
+    EXPECT_EQ(pen.places_mm().size(), 3u);
+    QTest::keyClick(&coronal, Qt::Key_Delete);
+    EXPECT_EQ(pen.places_mm().size(), 2u);
+    QTest::keyClick(&coronal, Qt::Key_Escape);
+    EXPECT_TRUE(pen.places_mm().empty());
+    EXPECT_EQ(choice->currentText(), "Draw a vessel");
+    QTest::keyClick(&coronal, Qt::Key_Escape);
+    EXPECT_EQ(choice->currentText(), "Crosshair");
+    EXPECT_FALSE(button->isVisible());
+    // Measuring puts it away, and another patient does.
+    emit choice->activated(4);
+    emit choice->activated(1);
+    EXPECT_FALSE(pen.taken());
+    emit choice->activated(4);
+    views().clear();
+    EXPECT_FALSE(pen.taken());
+}
+
 TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
     show_slices();
     SliceView& coronal = view(SliceDirection::coronal);

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSlider>
 #include <array>
 
@@ -21,6 +22,8 @@ constexpr std::array presets{
     Preset{"Abdomen", {40.0, 400.0}},  Preset{"Lung", {-600.0, 1500.0}},
     Preset{"Bone", {400.0, 1800.0}},
 };
+
+constexpr int draws_vessel = 4;  // among what a click is for; before it stand the measurements
 
 bool same(const GreyWindow& a, const GreyWindow& b) {
     return a.level_hu == b.level_hu && a.width_hu == b.width_hu;
@@ -52,13 +55,16 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
     place_->setObjectName("slicePlace");
+    // However long its text, the window is no wider for it.
+    place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(presets_);
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
-    row->addWidget(measuring_choice());
-    row->addStretch();
-    row->addWidget(place_);
+    row->addWidget(click_choice());
+    row->addWidget(draw_button());
+    row->addWidget(place_, 1);
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets.size()))
             scene_.set_window(presets[static_cast<std::size_t>(index)].window);
@@ -75,29 +81,50 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
 }
 
 // What a click in a slice is for.
-QWidget* SliceBar::measuring_choice() {
-    auto* choice = new QComboBox;
-    choice->setObjectName("measure");
-    choice->setAccessibleName("What a click in a slice does");
-    choice->addItems({"Crosshair", "Distance", "Angle", "Diameter"});
-    choice->setToolTip(
+QWidget* SliceBar::click_choice() {
+    click_ = new QComboBox;
+    click_->setObjectName("measure");
+    click_->setAccessibleName("What a click in a slice does");
+    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel"});
+    click_->setToolTip(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
-        "Delete takes the last away, Escape ends measuring");
-    Measurements& measurements = scene_.measurements();
-    connect(choice, &QComboBox::activated, this, [&measurements](int index) {
-        measurements.choose(index == 0 ? std::nullopt
-                                       : std::optional(static_cast<MeasurementKind>(index - 1)));
+        "Draw a vessel: clicks along one that is missing, in any slices, from where its blood "
+        "comes in; Enter draws it. Delete takes the last away, Escape ends it");
+    connect(click_, &QComboBox::activated, this, [this](int index) {
+        const bool measures = index > 0 && index < draws_vessel;
+        scene_.pen().set_taken(index == draws_vessel);
+        scene_.measurements().choose(
+            measures ? std::optional(static_cast<MeasurementKind>(index - 1)) : std::nullopt);
+        if (index == draws_vessel)
+            say("Click where the vessel begins, then along it; Enter draws it");
     });
-    measurements.on_change([choice, &measurements] {
-        const auto kind = measurements.chosen();
-        choice->setCurrentIndex(kind ? 1 + static_cast<int>(*kind) : 0);
-    });
-    return choice;
+    scene_.measurements().on_change([this] { follow_click(); });
+    scene_.pen().on_change([this] { follow_click(); });
+    return click_;
+}
+
+QWidget* SliceBar::draw_button() {
+    draw_ = new QPushButton("Draw it");
+    draw_->setObjectName("drawVessel");
+    draw_->setToolTip("Follows the vessel through the places that were clicked (Enter)");
+    draw_->setVisible(false);
+    connect(draw_, &QPushButton::clicked, this,
+            [this] { say(QString::fromStdString(scene_.pen().finish())); });
+    return draw_;
+}
+
+void SliceBar::follow_click() {
+    const VesselPen& pen = scene_.pen();
+    const auto kind = scene_.measurements().chosen();
+    click_->setCurrentIndex(pen.taken() ? draws_vessel : kind ? 1 + static_cast<int>(*kind) : 0);
+    draw_->setVisible(pen.taken());
+    draw_->setEnabled(pen.places_mm().size() >= 2);
 }
 
 void SliceBar::say(const QString& text) {
     place_->setText(text);
+    place_->setToolTip(text);
 }
 
 void SliceBar::show_place(const Vec3& position_mm) {

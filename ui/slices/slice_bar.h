@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Above the slices: presets of the grey window, how the vessels are drawn over the CT, what a click
-// measures, and what lies under the mouse.
+// measures or draws, and what lies under the mouse.
 #pragma once
 
 #include <QWidget>
@@ -9,6 +9,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace hepatica {
 
@@ -21,12 +22,16 @@ class SliceBar : public QWidget {
     void say(const QString& text);  // until the mouse moves on
 
   private:
-    QWidget* measuring_choice();
+    QWidget* click_choice();
+    QWidget* draw_button();
+    void follow_click();
     void follow_window();
 
     SliceScene& scene_;
     QComboBox* presets_;
     QLabel* place_;
+    QComboBox* click_ = nullptr;  // what a click is for
+    QPushButton* draw_ = nullptr;
 };
 
 }  // namespace hepatica

@@ -56,6 +56,7 @@ void SliceScene::clear() {
     tree_ = {};
     centrelines_.clear();
     measurements_.clear();
+    pen_.set_taken(false);
     tell();
 }
 

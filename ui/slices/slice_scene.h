@@ -11,6 +11,7 @@
 #include "core/image/slice.h"
 #include "core/tree/vessel_tree.h"
 #include "ui/slices/measurements.h"
+#include "ui/slices/vessel_pen.h"
 
 namespace hepatica {
 
@@ -41,6 +42,9 @@ class SliceScene {
     // They go with the patient, and have watchers of their own.
     Measurements& measurements() { return measurements_; }
     const Measurements& measurements() const { return measurements_; }
+    // Likewise.
+    VesselPen& pen() { return pen_; }
+    const VesselPen& pen() const { return pen_; }
 
     const Vec3& crosshair_mm() const { return crosshair_mm_; }
     // Outside of the CT it stays at its border.
@@ -63,6 +67,7 @@ class SliceScene {
     std::vector<CentrelinePoint> centrelines_;
     VesselTree tree_;
     Measurements measurements_;
+    VesselPen pen_;
     Vec3 crosshair_mm_ = Vec3::Zero();
     GreyWindow window_{};
     double opacity_ = 0.6;

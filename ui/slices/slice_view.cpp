@@ -77,6 +77,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
         update();
     });
     scene_.measurements().on_change([this] { update(); });
+    scene_.pen().on_change([this] { update(); });
 }
 
 int SliceView::slice() const {
@@ -143,6 +144,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     if (scene_.shows_centrelines()) paint_centrelines(painter);
     paint_crosshair(painter);
     paint_measurements(painter);
+    paint_pen(painter);
     paint_words(painter);
     if (hasFocus()) paint_focus(painter);
 }
@@ -171,19 +173,45 @@ void SliceView::paint_crosshair(QPainter& painter) const {
     painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
 }
 
+// Whether a point lies within half of the reach of this slice.
+bool SliceView::is_here(const Vec3& point_mm, double reach_mm) const {
+    const SliceStack slices = stack();
+    const double off = slices.place_of(point_mm).z() - slices.place_of(scene_.crosshair_mm()).z();
+    return std::abs(off) * slices.slice_mm() <= 0.5 * reach_mm;
+}
+
+void SliceView::paint_line(QPainter& painter, const QPolygonF& line) const {
+    for (const auto& [colour, width] :
+         {std::pair{QColor(Qt::black), 3.5}, std::pair{measured, 1.6}}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawPolyline(line);
+        for (const QPointF& end : line) painter.drawEllipse(end, 2.0, 2.0);
+    }
+}
+
+// All of it, as it runs through many slices; larger where it meets this one.
+void SliceView::paint_pen(QPainter& painter) const {
+    const std::vector<Vec3>& places = scene_.pen().places_mm();
+    if (places.empty()) return;
+    QPolygonF line;
+    for (const Vec3& place : places) line << place_of(place);
+    painter.setBrush(Qt::NoBrush);
+    paint_line(painter, line);
+    for (const Vec3& place : places)
+        if (is_here(place, std::max(1.0, stack().slice_mm())))
+            painter.drawEllipse(place_of(place), 5.0, 5.0);
+}
+
 // In the slices through any of its points, as seen from there; of a diameter, in those that cut the
 // lumen along it.
 void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
-    const SliceStack slices = stack();
-    const double here = slices.place_of(scene_.crosshair_mm()).z();
     const auto& points = measurement.points_mm;
-    double reach_mm = std::max(1.0, slices.slice_mm());
+    double reach_mm = std::max(1.0, stack().slice_mm());
     if (measurement.kind == MeasurementKind::diameter) reach_mm += (points[1] - points[0]).norm();
     QPolygonF line;
     bool here_at_all = false;
     for (const Vec3& point : points) {
-        const double off_mm = std::abs(slices.place_of(point).z() - here) * slices.slice_mm();
-        here_at_all |= off_mm <= 0.5 * reach_mm;
+        here_at_all |= is_here(point, reach_mm);
         line << place_of(point);
     }
     if (!here_at_all) return;
@@ -191,12 +219,7 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
     if (measurement.kind == MeasurementKind::diameter &&
         seen_mm < 0.5 * (points[1] - points[0]).norm())
         return;
-    for (const auto& [colour, width] :
-         {std::pair{QColor(Qt::black), 3.5}, std::pair{measured, 1.6}}) {
-        painter.setPen(QPen(colour, width));
-        painter.drawPolyline(line);
-        for (const QPointF& end : line) painter.drawEllipse(end, 2.0, 2.0);
-    }
+    paint_line(painter, line);
     const QPointF beside = line.back() + QPointF(7, -5);
     write_shaded(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
                  Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
@@ -239,8 +262,20 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     if (measuring())
         measure(to_mm(last_));
+    else if (drawing())
+        set_place(to_mm(last_));
     else
         scene_.set_crosshair(to_mm(last_));
+}
+
+// The other slices follow, where the vessel goes on.
+void SliceView::set_place(const Vec3& position_mm) {
+    scene_.set_crosshair(position_mm);
+    scene_.pen().add(scene_.crosshair_mm());
+}
+
+void SliceView::say(const std::string& text) const {
+    if (!text.empty() && say_) say_(QString::fromStdString(text));
 }
 
 void SliceView::measure(const Vec3& position_mm) {
@@ -248,8 +283,7 @@ void SliceView::measure(const Vec3& position_mm) {
     const Vec3 origin = slices.to_mm(Vec3::Zero());
     const SlicePlane plane{(slices.to_mm(Vec3::UnitZ()) - origin).normalized(),
                            (slices.to_mm(Vec3::UnitX()) - origin).normalized()};
-    const std::string told = scene_.measurements().add_point(position_mm, plane, scene_.tree());
-    if (!told.empty() && say_) say_(QString::fromStdString(told));
+    say(scene_.measurements().add_point(position_mm, plane, scene_.tree()));
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
@@ -257,7 +291,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     const QPointF moved = at - std::exchange(last_, at);
     if (event->buttons() & Qt::LeftButton) {
-        if (!measuring()) scene_.set_crosshair(to_mm(at));
+        if (!measuring() && !drawing()) scene_.set_crosshair(to_mm(at));
     } else if (event->buttons() & Qt::RightButton) {
         const GreyWindow& window = scene_.window();
         scene_.set_window({window.level_hu + hu_per_point * moved.y(),
@@ -270,7 +304,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (measuring()) return;  // its second click sets no point on top of the first
+    if (measuring() || drawing()) return;  // its second click sets no point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }
 
@@ -295,33 +329,35 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     step((event->modifiers() & Qt::ShiftModifier) ? 10 * whole : whole);
 }
 
-bool SliceView::measures_with(const QKeyEvent& event) const {
+bool SliceView::sets_points_with(const QKeyEvent& event) const {
     if (event.modifiers() & ~Qt::KeypadModifier) return false;
     switch (event.key()) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
         case Qt::Key_Escape:
-            return measuring();
+            return measuring() || drawing();
         // Also where nothing is left: one press too many must not remove the drug or reset the
         // play.
         case Qt::Key_Delete:
         case Qt::Key_Backspace:
-            return measuring() || !scene_.measurements().made().empty();
+            return measuring() || drawing() || !scene_.measurements().made().empty();
         default:
             return false;
     }
 }
 
-// Keys of measuring come before the window's own.
+// Keys of measuring and drawing come before the window's own.
 bool SliceView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && measures_with(*static_cast<QKeyEvent*>(event)))
+    if (event->type() == QEvent::ShortcutOverride &&
+        sets_points_with(*static_cast<QKeyEvent*>(event)))
         event->accept();
     return QWidget::event(event);
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
     if (scene_.empty()) return QWidget::keyPressEvent(event);
-    if (measures_with(*event)) return measure_by_key(event->key());
+    if (sets_points_with(*event))
+        return drawing() ? draw_by_key(event->key()) : measure_by_key(event->key());
     switch (event->key()) {
         case Qt::Key_PageUp:
             return step(1);
@@ -347,6 +383,18 @@ void SliceView::measure_by_key(int key) {
         scene_.measurements().remove_last();
     else
         measure(scene_.crosshair_mm());
+}
+
+void SliceView::draw_by_key(int key) {
+    VesselPen& pen = scene_.pen();
+    if (key == Qt::Key_Escape)
+        pen.give_up();
+    else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
+        pen.remove_last();
+    else if (!pen.places_mm().empty() && pen.places_mm().back() == scene_.crosshair_mm())
+        say(pen.finish());
+    else
+        set_place(scene_.crosshair_mm());
 }
 
 void SliceView::step(int slices) {

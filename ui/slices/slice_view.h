@@ -6,7 +6,8 @@
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
 // While something is being measured a left click, or Enter at the crosshair, sets a point of it;
-// Delete takes the last one away, Escape ends measuring.
+// Delete takes the last one away, Escape ends measuring. While a vessel is drawn a left click takes
+// the crosshair there, too, and Enter where the last place is draws the vessel.
 #pragma once
 
 #include <QImage>
@@ -53,10 +54,17 @@ class SliceView : public QWidget {
     // The crosshair within its slice, by voxels.
     void nudge(int columns, int rows);
     double points_per_mm() const;
-    bool measures_with(const QKeyEvent& event) const;
+    bool sets_points_with(const QKeyEvent& event) const;
     void measure_by_key(int key);
+    void draw_by_key(int key);
+    void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
+    bool drawing() const { return scene_.pen().taken(); }
     void measure(const Vec3& position_mm);
+    void say(const std::string& text) const;
+    bool is_here(const Vec3& point_mm, double reach_mm) const;
+    void paint_line(QPainter& painter, const QPolygonF& line) const;
+    void paint_pen(QPainter& painter) const;
     void paint_measurement(QPainter& painter, const Measurement& measurement) const;
     void paint_measurements(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;

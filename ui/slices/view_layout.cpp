@@ -31,6 +31,8 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       view_(view) {
     build(view);
     scene_.on_change([this] { mark_crosshair(); });
+    scene_.pen().on_draw(
+        [this](const std::vector<Vec3>& places) { return callbacks_.draw(scene_.ct(), places); });
     arrange();
 }
 
