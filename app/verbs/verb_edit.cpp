@@ -10,7 +10,9 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/text_file.h"
+#include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
+#include "core/tree/editing/vessel_tracing.h"
 
 namespace hepatica {
 
@@ -22,6 +24,8 @@ struct EditChoices {
     fs::path patient;
     fs::path edits;
     fs::path out;
+    std::vector<double> places;  // of a vessel to draw, three numbers each
+    fs::path ct;
     double accept = std::numeric_limits<double>::infinity();
     double refuse_below = -1.0;
     std::vector<int> accepted, refused, offered;  // numbers of bridges, from 1
@@ -82,6 +86,18 @@ void decide_bridges(const EditChoices& options, PatientCase& patient,
     }
 }
 
+// Along the places that were given.
+TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Job& job) {
+    if (options.places.size() % 3 != 0)
+        throw UsageError(std::to_string(options.places.size()) + " numbers are no places", "--draw",
+                         "Give X,Y,Z in mm for each place, two or more");
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < options.places.size(); i += 3)
+        places.emplace_back(options.places[i], options.places[i + 1], options.places[i + 2]);
+    const Volume ct = image_of(patient, options.ct, job);
+    return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree)));
+}
+
 // What the case's edits become: some of the last taken back, then the file's, then bridges.
 PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
     std::vector<TreeEdit> edits = patient.corrections.edits;
@@ -92,6 +108,10 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
     if (!options.edits.empty()) {
         const std::vector<TreeEdit> more = edits_in(options.edits);
         edits.insert(edits.end(), more.begin(), more.end());
+    }
+    if (!options.places.empty()) {
+        const PatientCase now = with_edited_tree(patient, edits);
+        edits.push_back(drawn_vessel(options, now, job));
     }
     decide_bridges(options, patient, edits);
     if (options.accept <= 1.0) {
@@ -115,7 +135,7 @@ Json bridges_of(const PatientCase& patient) {
 
 Json run_edit(const EditChoices& options, Job& job) {
     if (!options.out.empty()) require_case_place(options.out);
-    job.expect_stages(options.list ? 1 : 4);
+    job.expect_stages(options.list ? 1 : options.places.empty() ? 4 : 5);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
     const std::size_t before = patient.corrections.edits.size();
@@ -144,6 +164,13 @@ void add_edit(CommandLine& line) {
                       [options](Job& job) { return run_edit(*options, job); });
     verb.add_option("case", options->patient, "Case to correct")->required();
     verb.add_option("--edits", options->edits, "JSON array of edits, made after those it holds");
+    CLI::Option* draw =
+        verb.add_option("--draw", options->places,
+                        "Draw a vessel through these places of the CT, X,Y,Z,X,Y,Z,... in mm, from "
+                        "where its blood comes in")
+            ->delimiter(',');
+    verb.add_option("--ct", options->ct, "CT of the case, for --draw: a folder or a file")
+        ->needs(draw);
     verb.add_option("--undo", options->undo, "Take back so many of the last edits first")
         ->check(CLI::NonNegativeNumber);
     verb.add_option("--accept-bridges", options->accept,

@@ -13,6 +13,7 @@
 #include "core/image/volume_writer.h"
 #include "core/patient/image_digest.h"
 #include "tests/patient/parted_patient.h"
+#include "tests/support/tube_ct.h"
 #include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -167,19 +168,8 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
 
 // A vessel that the tree lacks, bright in the CT, from the trunk of the tree of test_trees.h.
 TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
-    const Vec3 begin(1, 10, 1.5), end(34, 4, 1.5);
-    Volume ct;
-    ct.grid.dims = {96, 60, 12};
-    ct.grid.spacing_mm = Vec3(0.6, 0.6, 1.5);
-    ct.grid.origin_mm = Vec3(-15, -10, -6);
-    ct.voxels.resize(ct.grid.count());
-    for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
-        const auto [x, y, z] = ct.grid.index_of(i);
-        const Vec3 p = ct.grid.to_mm(x, y, z);
-        const double share =
-            std::clamp((p - begin).dot(end - begin) / (end - begin).squaredNorm(), 0.0, 1.0);
-        ct.voxels[i] = (p - begin - share * (end - begin)).norm() < 1.8 ? 180 : 100;
-    }
+    const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
+    const Volume ct = test::tube_ct();
     const auto file = to_path(folder_.filePath("ct.nii.gz"));
     write_nifti(file, ct);
     auto shown = std::make_shared<PatientCase>(*window_.workspace().patient());

@@ -156,6 +156,8 @@ TEST(TracedVessel, FindsTheBranchesOfSyntheticPatients) {
     }
     ASSERT_GE(branches, 15);
     RecordProperty("branches", branches);
+    RecordProperty("off_mm", std::to_string(off_sum / off_count));
+    RecordProperty("radius_bias", std::to_string(bias / branches));
     EXPECT_LT(off_sum / off_count, 0.5);  // 0.33 when this was written
     EXPECT_EQ(far, 0);
     EXPECT_LT(std::abs(bias / branches), 0.12);  // -0.055
