@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 
 #include "app/back_end_choice.h"
@@ -20,6 +21,22 @@ struct SceneChoices {
 // A scene file names its case; a case alone stands for the default scene.
 SceneFile scene_of(const std::filesystem::path& file) {
     return is_case(file) ? SceneFile{default_scene(), file} : read_scene(file);
+}
+
+// What tools and tears need is built with the body: it weighs what the body weighs more than
+// without. What it adds to a frame is in the body's.
+Json part_of_body(const char* name, const std::shared_ptr<const PatientCase>& patient,
+                  const SceneSpec& with, const SceneSpec& without, const DeformBackEnd& back_end) {
+    const auto weigh_body = [&](const SceneSpec& spec) {
+        Job job;
+        const World world(patient, spec, job, back_end);
+        return *std::ranges::find(world.parts(), "deform", &PartCost::name);
+    };
+    const PartCost heavy = weigh_body(with), light = weigh_body(without);
+    return {{"name", name},
+            {"bytes", heavy.bytes > light.bytes ? heavy.bytes - light.bytes : 0},
+            {"ms", nullptr},
+            {"build_ms", std::max(0.0, heavy.build_ms - light.build_ms)}};
 }
 
 // Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
@@ -50,6 +67,16 @@ Json run_scene(const SceneChoices& options, Job& job) {
                          {"bytes", part.bytes},
                          {"ms", frame_ms[p]},
                          {"build_ms", part.build_ms}});
+    }
+    if (scene.spec.contact && scene.spec.contact->tools) {
+        SceneSpec without = scene.spec;
+        without.contact->tools = false;
+        parts.push_back(part_of_body("tools", patient, scene.spec, without, back_end.back_end));
+    }
+    if (scene.spec.tear) {
+        SceneSpec without = scene.spec;
+        without.tear.reset();
+        parts.push_back(part_of_body("tear", patient, scene.spec, without, back_end.back_end));
     }
     return {{"scene", scene.spec.name},
             {"case", scene.patient.string()},

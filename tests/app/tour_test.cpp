@@ -288,6 +288,19 @@ TEST_F(Tour, SceneListsTheParts) {
         for (const char* key : {"name", "bytes", "ms"}) EXPECT_TRUE(part.contains(key));
 }
 
+TEST_F(Tour, SceneListsWhatToolsSelfContactAndTearsAddToTheBody) {
+    std::ofstream(path("all.json"))
+        << R"({"case": "p.hep", "deform": {"quality": 0}, "contact": {}, "tear": {}})";
+    const Json scene = answer({"scene", path("all.json")});
+    std::vector<std::string> names;
+    for (const Json& part : scene["parts"]) {
+        names.push_back(part["name"]);
+        EXPECT_GT(part["bytes"], 0) << part.dump();
+    }
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"shape", "deform", "self-contact", "tools", "tear"}));
+}
+
 TEST_F(Tour, DiagnoseAnswers) {
     EXPECT_TRUE(answer({"diagnose"}).contains("libraries"));
 }
