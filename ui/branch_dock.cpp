@@ -67,6 +67,7 @@ BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
     colours_->setObjectName("segmentColours");
     colours_->setToolTip("Branches of the portal vein in the colours of Couinaud's segments");
     note_->setObjectName("quiet");
+    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* save = new QPushButton("Save as CSV…");
     save->setObjectName("saveBranches");
     row->addWidget(colours_);

@@ -85,6 +85,12 @@ QDockWidget* make_dock(QMainWindow& window, const QString& title, QWidget* conte
     return dock;
 }
 
+// In front of what shares its place, or not at all.
+void show_dock(QDockWidget& dock, bool visible) {
+    dock.setVisible(visible);
+    if (visible) dock.raise();
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Settings& settings, Patients patients,
@@ -220,7 +226,8 @@ void MainWindow::build_branches() {
     callbacks.save = [this](const std::string& csv) { save_table("branches", csv); };
     callbacks.failed = [this](const Failure& failure) { fail("Liver segments", failure); };
     branches_ = new BranchDock(std::move(callbacks), this);
-    addDockWidget(Qt::BottomDockWidgetArea, branches_);
+    // One behind the other: side by side both are wider than a small screen.
+    tabifyDockWidget(curves_, branches_);
     branches_->hide();
 }
 
@@ -439,11 +446,11 @@ void MainWindow::connect_views() {
                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     QAction& branches = (*actions_)[ActionId::toggle_branches];
     actions_->on(ActionId::toggle_branches,
-                 [this, &branches] { branches_->setVisible(branches.isChecked()); });
+                 [this, &branches] { show_dock(*branches_, branches.isChecked()); });
     connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
     QAction& plots = (*actions_)[ActionId::toggle_plots];
     actions_->on(ActionId::toggle_plots,
-                 [this, &plots] { curves_->setVisible(plots.isChecked()); });
+                 [this, &plots] { show_dock(*curves_, plots.isChecked()); });
     connect(curves_, &QDockWidget::visibilityChanged, &plots, &QAction::setChecked);
     QAction& panels = (*actions_)[ActionId::toggle_panels];
     panels.setChecked(true);

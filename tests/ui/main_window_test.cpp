@@ -2,11 +2,13 @@
 // The window driven as a person does: mouse, keys, drops. Runs under Xvfb.
 #include "ui/main_window.h"
 
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "tests/ui/fake_window_test.h"
@@ -154,6 +156,28 @@ TEST_F(Window, keys_choose_the_tool_and_turn_the_view) {
 TEST_F(Window, the_middle_of_the_window_cannot_float) {
     EXPECT_TRUE(window_.centralWidget()->isAncestorOf(&window_.view()));
     EXPECT_FALSE(window_.view().isWindow());
+}
+
+// Side by side they would make the window wider than a small screen.
+TEST_F(Window, CurvesAndBranchesStandOneBehindTheOther) {
+    const auto dock = [this](const QString& title) -> QDockWidget& {
+        for (auto* one : window_.findChildren<QDockWidget*>())
+            if (one->windowTitle() == title) return *one;
+        throw std::runtime_error("there is no such dock");
+    };
+    const auto in_front = [](const QDockWidget& one) { return !one.visibleRegion().isEmpty(); };
+    open_built_in();
+    QTest::keyClick(&window_, Qt::Key_F6);
+    ASSERT_TRUE(testing::wait_for([&] { return in_front(dock("Branches")); }));
+    QTest::keyClick(&window_, Qt::Key_F8);
+    ASSERT_TRUE(testing::wait_for([&] { return in_front(dock("Curves")); }));
+    EXPECT_FALSE(in_front(dock("Branches")));
+    EXPECT_LE(window_.minimumSizeHint().width(), 1280);
+    QTest::keyClick(&window_, Qt::Key_F6);  // to the front again
+    ASSERT_TRUE(testing::wait_for([&] { return in_front(dock("Branches")); }));
+    QTest::keyClick(&window_, Qt::Key_F6);  // away
+    ASSERT_TRUE(testing::wait_for([&] { return in_front(dock("Curves")); }));
+    EXPECT_TRUE(dock("Branches").isHidden());
 }
 
 }  // namespace
