@@ -112,6 +112,8 @@ constexpr std::array table{
     ActionSpec{theme_light, "&View", "L&ight", "", "Light, for lecture rooms and print", true},
     ActionSpec{theme_high_contrast, "&View", "&High contrast", "",
                "Black and white, for eyes that need more contrast", true},
+    ActionSpec{guide, "&Help", "&Guide", "Shift+F1",
+               "How to load a patient, correct the vessels, practise and make lessons"},
     ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
     ActionSpec{messages, "&Help", "&Messages", "F2",
                "What was warned of and what failed since the program began"},

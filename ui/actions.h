@@ -67,6 +67,7 @@ enum class ActionId {
     theme_dark,
     theme_light,
     theme_high_contrast,
+    guide,
     cheat_sheet,
     messages,
     about,

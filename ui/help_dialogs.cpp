@@ -7,8 +7,19 @@
 #include <QVBoxLayout>
 
 #include "ui/actions.h"
+#include "ui/guide.h"
 
 namespace hepatica {
+
+void show_guide(QWidget& parent) {
+    auto* guide = parent.findChild<QDialog*>("guide");
+    if (guide == nullptr) {
+        guide = new Guide(&parent);
+        guide->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    guide->show();
+    guide->raise();
+}
 
 void show_cheat_sheet(QWidget& parent) {
     auto* sheet = new QDialog(&parent);

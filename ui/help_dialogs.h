@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys and mouse gestures, and what program this is.
+// The guide, keys and mouse gestures, and what program this is.
 #pragma once
 
 #include <QString>
@@ -8,6 +8,8 @@ class QWidget;
 
 namespace hepatica {
 
+// One at a time.
+void show_guide(QWidget& parent);
 void show_cheat_sheet(QWidget& parent);
 void show_about(QWidget& parent, const QString& renderer);
 

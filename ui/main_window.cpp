@@ -463,6 +463,7 @@ void MainWindow::connect_views() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
+    actions_->on(ActionId::guide, [this] { show_guide(*this); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
     actions_->on(ActionId::messages, [this] { log_->show(); });
     actions_->on(ActionId::about,

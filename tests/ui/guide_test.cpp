@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guide inside the program: its pages are there, lead to each other, and name nothing that the
+// menus do not have.
+#include "ui/guide.h"
+
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <set>
+#include <string>
+
+#include "core/base/program_files.h"
+#include "tests/ui/fake_window_test.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+std::set<QString> pages() {
+    std::set<QString> names;
+    for (const auto& entry : std::filesystem::directory_iterator(asset("guide")))
+        if (entry.path().extension() == ".md") names.insert(to_text(entry.path().filename()));
+    return names;
+}
+
+QString text_of(const QString& page) {
+    QFile file(to_text(asset("guide") / page.toStdString()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << page.toStdString();
+    return QString::fromUtf8(file.readAll());
+}
+
+std::vector<QString> all_matches(const QString& pattern, const QString& text) {
+    std::vector<QString> found;
+    auto matches = QRegularExpression(pattern).globalMatch(text);
+    while (matches.hasNext()) found.push_back(matches.next().captured(1));
+    return found;
+}
+
+class GuidePages : public testing::FakeWindowTest {
+  protected:
+    // As a person reads them, "Menu > Entry".
+    std::set<QString> menu_entries() {
+        std::set<QString> entries;
+        const auto plain = [](QString text) { return text.remove('&').remove(QChar(0x2026)); };
+        for (const QAction* menu : window_.menuBar()->actions())
+            for (const QAction* entry : menu->menu()->actions())
+                entries.insert(plain(menu->text()) + " > " + plain(entry->text()));
+        return entries;
+    }
+};
+
+TEST(GuideFiles, EveryLinkAndPictureIsThereAndEveryPageIsReached) {
+    std::set<QString> reached{"index.md"};
+    for (const QString& page : pages()) {
+        const QString text = text_of(page);
+        for (const QString& link : all_matches(R"(\]\(([^)]+)\))", text)) {
+            EXPECT_TRUE(std::filesystem::exists(asset("guide") / link.toStdString()))
+                << page.toStdString() << " leads to " << link.toStdString();
+            reached.insert(link);
+        }
+    }
+    for (const QString& page : pages())
+        EXPECT_TRUE(reached.contains(page)) << page.toStdString() << " is reached by no link";
+}
+
+TEST_F(GuidePages, NameNoMenuEntryThatIsNotThere) {
+    const std::set<QString> entries = menu_entries();
+    int named = 0;
+    for (const QString& page : pages())
+        for (const QString& entry : all_matches(R"(\*([A-Z][a-z]+ > [^*]+)\*)", text_of(page))) {
+            ++named;
+            EXPECT_TRUE(entries.contains(entry))
+                << page.toStdString() << " names " << entry.toStdString();
+        }
+    EXPECT_GT(named, 8);
+}
+
+TEST_F(GuidePages, OpenFromTheMenuAndLeadToEachOtherAndBack) {
+    QTest::keyClick(&window_, Qt::Key_F1, Qt::ShiftModifier);
+    auto* guide = window_.findChild<QDialog*>("guide");
+    ASSERT_NE(guide, nullptr);
+    QTextBrowser& browser = static_cast<Guide*>(guide)->browser();
+    ASSERT_TRUE(testing::wait_for([&] { return guide->isVisible(); }));
+    EXPECT_TRUE(browser.toPlainText().startsWith("Guide"));
+    for (const QString& page : pages()) {
+        static_cast<Guide*>(guide)->show_page(page);
+        const QString title = text_of(page).section('\n', 0, 0).mid(2);
+        EXPECT_TRUE(browser.toPlainText().startsWith(title)) << page.toStdString();
+    }
+    static_cast<Guide*>(guide)->show_page("index.md");
+    // The first link, by keys alone.
+    QTest::keyClick(&browser, Qt::Key_Tab);
+    QTest::keyClick(&browser, Qt::Key_Return);
+    EXPECT_TRUE(browser.toPlainText().startsWith("The first five minutes"));
+    browser.backward();
+    EXPECT_TRUE(browser.toPlainText().startsWith("Guide"));
+    window_.actions()[ActionId::guide].trigger();  // one at a time
+    EXPECT_EQ(window_.findChildren<QDialog*>("guide").size(), 1);
+}
+
+}  // namespace
+}  // namespace hepatica
