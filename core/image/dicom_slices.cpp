@@ -142,6 +142,8 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     const std::vector<double> frames = header.numbers(0x0028, 0x0008);
     if (!frames.empty() && frames[0] > 1.0)
         slice.frames = static_cast<int>(std::min(frames[0], 1e6));
+    const std::vector<double> tilt = header.numbers(0x0018, 0x1120);
+    if (tilt.size() == 1 && std::isfinite(tilt[0])) slice.stated_tilt_degrees = tilt[0];
     read_geometry(header, slice);
     read_pixel_format(header, slice);
     return slice;

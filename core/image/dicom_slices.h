@@ -33,11 +33,12 @@ struct DicomSlice {
     int rows = 0;
     int columns = 0;
     bool has_geometry = false;  // position, orientation and pixel spacing are there and are numbers
-    Vec3 position_mm = Vec3::Zero();  // centre of the first pixel, LPS
-    Vec3 row_axis = Vec3::Zero();     // along a row, towards the next column
-    Vec3 column_axis = Vec3::Zero();  // down a column, towards the next row
-    double row_spacing_mm = 0.0;      // between rows
-    double column_spacing_mm = 0.0;   // between columns
+    Vec3 position_mm = Vec3::Zero();   // centre of the first pixel, LPS
+    Vec3 row_axis = Vec3::Zero();      // along a row, towards the next column
+    Vec3 column_axis = Vec3::Zero();   // down a column, towards the next row
+    double row_spacing_mm = 0.0;       // between rows
+    double column_spacing_mm = 0.0;    // between columns
+    double stated_tilt_degrees = 0.0;  // of the gantry; positions and orientations are believed
 
     // How the pixels are stored.
     int bits_allocated = 0;

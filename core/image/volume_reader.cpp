@@ -103,12 +103,12 @@ bool is_dicom(const fs::path& path) {
            is_dicom_file(path);
 }
 
-Volume read_dicom_at(const fs::path& path, int series, std::int16_t padding_value, Job& job,
-                     ReadRemarks& remarks) {
-    if (fs::is_directory(path)) return read_dicom(path, {{}, series}, padding_value, job, remarks);
+// A folder, one file of a series, or a DICOMDIR.
+Volume read_dicom_at(const fs::path& path, DicomWish wish, Job& job, ReadRemarks& remarks) {
+    if (fs::is_directory(path)) return read_dicom(path, wish, job, remarks);
     const fs::path file = fs::absolute(path);
-    const fs::path member = is_dicom_file(file) ? file : fs::path();
-    return read_dicom(file.parent_path(), {member, series}, padding_value, job, remarks);
+    if (is_dicom_file(file)) wish.series.member = file;
+    return read_dicom(file.parent_path(), wish, job, remarks);
 }
 
 // Which values belong to a mask.
@@ -143,7 +143,8 @@ Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks, int ser
     job.begin_stage("Reading the images");
     ReadRemarks unheard;
     ReadRemarks& heard = remarks != nullptr ? *remarks : unheard;
-    if (is_dicom(path)) return read_dicom_at(path, series, air_hu, job, heard);
+    if (is_dicom(path))
+        return read_dicom_at(path, {{{}, series}, air_hu, BetweenPixels::linear}, job, heard);
     if (series != 0)
         throw InputError("is one image and holds no series", path.string(),
                          "Leave --series out, or give a DICOM folder");
@@ -197,7 +198,8 @@ Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     Mask mask;
     if (is_dicom(path)) {
         ReadRemarks unheard;
-        const Volume volume = read_dicom_at(path, 0, 0, job, unheard);
+        const Volume volume =
+            read_dicom_at(path, {{{}, 0}, 0, BetweenPixels::nearest}, job, unheard);
         mask = Mask(volume.grid);
         std::ranges::transform(volume.voxels, mask.voxels.begin(), [&](std::int16_t value) {
             return static_cast<std::uint8_t>(wanted(value) ? 1 : 0);
