@@ -22,6 +22,7 @@
 #include "core/base/parallel.h"
 #include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
+#include "core/image/dicom_frames.h"
 #include "core/image/dicom_rle.h"
 #include "core/image/dicom_series.h"
 #include "core/image/memory_limit.h"
@@ -73,7 +74,7 @@ std::vector<char> read_plain(const DicomSlice& slice, std::size_t bytes) {
     if (slice.pixel_bytes < bytes) reject(slice.file, "has fewer pixels than its header claims");
     std::vector<char> buffer(bytes);
     const bool deflated = slice.deflated_at > 0;
-    ByteStream stream(slice.file, deflated ? slice.deflated_at : slice.pixel_offset,
+    ByteStream stream(slice.pixel_file, deflated ? slice.deflated_at : slice.pixel_offset,
                       deflated ? Encoding::bare_deflated : Encoding::raw);
     if (deflated) stream.skip(slice.pixel_offset);
     stream.read(buffer.data(), bytes);
@@ -87,7 +88,7 @@ std::vector<Fragment> read_fragments(const DicomSlice& slice) {
     std::vector<Fragment> fragments;
     for (const FileRange& range : slice.fragments) {
         fragments.emplace_back(range.bytes);
-        ByteStream(slice.file, range.offset, Encoding::raw)
+        ByteStream(slice.pixel_file, range.offset, Encoding::raw)
             .read(fragments.back().data(), range.bytes);
     }
     return fragments;
@@ -278,8 +279,9 @@ void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& st
 Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
-    const OrderedSeries series = order_slices(
-        choose_series(find_dicom_slices(folder, job, remarks), wish.series, folder, remarks));
+    SplitFrames split;  // holds the frames of enhanced files until they are read
+    const OrderedSeries series = order_slices(split.split(
+        choose_series(find_dicom_slices(folder, job, remarks), wish.series, folder, remarks), job));
     remark_on_values(series.slices, remarks);
     remark_on_tilt(series, remarks);
     require_room(series.slices.front());

@@ -60,7 +60,8 @@ void require_same_frame(const DicomSlice& slice, const DicomSlice& first) {
 void require_sound_slice(const DicomSlice& slice) {
     if (slice.frames > 1)
         reject(slice, "holds " + std::to_string(slice.frames) +
-                          " frames in one file (enhanced CT), which this program does not read");
+                          " frames in one file and is no enhanced CT, the only kind of many frames "
+                          "that this program reads");
     if (!slice.problem.empty()) reject(slice, slice.problem);
     if (!slice.has_geometry) reject(slice, "has no position, orientation or pixel spacing");
     const auto is_unit = [](const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-2; };

@@ -126,9 +126,14 @@ std::string description_of(const DicomHeader& header) {
     return text;
 }
 
+// Enhanced CT Image Storage, and Legacy Converted Enhanced CT Image Storage.
+bool is_enhanced_ct(const std::string& sop_class) {
+    return sop_class == "1.2.840.10008.5.1.4.1.1.2.1" || sop_class == "1.2.840.10008.5.1.4.1.1.2.2";
+}
+
 DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     DicomSlice slice;
-    slice.file = file;
+    slice.file = slice.pixel_file = file;
     slice.rows = header.unsigned_short(0x0028, 0x0010);
     slice.columns = header.unsigned_short(0x0028, 0x0011);
     slice.series_key = series_key(header, slice);
@@ -136,6 +141,7 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     slice.modality = header.text(0x0008, 0x0060);
     slice.image_type = header.text(0x0008, 0x0008);
     slice.localizer = slice.image_type.find("LOCALIZER") != std::string::npos;
+    slice.enhanced = is_enhanced_ct(header.text(0x0008, 0x0016));
     slice.kernel = header.text(0x0018, 0x1210);
     slice.contrast_agent = !header.text(0x0018, 0x0010).empty();
     slice.acquisition = header.text(0x0020, 0x0012);
@@ -223,6 +229,12 @@ bool can_be_opened(const fs::path& file) {
 
 Vec3 DicomSlice::normal() const {
     return row_axis.cross(column_axis).normalized();
+}
+
+std::optional<DicomSlice> read_dicom_slice(const fs::path& file) {
+    const std::optional<DicomHeader> header = read_dicom_header(file);
+    if (!header || !header->has_pixels) return std::nullopt;
+    return slice_of(file, *header);
 }
 
 std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, ReadRemarks& remarks) {

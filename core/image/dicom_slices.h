@@ -17,10 +17,11 @@
 namespace hepatica {
 
 struct DicomSlice {
-    std::filesystem::path file;
-    std::string series_key;       // equal for slices of one series
-    std::string description;      // of the series, for the user
-    std::string modality;         // "CT", "MR" ...; may be blank
+    std::filesystem::path file;        // as the user is told of it
+    std::filesystem::path pixel_file;  // that its pixels are read from: the same, but of a frame
+    std::string series_key;            // equal for slices of one series
+    std::string description;           // of the series, for the user
+    std::string modality;              // "CT", "MR" ...; may be blank
     std::string kernel;           // of the CT's reconstruction, as its maker calls it; may be blank
     std::string image_type;       // ORIGINAL\\PRIMARY\\AXIAL ...
     bool contrast_agent = false;  // one is named
@@ -29,6 +30,7 @@ struct DicomSlice {
     // header, told only where the slice belongs to the series that is read.
     std::string problem;
     bool localizer = false;  // a scout view
+    bool enhanced = false;   // of a kind whose frames SplitFrames makes slices of
     int frames = 1;
     int rows = 0;
     int columns = 0;
@@ -63,6 +65,9 @@ struct DicomSlice {
     Vec3 normal() const;
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
+
+// One file as a slice, or nothing where it is no DICOM image.
+std::optional<DicomSlice> read_dicom_slice(const std::filesystem::path& file);
 
 // Looks at every file below `folder`; what is not a DICOM image is passed over, and what cannot be
 // listed or opened is named in `remarks`. Reports the first half of the stage's progress.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a file cannot be split into its frames, and what its owner can do about it: the two lines
+// that the helper leaves on standard error.
+#pragma once
+
+#include <string>
+
+namespace hepatica::dicom_frames {
+
+struct Refusal {
+    std::string problem;
+    std::string remedy = "Export the series again as classic CT slices, one file a slice";
+};
+
+}  // namespace hepatica::dicom_frames
