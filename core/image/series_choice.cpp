@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double thickest_good_mm = 3.0;   // between slices; beyond it thin vessels are lost
+constexpr double thickest_good_mm = 3.0;     // between slices; beyond it thin vessels are lost
+constexpr double least_axial_cosine = 0.86;  // with the body's axis: gantries tilt by 30 degrees
 constexpr double enough_of_longest = 0.5;  // of the longest series: shorter ones are bolus tracking
 
 bool holds_any(const std::string& text, std::initializer_list<const char*> parts) {
@@ -96,7 +97,9 @@ struct Series {
     // Its extent and spacing are not known until its file is split into frames.
     bool is_enhanced() const { return first().enhanced; }
     bool is_ct() const { return first().modality == "CT" || first().modality.empty(); }
-    bool is_axial() const { return !first().has_geometry || std::abs(first().normal().z()) > 0.9; }
+    bool is_axial() const {
+        return !first().has_geometry || std::abs(first().normal().z()) > least_axial_cosine;
+    }
     bool is_projection() const {
         return holds_any(lower_case(first().image_type + first().description),
                          {"mip", "mpr thick", "projection", "screen save", "dose"});
