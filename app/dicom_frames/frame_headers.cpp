@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dicom_frames/frame_headers.h"
 
-#include <memory>
+#include <cstdlib>
 #include <string>
 
 #include "app/dicom_frames/refusal.h"
@@ -22,6 +22,7 @@ const std::vector<MovedValue>& moved_values() {
         {DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient},
         {DCM_PixelMeasuresSequence, DCM_PixelSpacing},
         {DCM_PixelMeasuresSequence, DCM_SliceThickness},
+        {DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices},
         {DCM_PixelValueTransformationSequence, DCM_RescaleIntercept},
         {DCM_PixelValueTransformationSequence, DCM_RescaleSlope},
         {DCM_CTAcquisitionDetailsSequence, DCM_GantryDetectorTilt}};
@@ -71,7 +72,6 @@ FrameHeaders::FrameHeaders(DcmDataset& file) : file_(file) {
     if (frames_.size() != static_cast<std::size_t>(stated))
         throw Refusal{"states " + std::to_string(stated) + " frames (0028,0008), but describes " +
                       std::to_string(frames_.size()) + " (5200,9230)"};
-    require_one_stack();
 }
 
 OFString FrameHeaders::value(std::size_t frame, const DcmTagKey& sequence,
@@ -96,6 +96,16 @@ void FrameHeaders::require_one_stack() const {
                               "Export each of them as a series of its own"};
         }
     }
+}
+
+Uint16 FrameHeaders::segment_of(std::size_t frame) const {
+    const OFString text =
+        value(frame, DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
+    const int number = std::atoi(text.c_str());
+    if (number < 1 || number > 65535)
+        throw Refusal{"frame " + std::to_string(frame + 1) + " names no segment (0062,000b)",
+                      "Export the segmentation as NIfTI or NRRD"};
+    return static_cast<Uint16>(number);
 }
 
 void FrameHeaders::describe(std::size_t frame, DcmDataset& slice) const {

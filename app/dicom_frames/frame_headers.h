@@ -12,12 +12,15 @@ namespace hepatica::dicom_frames {
 
 class FrameHeaders {
   public:
-    // Throws Refusal where the number of frames is none or the groups are not one of each frame,
-    // and where the frames are several stacks or several points in time. The data set must outlive
-    // it.
+    // Throws Refusal where the number of frames is none or the groups are not one of each frame.
+    // The data set must outlive it.
     explicit FrameHeaders(DcmDataset& file);
 
     std::size_t count() const { return frames_.size(); }
+    // Throws Refusal where the frames are several stacks or several points in time.
+    void require_one_stack() const;
+    // The segment that a frame of a segmentation shows; throws Refusal where none is named.
+    Uint16 segment_of(std::size_t frame) const;
     // Sets position, orientation, spacing, rescale, tilt and the format of the pixels of a frame
     // counted from 0. What the file does not state is left out.
     void describe(std::size_t frame, DcmDataset& slice) const;
@@ -25,7 +28,6 @@ class FrameHeaders {
   private:
     // The value of an element of a sequence of the groups as text; "" where it is missing.
     OFString value(std::size_t frame, const DcmTagKey& sequence, const DcmTagKey& element) const;
-    void require_one_stack() const;
 
     DcmDataset& file_;
     DcmItem* shared_ = nullptr;

@@ -9,7 +9,8 @@ namespace hepatica::dicom_frames {
 
 struct Refusal {
     std::string problem;
-    std::string remedy = "Export the series again as classic CT slices, one file a slice";
+    std::string remedy =
+        "Export it again as classic CT slices, one file a slice (a segmentation: as NIfTI or NRRD)";
 };
 
 }  // namespace hepatica::dicom_frames

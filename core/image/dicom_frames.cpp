@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/dicom_frames.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -27,7 +28,7 @@ namespace {
 
 constexpr const char* helper_name = "hepatica-dicom-frames";
 constexpr const char* export_remedy =
-    "Export the series again as classic CT slices, one file a slice";
+    "Export it again as classic CT slices, one file a slice (a segmentation: as NIfTI or NRRD)";
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
     throw InputError("cannot be split into its frames: " + what, file.string(), export_remedy);
@@ -46,11 +47,14 @@ ChildLimits limits_for(std::uint64_t file_bytes) {
     return {(std::uint64_t{1} << 30) + file_bytes, 60 + static_cast<int>(file_bytes >> 20)};
 }
 
-// The frames take about as much as the file, and a header each.
+// The frames take about as much as the file, those of a segmentation two bytes a pixel, and a
+// header each.
 void require_room(const fs::path& folder, const DicomSlice& file, std::uint64_t file_bytes) {
     constexpr std::uint64_t header_bytes = 4096;
+    const std::uint64_t label_bytes =
+        file.segmentation ? bytes_of(file.columns, file.rows, file.frames, 2) : 0;
     const std::uint64_t wanted =
-        file_bytes + header_bytes * static_cast<std::uint64_t>(file.frames);
+        std::max(file_bytes, label_bytes) + header_bytes * static_cast<std::uint64_t>(file.frames);
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
     if (!error && space.available < wanted)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enhanced multi-frame CT (DICOM PS3.3 A.38 and A.70): a whole series in one file. A helper
-// program, hepatica-dicom-frames (app/dicom_frames), writes its frames as classic slices among the
-// temporary files; it runs as a child process under limits, because it reads the file by DCMTK's
-// parser.
+// Enhanced multi-frame CT (DICOM PS3.3 A.38, A.70) and segmentations (A.51), a series in one file.
+// A helper, hepatica-dicom-frames (app/dicom_frames), writes their frames as classic slices: a
+// child process under limits, because it reads them by DCMTK's parser.
 #pragma once
 
 #include <filesystem>

@@ -171,7 +171,8 @@ void require_known_format(const DicomSlice& slice) {
         reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
 }
 
-// One slice in Hounsfield units, row by row.
+}  // namespace
+
 std::vector<double> read_pixels(const DicomSlice& slice) {
     require_known_format(slice);
     const std::size_t bytes = pixels_in(slice) * (slice.bits_allocated / 8);
@@ -182,6 +183,8 @@ std::vector<double> read_pixels(const DicomSlice& slice) {
     if (slice.bits_allocated == 16) return to_hu<std::uint16_t>(buffer, slice, swap);
     return to_hu<std::uint32_t>(buffer, slice, swap);
 }
+
+namespace {
 
 std::int16_t clamped(double hu) {
     constexpr double low = std::numeric_limits<std::int16_t>::min();

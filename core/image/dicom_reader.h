@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "core/base/job.h"
 #include "core/image/dicom_stack.h"
@@ -11,6 +12,10 @@
 #include "core/image/volume_reader.h"
 
 namespace hepatica {
+
+// One slice in Hounsfield units, row by row; NaN where it is padded. Throws InputError that names
+// the file where its pixels are damaged or of a kind that is not read.
+std::vector<double> read_pixels(const DicomSlice& slice);
 
 // What read_volume and read_mask want of a series.
 struct DicomWish {

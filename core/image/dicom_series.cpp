@@ -128,11 +128,15 @@ void require_even_gaps(const std::vector<DicomSlice>& slices) {
 
 }  // namespace
 
-OrderedSeries order_slices(std::vector<DicomSlice> series) {
-    for (const DicomSlice& slice : series) {
+void require_one_shape(const std::vector<DicomSlice>& slices) {
+    for (const DicomSlice& slice : slices) {
         require_sound_slice(slice);
-        require_same_frame(slice, series.front());
+        require_same_frame(slice, slices.front());
     }
+}
+
+OrderedSeries order_slices(std::vector<DicomSlice> series) {
+    require_one_shape(series);
     const Vec3 normal = series.front().normal();
     std::ranges::stable_sort(series, [&](const DicomSlice& a, const DicomSlice& b) {
         return a.position_mm.dot(normal) < b.position_mm.dot(normal);

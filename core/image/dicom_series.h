@@ -23,6 +23,10 @@ struct OrderedSeries {
     double tilt_degrees = 0.0;
 };
 
+// Throws InputError where sizes, spacings or orientations differ, or one of the slices lacks them
+// or cannot be read at all.
+void require_one_shape(const std::vector<DicomSlice>& slices);
+
 // Throws InputError where sizes, spacings or orientations differ, the series is sheared by more
 // than any gantry tilts, slices are missing or gaps uneven.
 OrderedSeries order_slices(std::vector<DicomSlice> series);

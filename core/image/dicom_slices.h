@@ -29,8 +29,9 @@ struct DicomSlice {
     // Why the slice's values cannot be read as Hounsfield units ("" where they can): found in the
     // header, told only where the slice belongs to the series that is read.
     std::string problem;
-    bool localizer = false;  // a scout view
-    bool enhanced = false;   // of a kind whose frames SplitFrames makes slices of
+    bool localizer = false;     // a scout view
+    bool enhanced = false;      // of a kind whose frames SplitFrames makes slices of
+    bool segmentation = false;  // one of these: see dicom_segmentation.h
     int frames = 1;
     int rows = 0;
     int columns = 0;
@@ -40,6 +41,7 @@ struct DicomSlice {
     Vec3 column_axis = Vec3::Zero();   // down a column, towards the next row
     double row_spacing_mm = 0.0;       // between rows
     double column_spacing_mm = 0.0;    // between columns
+    double stated_spacing_mm = 0.0;    // between slices (0018,0088); 0 where it is not stated
     double stated_tilt_degrees = 0.0;  // of the gantry; positions and orientations are believed
 
     // How the pixels are stored.

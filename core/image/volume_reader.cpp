@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
+#include "core/image/dicom_segmentation.h"
 #include "core/image/header_text.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
@@ -161,6 +162,9 @@ std::vector<SeriesDescription> list_series(const fs::path& folder, Job& job) {
 LabelMap read_label_map(const fs::path& path, Job& job) {
     require_existing(path);
     job.begin_stage("Reading the label map");
+    if (is_dicom_segmentation(path))
+        return read_dicom_segmentation(
+            path, [](int) { return true; }, job);
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::uint16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
@@ -196,7 +200,13 @@ Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     job.begin_stage("Reading the mask");
     const Wanted wanted(labels);
     Mask mask;
-    if (is_dicom(path)) {
+    if (is_dicom_segmentation(path)) {
+        const LabelMap segments = read_dicom_segmentation(path, wanted, job);
+        mask = Mask(segments.grid);
+        std::ranges::transform(segments.voxels, mask.voxels.begin(), [](std::uint16_t label) {
+            return static_cast<std::uint8_t>(label != 0 ? 1 : 0);
+        });
+    } else if (is_dicom(path)) {
         ReadRemarks unheard;
         const Volume volume =
             read_dicom_at(path, {{{}, 0}, 0, BetweenPixels::nearest}, job, unheard);

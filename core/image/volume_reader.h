@@ -54,7 +54,8 @@ struct SeriesDescription {
 std::vector<SeriesDescription> list_series(const std::filesystem::path& folder, Job& job);
 
 // Reads labels (whole numbers 0 to 65535) from .nii, .nii.gz, .mha, .mhd, .nrrd, .nhdr or
-// .seg.nrrd. Throws InputError as above, and where a value is negative or not whole.
+// .seg.nrrd, or from a DICOM segmentation, whose segments' numbers are the labels (the higher where
+// two overlap). Throws InputError as above, and where a value is negative or not whole.
 LabelMap read_label_map(const std::filesystem::path& file, Job& job);
 
 // A mask with the same values. Throws InputError, naming `place`, where one is above 255.

@@ -343,6 +343,15 @@ std::string refusal_with_helper_that(const std::string& does) {
     return refusal([&] { split.split({slice}, job); });
 }
 
+TEST(FrameHelper, ThatIsNotThereIsNamed) {
+    const EnhancedFile file(patterned());
+    Job job;
+    DicomSlice slice = read_dicom_slice(file.path()).value();
+    SplitFrames split("/nowhere/helper");
+    const std::string message = refusal([&] { split.split({slice}, job); });
+    EXPECT_NE(message.find("ended with 127"), std::string::npos) << message;
+}
+
 TEST(FrameHelper, ThatCrashesFailsOrLiesMakesAMessageWithTheFile) {
     for (const auto& [does, words] :
          {std::pair{"kill -SEGV $$", "ended by signal 11"}, std::pair{"exit 9", "ended with 9"},
