@@ -3,6 +3,7 @@
 // overlap.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "core/image/volume_reader.h"
@@ -37,7 +38,8 @@ struct Segmentation {
     }
 
     gdcm::DataSet group_of(const Frame& frame) const {
-        const Vec3 p = grid.to_mm(0, 0, frame.z) + (aside_mm * frame.z) * grid.direction.col(1);
+        const Vec3 p = grid.to_mm(0, 0, frame.z) + (aside_mm * frame.z) * grid.direction.col(1) +
+                       (frame.segment == 4 ? vessel_ahead_mm : 0.0) * grid.direction.col(2);
         gdcm::DataSet place, segment, group;
         put(place, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, number_list({p.x(), p.y(), p.z()}));
         put_sequence(group, plane_position, {place});
@@ -115,7 +117,8 @@ struct Segmentation {
     std::vector<Frame> frames;
     std::string type = "BINARY";
     double stated_spacing_mm = 1.5;
-    double aside_mm = 0.0;  // that each slice lies off the one before
+    double aside_mm = 0.0;         // that each slice lies off the one before
+    double vessel_ahead_mm = 0.0;  // that the vessel's slices lie off the liver's
     bool with_segments = true;
     std::size_t missing_bytes = 0;
 };
@@ -154,12 +157,17 @@ TEST(DicomSegmentation, EverySegmentLiesWhereItWasDrawnOnTheCt) {
 }
 
 TEST(DicomSegmentation, IsALabelMapWhoseHigherSegmentStandsWhereTheyOverlap) {
-    const SegmentationFile file{Segmentation()};
-    Job job;
-    const LabelMap labels = on_grid_of(turned_grid(), read_label_map(file.path(), job), "seg.dcm");
-    for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
-        const auto [x, y, z] = labels.grid.index_of(i);
-        ASSERT_EQ(labels.voxels[i], in_vessel(x, y, z) ? 4 : in_liver(x, y, z) ? 1 : 0);
+    for (const bool reversed : {false, true}) {
+        Segmentation drawn;
+        if (reversed) std::ranges::reverse(drawn.frames);
+        const SegmentationFile file(drawn);
+        Job job;
+        const LabelMap labels =
+            on_grid_of(turned_grid(), read_label_map(file.path(), job), "seg.dcm");
+        for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+            const auto [x, y, z] = labels.grid.index_of(i);
+            ASSERT_EQ(labels.voxels[i], in_vessel(x, y, z) ? 4 : in_liver(x, y, z) ? 1 : 0);
+        }
     }
 }
 
@@ -207,6 +215,13 @@ TEST(BadDicomSegmentation, IsRefusedWithFileReasonAndRemedy) {
     uneven.stated_spacing_mm = 0.0;
     uneven.frames = {{1, 2}, {1, 4}, {1, 7}};
     expect(uneven, "has slices 4.5 mm apart where 3 mm lie between others");
+}
+
+// They are not taken for one slice.
+TEST(BadDicomSegmentation, OfSlicesMuchNearerThanTheirSpacingDoesNotFitItsCt) {
+    Segmentation drawn;
+    drawn.vessel_ahead_mm = 0.1;
+    EXPECT_NE(SegmentationFile(drawn).refusal_of_file().find("seg.dcm"), std::string::npos);
 }
 
 TEST(BadDicomSegmentation, CutShortAnywhereIsRefused) {
