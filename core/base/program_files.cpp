@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/program_files.h"
 
+#include <initializer_list>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -9,11 +10,12 @@ namespace hepatica {
 
 namespace fs = std::filesystem;
 
-fs::path asset_of(const fs::path& program, const fs::path& name) {
-    const fs::path bin = program.parent_path();
-    // Installed as CMake was told; built as build/PRESET/bin.
-    for (const fs::path& assets : {bin / HEPATICA_ASSETS_FROM_BIN, bin / "../../../assets"}) {
-        fs::path place = (assets / name).lexically_normal();
+namespace {
+
+// The first of the folders that holds the file.
+fs::path first_with(const fs::path& name, std::initializer_list<fs::path> folders) {
+    for (const fs::path& folder : folders) {
+        fs::path place = (folder / name).lexically_normal();
         std::error_code ignored;
         if (fs::exists(place, ignored)) return place;
     }
@@ -21,9 +23,31 @@ fs::path asset_of(const fs::path& program, const fs::path& name) {
                      "Install Hepatica again, or run it where it was built");
 }
 
+// Without /proc there is no path, and the answer is that of a miss.
+fs::path this_program() {
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored);
+}
+
+}  // namespace
+
+// Both are installed as CMake was told; programs are built as build/PRESET/bin.
+fs::path asset_of(const fs::path& program, const fs::path& name) {
+    const fs::path bin = program.parent_path();
+    return first_with(name, {bin / HEPATICA_ASSETS_FROM_BIN, bin / "../../../assets"});
+}
+
+fs::path helper_of(const fs::path& program, const fs::path& name) {
+    const fs::path bin = program.parent_path();
+    return first_with(name, {bin / HEPATICA_HELPERS_FROM_BIN, bin});
+}
+
 fs::path asset(const fs::path& name) {
-    std::error_code ignored;  // without /proc there is no path, and the answer is that of a miss
-    return asset_of(fs::read_symlink("/proc/self/exe", ignored), name);
+    return asset_of(this_program(), name);
+}
+
+fs::path helper(const fs::path& name) {
+    return helper_of(this_program(), name);
 }
 
 }  // namespace hepatica

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "core/base/parallel.h"
 #include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
+#include "core/image/dicom_frames.h"
 #include "core/image/dicom_rle.h"
 #include "core/image/dicom_series.h"
 #include "core/image/memory_limit.h"
@@ -72,7 +74,7 @@ std::vector<char> read_plain(const DicomSlice& slice, std::size_t bytes) {
     if (slice.pixel_bytes < bytes) reject(slice.file, "has fewer pixels than its header claims");
     std::vector<char> buffer(bytes);
     const bool deflated = slice.deflated_at > 0;
-    ByteStream stream(slice.file, deflated ? slice.deflated_at : slice.pixel_offset,
+    ByteStream stream(slice.pixel_file, deflated ? slice.deflated_at : slice.pixel_offset,
                       deflated ? Encoding::bare_deflated : Encoding::raw);
     if (deflated) stream.skip(slice.pixel_offset);
     stream.read(buffer.data(), bytes);
@@ -86,7 +88,7 @@ std::vector<Fragment> read_fragments(const DicomSlice& slice) {
     std::vector<Fragment> fragments;
     for (const FileRange& range : slice.fragments) {
         fragments.emplace_back(range.bytes);
-        ByteStream(slice.file, range.offset, Encoding::raw)
+        ByteStream(slice.pixel_file, range.offset, Encoding::raw)
             .read(fragments.back().data(), range.bytes);
     }
     return fragments;
@@ -169,7 +171,8 @@ void require_known_format(const DicomSlice& slice) {
         reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
 }
 
-// One slice in Hounsfield units, row by row.
+}  // namespace
+
 std::vector<double> read_pixels(const DicomSlice& slice) {
     require_known_format(slice);
     const std::size_t bytes = pixels_in(slice) * (slice.bits_allocated / 8);
@@ -180,6 +183,8 @@ std::vector<double> read_pixels(const DicomSlice& slice) {
     if (slice.bits_allocated == 16) return to_hu<std::uint16_t>(buffer, slice, swap);
     return to_hu<std::uint32_t>(buffer, slice, swap);
 }
+
+namespace {
 
 std::int16_t clamped(double hu) {
     constexpr double low = std::numeric_limits<std::int16_t>::min();
@@ -228,50 +233,80 @@ void remark_on_values(const std::vector<DicomSlice>& slices, ReadRemarks& remark
                           "taken as Hounsfield units");
 }
 
-PlacedGrid place(const OrderedSeries& series) {
+std::string degrees(double angle) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g degrees", angle);
+    return text.data();
+}
+
+// The standard (PS3.3 C.8.2.1) wants the tilt to be computed from positions and orientations, not
+// taken from its tag, which some scanners keep in series that they have straightened.
+void remark_on_tilt(const OrderedSeries& series, ReadRemarks& remarks) {
+    constexpr double noticeable_degrees = 1.0;
+    const double stated = std::abs(series.slices.front().stated_tilt_degrees);
+    if (series.tilt_degrees > 0.0)
+        remarks.push_back("Its slices are stacked aslant by " + degrees(series.tilt_degrees) +
+                          " (a tilted gantry): each was moved within its plane onto an upright "
+                          "grid");
+    if (stated > 0.0 && std::abs(stated - series.tilt_degrees) > noticeable_degrees)
+        remarks.push_back("The series states a gantry tilt of " + degrees(stated) +
+                          " (0018,1120), but its slices are stacked " +
+                          (series.tilt_degrees > 0.0 ? "otherwise" : "straight") +
+                          ": it was read by their positions, as the standard has it");
+}
+
+PlacedGrid place(const OrderedSeries& series, const UprightStack& stack) {
     const DicomSlice& first = series.slices.front();
     Mat3 axes;
     axes.col(0) = first.row_axis.normalized() * first.column_spacing_mm;
     axes.col(1) = first.column_axis.normalized() * first.row_spacing_mm;
     axes.col(2) = first.normal() * series.slice_spacing_mm;
-    return placed_grid({first.columns, first.rows, static_cast<std::int64_t>(series.slices.size())},
-                       axes, first.position_mm, first.file.parent_path().string());
+    return placed_grid(
+        {stack.columns(), stack.rows(), static_cast<std::int64_t>(series.slices.size())}, axes,
+        stack.origin_mm(), first.file.parent_path().string());
+}
+
+// Puts the values of slice z where they belong.
+void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& stack, std::size_t z,
+                const std::vector<double>& hu, std::int16_t padding_value) {
+    std::size_t i = 0;
+    for (int y = 0; y < stack.rows(); ++y)
+        for (int x = 0; x < stack.columns(); ++x, ++i)
+            volume.voxels[placed.first + x * placed.strides[0] + y * placed.strides[1] +
+                          static_cast<std::ptrdiff_t>(z) * placed.strides[2]] =
+                std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
 }
 
 }  // namespace
 
-Volume read_dicom(const fs::path& folder, const SeriesWish& wish, std::int16_t padding_value,
-                  Job& job, ReadRemarks& remarks) {
+Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
-    const OrderedSeries series =
-        order_slices(choose_series(find_dicom_slices(folder, job, remarks), wish, folder, remarks));
+    SplitFrames split;  // holds the frames of enhanced files until they are read
+    const OrderedSeries series = order_slices(split.split(
+        choose_series(find_dicom_slices(folder, job, remarks), wish.series, folder, remarks), job));
     remark_on_values(series.slices, remarks);
+    remark_on_tilt(series, remarks);
     require_room(series.slices.front());
     require_equal_repeats(series, remarks);
-    const PlacedGrid placed = place(series);
+    const UprightStack stack(series, wish.between);
+    const PlacedGrid placed = place(series, stack);
     const Index3& dims = placed.grid.dims;
     require_memory(bytes_of(dims[0], dims[1], dims[2], sizeof(std::int16_t)), folder.string());
     Volume volume(placed.grid);
     std::atomic<std::size_t> done{0}, padding{0};
     const std::size_t count = series.slices.size();
     parallel_blocks(count, 1, [&](std::size_t z, std::size_t) {
-        const DicomSlice& slice = series.slices[z];
         job.throw_if_cancelled();
-        const std::vector<double> hu = read_pixels(slice);
+        std::vector<double> hu = read_pixels(series.slices[z]);
         padding += std::ranges::count_if(hu, [](double value) { return std::isnan(value); });
-        std::size_t i = 0;
-        for (int y = 0; y < slice.rows; ++y)
-            for (int x = 0; x < slice.columns; ++x, ++i)
-                volume.voxels[placed.first + x * placed.strides[0] + y * placed.strides[1] +
-                              static_cast<std::ptrdiff_t>(z) * placed.strides[2]] =
-                    std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
+        fill_slice(volume, placed, stack, z, stack.moved(z, std::move(hu)), wish.padding_value);
         job.advance(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(count));
     });
     if (padding > 0)
         remarks.push_back(std::to_string(padding) + " of " + std::to_string(volume.voxels.size()) +
                           " voxels are padding around the scan (0028,0120) and became " +
-                          std::to_string(padding_value));
+                          std::to_string(wish.padding_value));
     return volume;
 }
 

@@ -3,17 +3,29 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "core/base/job.h"
+#include "core/image/dicom_stack.h"
 #include "core/image/series_choice.h"
 #include "core/image/volume.h"
 #include "core/image/volume_reader.h"
 
 namespace hepatica {
 
-// The CT series that the caller asks for, see choose_series. Padding (0028,0120) becomes
-// padding_value. For the rest see read_volume.
-Volume read_dicom(const std::filesystem::path& folder, const SeriesWish& wish,
-                  std::int16_t padding_value, Job& job, ReadRemarks& remarks);
+// One slice in Hounsfield units, row by row; NaN where it is padded. Throws InputError that names
+// the file where its pixels are damaged or of a kind that is not read.
+std::vector<double> read_pixels(const DicomSlice& slice);
+
+// What read_volume and read_mask want of a series.
+struct DicomWish {
+    SeriesWish series;
+    std::int16_t padding_value = 0;  // what padding (0028,0120) becomes, and what was not scanned
+    BetweenPixels between = BetweenPixels::linear;  // where a tilted gantry is put upright
+};
+
+// The CT series that the caller asks for, see choose_series. For the rest see read_volume.
+Volume read_dicom(const std::filesystem::path& folder, const DicomWish& wish, Job& job,
+                  ReadRemarks& remarks);
 
 }  // namespace hepatica

@@ -23,6 +23,7 @@ constexpr double same_place_mm = 1e-3;
 constexpr double gap_tolerance = 0.1;       // of the slice spacing; positions are rounded
 constexpr double sideways_tolerance = 0.2;  // of a pixel
 constexpr double tilt_tolerance_degrees = 0.1;
+constexpr double largest_tilt_degrees = 45.0;  // gantries tilt by up to 30 degrees
 
 const std::string remedy = "Export the series again, complete, as axial slices of one size";
 
@@ -59,7 +60,8 @@ void require_same_frame(const DicomSlice& slice, const DicomSlice& first) {
 void require_sound_slice(const DicomSlice& slice) {
     if (slice.frames > 1)
         reject(slice, "holds " + std::to_string(slice.frames) +
-                          " frames in one file (enhanced CT), which this program does not read");
+                          " frames in one file and is no enhanced CT, the only kind of many frames "
+                          "that this program reads");
     if (!slice.problem.empty()) reject(slice, slice.problem);
     if (!slice.has_geometry) reject(slice, "has no position, orientation or pixel spacing");
     const auto is_unit = [](const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-2; };
@@ -75,22 +77,25 @@ double sideways_mm(const DicomSlice& slice, const Vec3& from, const Vec3& along)
     return (offset - along * along.dot(offset)).norm();
 }
 
-void require_straight_stack(const std::vector<DicomSlice>& slices) {
+// The tilt of the gantry, 0 where it moves the slices by less than a pixel in all. Every slice must
+// lie on the line from the first to the last.
+double tilt_of_stack(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     const Vec3 stack = (slices.back().position_mm - first.position_mm).normalized();
     const double cosine = std::min(1.0, std::abs(stack.dot(first.normal())));
     const double degrees = std::acos(cosine) * 180.0 / std::numbers::pi;
     const double pixel_mm = std::min(first.row_spacing_mm, first.column_spacing_mm);
     const double drift_mm = sideways_mm(slices.back(), first.position_mm, first.normal());
-    if (degrees > tilt_tolerance_degrees && drift_mm > pixel_mm)
+    if (degrees > largest_tilt_degrees)
         throw InputError("its slices are stacked aslant by " + short_text(degrees) +
-                             " degrees (a tilted gantry)",
+                             " degrees, which is more than any gantry tilts",
                          first.file.parent_path().string(),
                          "Ask for the series reformatted to straight axial slices");
     for (const DicomSlice& slice : slices)
         if (sideways_mm(slice, first.position_mm, stack) > sideways_tolerance * pixel_mm)
             reject(slice, "is shifted sideways by " +
                               millimetres(sideways_mm(slice, first.position_mm, stack)));
+    return degrees > tilt_tolerance_degrees && drift_mm > pixel_mm ? degrees : 0.0;
 }
 
 double median_gap_mm(const std::vector<DicomSlice>& slices) {
@@ -123,11 +128,15 @@ void require_even_gaps(const std::vector<DicomSlice>& slices) {
 
 }  // namespace
 
-OrderedSeries order_slices(std::vector<DicomSlice> series) {
-    for (const DicomSlice& slice : series) {
+void require_one_shape(const std::vector<DicomSlice>& slices) {
+    for (const DicomSlice& slice : slices) {
         require_sound_slice(slice);
-        require_same_frame(slice, series.front());
+        require_same_frame(slice, slices.front());
     }
+}
+
+OrderedSeries order_slices(std::vector<DicomSlice> series) {
+    require_one_shape(series);
     const Vec3 normal = series.front().normal();
     std::ranges::stable_sort(series, [&](const DicomSlice& a, const DicomSlice& b) {
         return a.position_mm.dot(normal) < b.position_mm.dot(normal);
@@ -146,7 +155,7 @@ OrderedSeries order_slices(std::vector<DicomSlice> series) {
     if (ordered.slices.size() < 2)
         throw InputError("its series has only one slice", ordered.slices.front().file.string(),
                          remedy);
-    require_straight_stack(ordered.slices);
+    ordered.tilt_degrees = tilt_of_stack(ordered.slices);
     require_even_gaps(ordered.slices);
     ordered.slice_spacing_mm =
         (ordered.slices.back().along_normal_mm() - ordered.slices.front().along_normal_mm()) /

@@ -126,9 +126,20 @@ std::string description_of(const DicomHeader& header) {
     return text;
 }
 
+// Enhanced CT Image Storage, and Legacy Converted Enhanced CT Image Storage.
+bool is_enhanced_ct(const std::string& sop_class) {
+    return sop_class == "1.2.840.10008.5.1.4.1.1.2.1" || sop_class == "1.2.840.10008.5.1.4.1.1.2.2";
+}
+
+// 0 where it is missing or no number.
+double one_number(const DicomHeader& header, std::uint16_t group, std::uint16_t element) {
+    const std::vector<double> values = header.numbers(group, element);
+    return values.size() == 1 && std::isfinite(values[0]) ? values[0] : 0.0;
+}
+
 DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     DicomSlice slice;
-    slice.file = file;
+    slice.file = slice.pixel_file = file;
     slice.rows = header.unsigned_short(0x0028, 0x0010);
     slice.columns = header.unsigned_short(0x0028, 0x0011);
     slice.series_key = series_key(header, slice);
@@ -136,12 +147,17 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     slice.modality = header.text(0x0008, 0x0060);
     slice.image_type = header.text(0x0008, 0x0008);
     slice.localizer = slice.image_type.find("LOCALIZER") != std::string::npos;
+    const std::string sop_class = header.text(0x0008, 0x0016);
+    slice.segmentation = sop_class == "1.2.840.10008.5.1.4.1.1.66.4";
+    slice.enhanced = is_enhanced_ct(sop_class) || slice.segmentation;
     slice.kernel = header.text(0x0018, 0x1210);
     slice.contrast_agent = !header.text(0x0018, 0x0010).empty();
     slice.acquisition = header.text(0x0020, 0x0012);
     const std::vector<double> frames = header.numbers(0x0028, 0x0008);
     if (!frames.empty() && frames[0] > 1.0)
         slice.frames = static_cast<int>(std::min(frames[0], 1e6));
+    slice.stated_tilt_degrees = one_number(header, 0x0018, 0x1120);
+    slice.stated_spacing_mm = std::abs(one_number(header, 0x0018, 0x0088));
     read_geometry(header, slice);
     read_pixel_format(header, slice);
     return slice;
@@ -221,6 +237,12 @@ bool can_be_opened(const fs::path& file) {
 
 Vec3 DicomSlice::normal() const {
     return row_axis.cross(column_axis).normalized();
+}
+
+std::optional<DicomSlice> read_dicom_slice(const fs::path& file) {
+    const std::optional<DicomHeader> header = read_dicom_header(file);
+    if (!header || !header->has_pixels) return std::nullopt;
+    return slice_of(file, *header);
 }
 
 std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, ReadRemarks& remarks) {

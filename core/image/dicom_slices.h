@@ -17,10 +17,11 @@
 namespace hepatica {
 
 struct DicomSlice {
-    std::filesystem::path file;
-    std::string series_key;       // equal for slices of one series
-    std::string description;      // of the series, for the user
-    std::string modality;         // "CT", "MR" ...; may be blank
+    std::filesystem::path file;        // as the user is told of it
+    std::filesystem::path pixel_file;  // that its pixels are read from: the same, but of a frame
+    std::string series_key;            // equal for slices of one series
+    std::string description;           // of the series, for the user
+    std::string modality;              // "CT", "MR" ...; may be blank
     std::string kernel;           // of the CT's reconstruction, as its maker calls it; may be blank
     std::string image_type;       // ORIGINAL\\PRIMARY\\AXIAL ...
     bool contrast_agent = false;  // one is named
@@ -28,16 +29,20 @@ struct DicomSlice {
     // Why the slice's values cannot be read as Hounsfield units ("" where they can): found in the
     // header, told only where the slice belongs to the series that is read.
     std::string problem;
-    bool localizer = false;  // a scout view
+    bool localizer = false;     // a scout view
+    bool enhanced = false;      // of a kind whose frames SplitFrames makes slices of
+    bool segmentation = false;  // one of these: see dicom_segmentation.h
     int frames = 1;
     int rows = 0;
     int columns = 0;
     bool has_geometry = false;  // position, orientation and pixel spacing are there and are numbers
-    Vec3 position_mm = Vec3::Zero();  // centre of the first pixel, LPS
-    Vec3 row_axis = Vec3::Zero();     // along a row, towards the next column
-    Vec3 column_axis = Vec3::Zero();  // down a column, towards the next row
-    double row_spacing_mm = 0.0;      // between rows
-    double column_spacing_mm = 0.0;   // between columns
+    Vec3 position_mm = Vec3::Zero();   // centre of the first pixel, LPS
+    Vec3 row_axis = Vec3::Zero();      // along a row, towards the next column
+    Vec3 column_axis = Vec3::Zero();   // down a column, towards the next row
+    double row_spacing_mm = 0.0;       // between rows
+    double column_spacing_mm = 0.0;    // between columns
+    double stated_spacing_mm = 0.0;    // between slices (0018,0088); 0 where it is not stated
+    double stated_tilt_degrees = 0.0;  // of the gantry; positions and orientations are believed
 
     // How the pixels are stored.
     int bits_allocated = 0;
@@ -62,6 +67,9 @@ struct DicomSlice {
     Vec3 normal() const;
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
+
+// One file as a slice, or nothing where it is no DICOM image.
+std::optional<DicomSlice> read_dicom_slice(const std::filesystem::path& file);
 
 // Looks at every file below `folder`; what is not a DICOM image is passed over, and what cannot be
 // listed or opened is named in `remarks`. Reports the first half of the stage's progress.

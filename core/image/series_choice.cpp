@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double thickest_good_mm = 3.0;   // between slices; beyond it thin vessels are lost
+constexpr double thickest_good_mm = 3.0;     // between slices; beyond it thin vessels are lost
+constexpr double least_axial_cosine = 0.86;  // with the body's axis: gantries tilt by 30 degrees
 constexpr double enough_of_longest = 0.5;  // of the longest series: shorter ones are bolus tracking
 
 bool holds_any(const std::string& text, std::initializer_list<const char*> parts) {
@@ -88,8 +89,17 @@ struct Series {
     bool covers = true;       // about as much as the longest series
 
     const DicomSlice& first() const { return slices.front(); }
+    std::size_t images() const {
+        std::size_t count = 0;
+        for (const DicomSlice& slice : slices) count += static_cast<std::size_t>(slice.frames);
+        return count;
+    }
+    // Its extent and spacing are not known until its file is split into frames.
+    bool is_enhanced() const { return first().enhanced; }
     bool is_ct() const { return first().modality == "CT" || first().modality.empty(); }
-    bool is_axial() const { return !first().has_geometry || std::abs(first().normal().z()) > 0.9; }
+    bool is_axial() const {
+        return !first().has_geometry || std::abs(first().normal().z()) > least_axial_cosine;
+    }
     bool is_projection() const {
         return holds_any(lower_case(first().image_type + first().description),
                          {"mip", "mpr thick", "projection", "screen save", "dose"});
@@ -111,7 +121,7 @@ Rank rank_of(const Series& series) {
             static_cast<double>(series.phase()),
             series.first().contrast_agent ? 1.0 : 0.0,
             series.is_thin() ? 1.0 : 0.0,
-            static_cast<double>(series.slices.size())};
+            static_cast<double>(series.images())};
 }
 
 // Why the better of two was preferred.
@@ -176,7 +186,8 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
         measure_extent(series);
         if (series.is_ct()) longest_mm = std::max(longest_mm, series.extent_mm);
     }
-    for (Series& series : all) series.covers = series.extent_mm >= enough_of_longest * longest_mm;
+    for (Series& series : all)
+        series.covers = series.is_enhanced() || series.extent_mm >= enough_of_longest * longest_mm;
     std::ranges::stable_sort(
         all, [](const Series& a, const Series& b) { return rank_of(a) > rank_of(b); });
     return all;
@@ -190,7 +201,7 @@ std::string text_of(const Series& series) {
          << (first.modality.empty() ? "no modality"
              : is_ct                ? "CT"
                                     : quoted_name(first.modality))
-         << ", " << series.slices.size() << " images";
+         << ", " << series.images() << " images";
     if (series.spacing_mm > 0.0) {
         text.precision(3);
         text << ", " << series.spacing_mm << " mm apart";
@@ -235,7 +246,7 @@ std::vector<SeriesDescription> describe_series(const std::vector<DicomSlice>& sl
     std::vector<SeriesDescription> list;
     for (const Series& series : all) {
         const DicomSlice& first = series.first();
-        list.push_back({first.description, first.modality, series.slices.size(), series.spacing_mm,
+        list.push_back({first.description, first.modality, series.images(), series.spacing_mm,
                         first.kernel, name_of(series.phase()),
                         list.empty() ? "" : reason(all.front(), series)});
     }

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
+#include "core/image/dicom_segmentation.h"
 #include "core/image/header_text.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
@@ -103,12 +104,12 @@ bool is_dicom(const fs::path& path) {
            is_dicom_file(path);
 }
 
-Volume read_dicom_at(const fs::path& path, int series, std::int16_t padding_value, Job& job,
-                     ReadRemarks& remarks) {
-    if (fs::is_directory(path)) return read_dicom(path, {{}, series}, padding_value, job, remarks);
+// A folder, one file of a series, or a DICOMDIR.
+Volume read_dicom_at(const fs::path& path, DicomWish wish, Job& job, ReadRemarks& remarks) {
+    if (fs::is_directory(path)) return read_dicom(path, wish, job, remarks);
     const fs::path file = fs::absolute(path);
-    const fs::path member = is_dicom_file(file) ? file : fs::path();
-    return read_dicom(file.parent_path(), {member, series}, padding_value, job, remarks);
+    if (is_dicom_file(file)) wish.series.member = file;
+    return read_dicom(file.parent_path(), wish, job, remarks);
 }
 
 // Which values belong to a mask.
@@ -143,7 +144,8 @@ Volume read_volume(const fs::path& path, Job& job, ReadRemarks* remarks, int ser
     job.begin_stage("Reading the images");
     ReadRemarks unheard;
     ReadRemarks& heard = remarks != nullptr ? *remarks : unheard;
-    if (is_dicom(path)) return read_dicom_at(path, series, air_hu, job, heard);
+    if (is_dicom(path))
+        return read_dicom_at(path, {{{}, series}, air_hu, BetweenPixels::linear}, job, heard);
     if (series != 0)
         throw InputError("is one image and holds no series", path.string(),
                          "Leave --series out, or give a DICOM folder");
@@ -160,6 +162,9 @@ std::vector<SeriesDescription> list_series(const fs::path& folder, Job& job) {
 LabelMap read_label_map(const fs::path& path, Job& job) {
     require_existing(path);
     job.begin_stage("Reading the label map");
+    if (is_dicom_segmentation(path))
+        return read_dicom_segmentation(
+            path, [](int) { return true; }, job);
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::uint16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
@@ -195,9 +200,16 @@ Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
     job.begin_stage("Reading the mask");
     const Wanted wanted(labels);
     Mask mask;
-    if (is_dicom(path)) {
+    if (is_dicom_segmentation(path)) {
+        const LabelMap segments = read_dicom_segmentation(path, wanted, job);
+        mask = Mask(segments.grid);
+        std::ranges::transform(segments.voxels, mask.voxels.begin(), [](std::uint16_t label) {
+            return static_cast<std::uint8_t>(label != 0 ? 1 : 0);
+        });
+    } else if (is_dicom(path)) {
         ReadRemarks unheard;
-        const Volume volume = read_dicom_at(path, 0, 0, job, unheard);
+        const Volume volume =
+            read_dicom_at(path, {{{}, 0}, 0, BetweenPixels::nearest}, job, unheard);
         mask = Mask(volume.grid);
         std::ranges::transform(volume.voxels, mask.voxels.begin(), [&](std::int16_t value) {
             return static_cast<std::uint8_t>(wanted(value) ? 1 : 0);

@@ -25,11 +25,13 @@ using ReadRemarks = std::vector<std::string>;
 // DICOMDIR, or a .nii, .nii.gz, .mha, .mhd, .nrrd or .nhdr file.
 // `series` is a number in the list of list_series, from 1; 0 reads the series of the file that was
 // named, or the first of the list. The choice and its reason stand in the remarks.
+// A series that a tilted gantry has sheared is put upright, slice by slice in its own plane; what
+// was not scanned becomes -1024.
 // Values are in Hounsfield units after the file's slope and intercept, clamped to
 // [-32768, 32767]; values that are not numbers and the padding of DICOM files become -1024.
 // Begins one stage of `job` and reports progress slice by slice. Throws Cancelled, or InputError
 // that names the file: unreadable, truncated, no CT in it, sizes or orientations that differ
-// between slices, missing slices, uneven gaps, gantry tilt, a spacing that is not positive, an
+// between slices, missing slices, uneven gaps, a spacing that is not positive, an
 // extent or a distance from the origin beyond 10 m, a header that claims more than the file or the
 // memory can hold.
 Volume read_volume(const std::filesystem::path& file_or_folder, Job& job,
@@ -52,7 +54,8 @@ struct SeriesDescription {
 std::vector<SeriesDescription> list_series(const std::filesystem::path& folder, Job& job);
 
 // Reads labels (whole numbers 0 to 65535) from .nii, .nii.gz, .mha, .mhd, .nrrd, .nhdr or
-// .seg.nrrd. Throws InputError as above, and where a value is negative or not whole.
+// .seg.nrrd, or from a DICOM segmentation, whose segments' numbers are the labels (the higher where
+// two overlap). Throws InputError as above, and where a value is negative or not whole.
 LabelMap read_label_map(const std::filesystem::path& file, Job& job);
 
 // A mask with the same values. Throws InputError, naming `place`, where one is above 255.

@@ -41,6 +41,14 @@ TEST_F(ProgramFiles, StandInTheSourceTreeOfAProgramThatWasBuiltThere) {
     EXPECT_EQ(asset_of(root_ / "build/release/bin/hepatica", "scripts/a.json"), file);
 }
 
+TEST_F(ProgramFiles, HelpersStandInLibexecOrBesideTheProgram) {
+    const fs::path built = made("usr/bin/helper");
+    EXPECT_EQ(helper_of(root_ / "usr/bin/hepatica", "helper"), built);
+    const fs::path installed = made("usr/libexec/hepatica/helper");
+    EXPECT_EQ(helper_of(root_ / "usr/bin/hepatica", "helper"), installed);
+    EXPECT_THROW(helper_of(root_ / "usr/bin/hepatica", "another"), InputError);
+}
+
 TEST_F(ProgramFiles, ThatAreMissingAreNamed) {
     try {
         asset_of(root_ / "usr/bin/hepatica", "scripts/a.json");

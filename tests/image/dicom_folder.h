@@ -7,6 +7,7 @@
 #include <gdcmWriter.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/image/volume_reader.h"
@@ -68,6 +69,11 @@ class DicomFolder {
     TemporaryFolder folder_;
     Volume volume_;
 };
+
+inline bool mentions(const ReadRemarks& remarks, const std::string& text) {
+    return std::ranges::any_of(
+        remarks, [&](const std::string& r) { return r.find(text) != std::string::npos; });
+}
 
 inline const gdcm::Tag position(0x0020, 0x0032);
 inline const gdcm::Tag orientation(0x0020, 0x0037);

@@ -240,15 +240,6 @@ TEST(BadDicom, WithUnevenGapsIsRefused) {
     EXPECT_NE(message.find("slice_0006.dcm"), std::string::npos) << message;
 }
 
-TEST(BadDicom, WithATiltedGantryIsRefused) {
-    const DicomFolder folder;
-    for (int i = 1; i <= 9; ++i)
-        folder.edit(i, position,
-                    "-31.25\\" + std::to_string(17.5 + 0.4 * i) + "\\" +
-                        std::to_string(-402.0 + 1.5 * (i - 1)));
-    EXPECT_NE(folder.refusal_of_folder().find("tilted gantry"), std::string::npos);
-}
-
 TEST(BadDicom, WithASliceShiftedSidewaysIsRefused) {
     const DicomFolder folder;
     folder.edit(6, position, "-30.25\\17.5\\-394.5");

@@ -23,11 +23,6 @@ std::string word(int value) {
     return {static_cast<char>(value & 0xff), static_cast<char>((value >> 8) & 0xff)};
 }
 
-bool mentions(const ReadRemarks& remarks, const std::string& text) {
-    return std::ranges::any_of(
-        remarks, [&](const std::string& r) { return r.find(text) != std::string::npos; });
-}
-
 // It counted as absent once: everything was off by 1024 HU, without a word.
 TEST(DicomRescale, ThatIsNoNumberIsRefusedByFileTagAndValue) {
     for (const auto& [tag, name] :

@@ -78,6 +78,14 @@ TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
     EXPECT_EQ(thickness.value_read(), 20);
 }
 
+TEST(SeriesChoice, TakesSlicesOfATiltedGantryForAxial) {
+    Examination exam;
+    exam.add("sharp", 20, 900, 1.5, "B70f");
+    exam.add("tilted", 20, 60, 1.5, "B30f");
+    exam.edit("tilted", orientation, "1\\0\\0\\0\\0.8660254\\0.5");  // by 30 degrees
+    EXPECT_EQ(exam.value_read(), 60);
+}
+
 // A few slices at one level, taken to see the contrast arrive, are no examination.
 TEST(SeriesChoice, IgnoresAShortSeriesWhateverItsName) {
     Examination exam;

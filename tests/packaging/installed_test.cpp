@@ -33,6 +33,7 @@ TEST_F(Installed, EveryFileIsWhereItBelongs) {
     const std::string id = "org.hepatica.Hepatica";
     for (const std::string& file :
          {std::string("bin/hepatica"), std::string("bin/hepatica-cli"),
+          std::string("libexec/hepatica/hepatica-dicom-frames"),
           std::string("share/hepatica/scripts/drag.json"), "share/applications/" + id + ".desktop",
           "share/metainfo/" + id + ".metainfo.xml", "share/mime/packages/" + id + ".xml",
           std::string("share/icons/hicolor/scalable/apps/hepatica.svg"),
@@ -48,7 +49,7 @@ TEST_F(Installed, NothingElseIsInstalledThanProgramsAndTheirFiles) {
     std::set<std::string> folders;
     for (const auto& entry : fs::directory_iterator(prefix))
         folders.insert(entry.path().filename().string());
-    EXPECT_THAT(folders, testing::ElementsAre("bin", "share"));
+    EXPECT_THAT(folders, testing::ElementsAre("bin", "libexec", "share"));
 }
 
 // With a file that is no case it gets as far as reading that; a script that is missing comes later.

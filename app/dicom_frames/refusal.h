@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a file cannot be split into its frames, and what its owner can do about it: the two lines
+// that the helper leaves on standard error.
+#pragma once
+
+#include <string>
+
+namespace hepatica::dicom_frames {
+
+struct Refusal {
+    std::string problem;
+    std::string remedy =
+        "Export it again as classic CT slices, one file a slice (a segmentation: as NIfTI or NRRD)";
+};
+
+}  // namespace hepatica::dicom_frames

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/dicom_segmentation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/image/dicom_frames.h"
+#include "core/image/dicom_reader.h"
+#include "core/image/dicom_series.h"
+#include "core/image/memory_limit.h"
+#include "core/image/voxel_file.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double same_level_mm = 1e-3;
+constexpr double uneven = 0.1;             // of a step; positions are rounded
+constexpr double sideways_of_pixel = 0.2;  // that a slice may lie off the line through the first
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+    throw InputError(what, file.string(), "Export the segmentation as NIfTI or NRRD");
+}
+
+std::string in_mm(double value) {
+    std::ostringstream text;
+    text.precision(4);
+    text << value << " mm";
+    return text.str();
+}
+
+// Distances along the normal at which there are slices, each once, in order.
+std::vector<double> levels_of(const std::vector<DicomSlice>& frames) {
+    std::vector<double> levels, once;
+    for (const DicomSlice& frame : frames)
+        levels.push_back(frame.position_mm.dot(frames.front().normal()));
+    std::ranges::sort(levels);
+    for (const double level : levels)
+        if (once.empty() || level - once.back() > same_level_mm) once.push_back(level);
+    return once;
+}
+
+// The first gap that is no whole multiple of the step.
+std::optional<double> odd_gap_mm(const std::vector<double>& levels, double step_mm) {
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const double gap_mm = levels[i] - levels[i - 1];
+        const double steps = std::round(gap_mm / step_mm);
+        if (steps < 1.0 || std::abs(gap_mm - steps * step_mm) > uneven * step_mm) return gap_mm;
+    }
+    return std::nullopt;
+}
+
+// What the file says lies between slices, if its gaps are whole multiples of that, for slices
+// without anything of a segment may be left out; else the least gap.
+double step_of(const std::vector<double>& levels, double stated_mm, const fs::path& file) {
+    if (stated_mm > 0.0 && !odd_gap_mm(levels, stated_mm)) return stated_mm;
+    if (levels.size() < 2) refuse(file, "has one slice and no spacing of slices (0018,0088)");
+    double least_mm = levels[1] - levels[0];
+    for (std::size_t i = 2; i < levels.size(); ++i)
+        least_mm = std::min(least_mm, levels[i] - levels[i - 1]);
+    if (const auto odd_mm = odd_gap_mm(levels, least_mm))
+        refuse(file, "has slices " + in_mm(*odd_mm) + " apart where " + in_mm(least_mm) +
+                         " lie between others");
+    return least_mm;
+}
+
+void require_upright(const std::vector<DicomSlice>& frames) {
+    const DicomSlice& first = frames.front();
+    const double pixel_mm = std::min(first.row_spacing_mm, first.column_spacing_mm);
+    for (const DicomSlice& frame : frames) {
+        const Vec3 offset = frame.position_mm - first.position_mm;
+        const double aside_mm = (offset - first.normal() * first.normal().dot(offset)).norm();
+        if (aside_mm > sideways_of_pixel * pixel_mm)
+            refuse(frame.file, "lies " + in_mm(aside_mm) +
+                                   " beside the first frame: the segmentation of a series that a "
+                                   "tilted gantry has sheared is not read");
+    }
+}
+
+struct Place {
+    PlacedGrid placed;
+    double first_level_mm = 0.0;
+    double step_mm = 0.0;
+};
+
+Place place_of(const std::vector<DicomSlice>& frames, const fs::path& file) {
+    const DicomSlice& first = frames.front();
+    const Vec3 normal = first.normal();
+    const std::vector<double> levels = levels_of(frames);
+    double step_mm = step_of(levels, first.stated_spacing_mm, file);
+    const double extent_mm = levels.back() - levels.front();
+    const auto steps = static_cast<std::int64_t>(std::llround(extent_mm / step_mm));
+    if (steps > 0) step_mm = extent_mm / static_cast<double>(steps);
+    Mat3 axes;
+    axes.col(0) = first.row_axis.normalized() * first.column_spacing_mm;
+    axes.col(1) = first.column_axis.normalized() * first.row_spacing_mm;
+    axes.col(2) = normal * step_mm;
+    const Vec3 origin_mm =
+        first.position_mm + normal * (levels.front() - first.position_mm.dot(normal));
+    require_memory(bytes_of(first.columns, first.rows, steps + 1, sizeof(std::uint16_t)),
+                   file.string());
+    return {placed_grid({first.columns, first.rows, steps + 1}, axes, origin_mm, file.string()),
+            levels.front(), step_mm};
+}
+
+void add_frame(LabelMap& labels, const Place& place, const DicomSlice& frame,
+               const std::function<bool(int)>& wanted) {
+    const double level_mm = frame.position_mm.dot(frame.normal());
+    const auto z = std::lround((level_mm - place.first_level_mm) / place.step_mm);
+    const auto& strides = place.placed.strides;
+    const std::vector<double> values = read_pixels(frame);
+    std::size_t i = 0;
+    for (int y = 0; y < frame.rows; ++y)
+        for (int x = 0; x < frame.columns; ++x, ++i) {
+            const auto label = static_cast<std::uint16_t>(values[i]);
+            if (label == 0 || !wanted(label)) continue;
+            std::uint16_t& voxel =
+                labels
+                    .voxels[place.placed.first + x * strides[0] + y * strides[1] + z * strides[2]];
+            voxel = std::max(voxel, label);
+        }
+}
+
+}  // namespace
+
+bool is_dicom_segmentation(const fs::path& file) {
+    if (!is_dicom_file(file)) return false;
+    const std::optional<DicomSlice> slice = read_dicom_slice(file);
+    return slice && slice->segmentation;
+}
+
+LabelMap read_dicom_segmentation(const fs::path& file, const std::function<bool(int label)>& wanted,
+                                 Job& job) {
+    const std::optional<DicomSlice> whole = read_dicom_slice(file);
+    if (!whole) refuse(file, "is no DICOM image");
+    SplitFrames split;
+    const std::vector<DicomSlice> frames = split.split({*whole}, job);
+    require_one_shape(frames);
+    require_upright(frames);
+    const Place place = place_of(frames, file);
+    LabelMap labels(place.placed.grid);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        job.advance(static_cast<double>(i) / static_cast<double>(frames.size()));
+        add_frame(labels, place, frames[i], wanted);
+    }
+    return labels;
+}
+
+}  // namespace hepatica
