@@ -238,12 +238,26 @@ PlacedGrid place(const OrderedSeries& series) {
                        axes, first.position_mm, first.file.parent_path().string());
 }
 
+// GDCM would write about every damaged file to the terminal.
+void silence_gdcm() {
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+}
+
 }  // namespace
+
+std::vector<double> slice_hu(const DicomSlice& slice) {
+    if (slice.frames > 1) reject(slice.file, "holds several frames in one file");
+    if (!slice.problem.empty()) reject(slice.file, slice.problem);
+    if (slice.rows < 1 || slice.columns < 1) reject(slice.file, "has no pixels");
+    silence_gdcm();
+    require_room(slice);
+    return read_pixels(slice);
+}
 
 Volume read_dicom(const fs::path& folder, const SeriesWish& wish, std::int16_t padding_value,
                   Job& job, ReadRemarks& remarks) {
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
+    silence_gdcm();
     const OrderedSeries series =
         order_slices(choose_series(find_dicom_slices(folder, job, remarks), wish, folder, remarks));
     remark_on_values(series.slices, remarks);

@@ -223,6 +223,12 @@ Vec3 DicomSlice::normal() const {
     return row_axis.cross(column_axis).normalized();
 }
 
+std::optional<DicomSlice> read_dicom_slice(const fs::path& file) {
+    const std::optional<DicomHeader> header = read_dicom_header(file);
+    if (!header || !header->has_pixels) return std::nullopt;
+    return slice_of(file, *header);
+}
+
 std::vector<DicomSlice> find_dicom_slices(const fs::path& folder, Job& job, ReadRemarks& remarks) {
     const std::vector<fs::path> files = FileScan(remarks).files_below(folder);
     if (files.empty())

@@ -63,6 +63,9 @@ struct DicomSlice {
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
 
+// Of one file; nothing where it is no DICOM file, holds no image or its header is damaged.
+std::optional<DicomSlice> read_dicom_slice(const std::filesystem::path& file);
+
 // Looks at every file below `folder`; what is not a DICOM image is passed over, and what cannot be
 // listed or opened is named in `remarks`. Reports the first half of the stage's progress.
 std::vector<DicomSlice> find_dicom_slices(const std::filesystem::path& folder, Job& job,

@@ -182,6 +182,19 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
     return all;
 }
 
+// The file of the slice that has as many on its one side as on the other.
+fs::path middle_slice(const Series& series) {
+    std::vector<std::pair<double, std::size_t>> places;
+    for (std::size_t i = 0; i < series.slices.size(); ++i) {
+        const DicomSlice& slice = series.slices[i];
+        const bool placed = slice.has_geometry && series.first().has_geometry;
+        places.emplace_back(placed ? slice.position_mm.dot(series.first().normal()) : 0.0, i);
+    }
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+    std::ranges::nth_element(places, middle);
+    return series.slices[middle->second].file;
+}
+
 std::string text_of(const Series& series) {
     const DicomSlice& first = series.first();
     std::ostringstream text;
@@ -237,7 +250,7 @@ std::vector<SeriesDescription> describe_series(const std::vector<DicomSlice>& sl
         const DicomSlice& first = series.first();
         list.push_back({first.description, first.modality, series.slices.size(), series.spacing_mm,
                         first.kernel, name_of(series.phase()),
-                        list.empty() ? "" : reason(all.front(), series)});
+                        list.empty() ? "" : reason(all.front(), series), middle_slice(series)});
     }
     return list;
 }
