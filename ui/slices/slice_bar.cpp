@@ -56,6 +56,7 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
+    row->addWidget(segment_choice());
     row->addWidget(measuring_choice());
     row->addStretch();
     row->addWidget(place_);
@@ -72,6 +73,26 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
         show_place(scene_.crosshair_mm());
     });
     follow_window();
+}
+
+// Couinaud's segments, where they are known.
+QWidget* SliceBar::segment_choice() {
+    auto* choice = new QCheckBox(tr("Segments"));
+    choice->setObjectName("segments");
+    choice->setAccessibleName(tr("Couinaud's segments of the liver over the CT"));
+    choice->setChecked(false);
+    connect(choice, &QCheckBox::toggled, this,
+            [this](bool visible) { scene_.set_segments_visible(visible); });
+    const auto follow = [this, choice] {
+        const bool known = !scene_.segments().voxels.empty();
+        choice->setEnabled(known);
+        choice->setToolTip(known ? tr("Couinaud's segments 1 to 8, in the colours of the branches "
+                                      "that supply them (F6)")
+                                 : QString::fromStdString(scene_.why_no_segments()));
+    };
+    scene_.on_change(follow);
+    follow();
+    return choice;
 }
 
 // What a click in a slice is for.

@@ -21,6 +21,7 @@ class SliceBar : public QWidget {
     void say(const QString& text);  // until the mouse moves on
 
   private:
+    QWidget* segment_choice();
     QWidget* measuring_choice();
     void follow_window();
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+#include "ui/slices/segment_overlay.h"
 #include "ui/slices/slice_scene.h"
 
 namespace hepatica {
@@ -59,6 +60,7 @@ class SliceView : public QWidget {
     void measure(const Vec3& position_mm);
     void paint_measurement(QPainter& painter, const Measurement& measurement) const;
     void paint_measurements(QPainter& painter) const;
+    void paint_segment_numbers(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
     void paint_words(QPainter& painter) const;
@@ -70,6 +72,7 @@ class SliceView : public QWidget {
     std::function<void(const QString&)> say_;
     std::function<void()> double_click_;
     QImage picture_;
+    std::vector<SegmentNumber> segment_numbers_;  // in it
     bool picture_is_old_ = true;
     double zoom_ = 1.0;      // against the slice that fits
     QPointF shift_;          // of the slice's middle from the widget's
