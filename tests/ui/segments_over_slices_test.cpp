@@ -155,6 +155,18 @@ TEST_F(SegmentsOverSlices, AreNamedUnderTheMouse) {
     EXPECT_TRUE(said_at(Vec3(-57, 0, 0)).contains("HU"));
 }
 
+// Words that come and go with the mouse take the slices no room.
+TEST_F(SegmentsOverSlices, AreNamedWithoutMovingOrWideningAnything) {
+    show(patient(halves(6, 3)));
+    auto* place = window_.findChild<QLabel*>("slicePlace");
+    const int least = window_.minimumSizeHint().width(), high = place->sizeHint().height();
+    place->setText(QString("L 154.7  P 205.0  H 154.6 mm   159 HU   segment 4   ") +
+                   "portal vein, radius 13.8 mm");
+    EXPECT_EQ(window_.minimumSizeHint().width(), least);
+    EXPECT_EQ(place->height(), high);
+    EXPECT_LE(least, 1280);
+}
+
 TEST_F(SegmentsOverSlices, FollowACorrectedTreeAndGoWithTheirPatient) {
     show(patient(halves(6, 3)));
     scene().set_segments_visible(true);

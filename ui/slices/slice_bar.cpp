@@ -52,14 +52,17 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
     place_->setObjectName("slicePlace");
+    // Two lines, whatever is said: it neither widens the window nor moves the slices.
+    place_->setWordWrap(true);
+    place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
     row->addWidget(presets_);
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
     row->addWidget(segment_choice());
     row->addWidget(measuring_choice());
-    row->addStretch();
-    row->addWidget(place_);
+    row->addWidget(place_, 1);
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets.size()))
             scene_.set_window(presets[static_cast<std::size_t>(index)].window);
@@ -122,7 +125,8 @@ void SliceBar::say(const QString& text) {
 }
 
 void SliceBar::show_place(const Vec3& position_mm) {
-    place_->setText(QString::fromStdString(scene_.describe(position_mm)));
+    // The place in the first line, what is there in the second.
+    place_->setText(QString::fromStdString(scene_.describe(position_mm)).replace("HU   ", "HU\n"));
 }
 
 void SliceBar::follow_window() {
