@@ -298,7 +298,10 @@ void MainWindow::connect_files() {
     library_ = new LibraryDialog(
         settings_,
         {[this](const QString& path) { open(path); },
-         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); }},
+         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); },
+         [this](const ShelvedLesson& lesson, const QString& place) {
+             lessons_->start_on(lesson.file.string(), place);
+         }},
         this);
     actions_->on(ActionId::open_library, [this] { library_->open_library(); });
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });
