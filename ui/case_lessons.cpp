@@ -65,6 +65,9 @@ void CaseLessons::show_lessons(std::vector<ShelvedLesson> lessons, bool can_begi
         if (of != lesson.patient) {
             part = new QTreeWidgetItem(list_, {title_of(lesson.patient)});
             part->setFlags(Qt::ItemIsEnabled);
+            QFont bold = list_->font();
+            bold.setBold(true);
+            part->setFont(0, bold);
             of = lesson.patient;
         }
         auto* row = new QTreeWidgetItem(part, {lesson.name});
