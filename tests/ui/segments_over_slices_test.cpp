@@ -159,9 +159,9 @@ TEST_F(SegmentsOverSlices, AreNamedUnderTheMouse) {
 TEST_F(SegmentsOverSlices, AreNamedWithoutMovingOrWideningAnything) {
     show(patient(halves(6, 3)));
     auto* place = window_.findChild<QLabel*>("slicePlace");
-    const auto least_width = [this] {
+    const auto least_width = [place] {
         QApplication::processEvents();  // a text that changes is laid out later
-        return window_.minimumSizeHint().width();
+        return place->parentWidget()->minimumSizeHint().width();
     };
     place->setText("118 HU");
     const int least = least_width(), high = place->height();
