@@ -199,6 +199,16 @@ void MainWindow::build_panels() {
     curves_->plots().on_save = [this](bool picture) { save_plots(picture); };
     addDockWidget(Qt::BottomDockWidgetArea, curves_);
     curves_->hide();
+    const auto show_units = [this](FlowUnits units) {
+        tool_panel_->set_units(units);
+        curves_->plots().set_units(units);
+    };
+    inject_->on_units = [this, show_units](FlowUnits units) {
+        settings_.set_flow_units(name_of(units));
+        show_units(units);
+    };
+    inject_->set_units(flow_units_named(settings_.flow_units()));
+    show_units(flow_units_named(settings_.flow_units()));
     build_branches();
     build_lessons();
     build_review();
