@@ -75,6 +75,7 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
     hover_->setMinimumHeight(3 * fontMetrics().height());
     hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     column->addWidget(hover_);
+    column->addLayout(make_units());
     column->addStretch(1);
     preset_->setCurrentIndex(first_preset());
     choose_preset(first_preset());
@@ -119,7 +120,11 @@ QWidget* InjectPanel::make_settings() {
     model_->setCurrentText(default_injection::pressure_model);
     model_->setToolTip("Form of the pressure law");
     form->addRow("Pressure law", model_);
-    units_choice_ = new QComboBox(box);
+    return box;
+}
+
+QLayout* InjectPanel::make_units() {
+    units_choice_ = new QComboBox(this);
     units_choice_->setObjectName("flowUnits");
     units_choice_->addItems({tr("g/s, Pa"), tr("mL/min, mmHg")});  // in the order of FlowUnits
     units_choice_->setToolTip(tr("Of flows and pressures in the panels and curves"));
@@ -127,8 +132,9 @@ QWidget* InjectPanel::make_settings() {
         set_units(static_cast<FlowUnits>(index));
         if (on_units) on_units(units_);
     });
+    auto* form = new QFormLayout;
     form->addRow(tr("Units"), units_choice_);
-    return box;
+    return form;
 }
 
 QWidget* InjectPanel::make_clock() {

@@ -13,6 +13,7 @@
 
 class QComboBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QSlider;
 
@@ -45,6 +46,7 @@ class InjectPanel : public QWidget {
     void show_flow_range();
     QWidget* make_settings();
     QWidget* make_clock();
+    QLayout* make_units();
     void ask_for_time(double time_s);
 
     std::function<void(Command)> post_;

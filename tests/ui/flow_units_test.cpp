@@ -84,8 +84,7 @@ class FlowUnitsInWindow : public testing::FakeWindowTest {
     }
     static InjectDrug injection(MainWindow& window) {
         auto* choice = window.findChild<QComboBox*>("flowUnits");
-        auto* panel = static_cast<InjectPanel*>(choice->parentWidget()->parentWidget());
-        return panel->injection_at(Vec3(1, 2, 3));
+        return static_cast<InjectPanel*>(choice->parentWidget())->injection_at(Vec3(1, 2, 3));
     }
 };
 
