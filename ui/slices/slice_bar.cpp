@@ -54,6 +54,7 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     place_->setObjectName("slicePlace");
     // Two lines, whatever is said: it neither widens the window nor moves the slices.
     place_->setWordWrap(true);
+    place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
     place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
     row->addWidget(presets_);
