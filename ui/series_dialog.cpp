@@ -23,10 +23,14 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
     const QString why = series.why_not_chosen.empty()
                             ? "the best for the liver's vessels"
                             : "of the best, " + QString::fromStdString(series.why_not_chosen);
-    return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
-                                QString::number(series.slices), spacing,
-                                QString::fromStdString(series.kernel),
-                                QString::fromStdString(series.phase), why});
+    QStringList warnings;
+    for (const std::string& warning : series.warnings) warnings << QString::fromStdString(warning);
+    auto* row = new QTreeWidgetItem(
+        {QString::number(number), QString::fromStdString(series.description),
+         QString::number(series.slices), spacing, QString::fromStdString(series.kernel),
+         QString::fromStdString(series.phase), why, warnings.join("; ")});
+    row->setToolTip(7, warnings.join("\n").toHtmlEscaped());
+    return row;
 }
 
 constexpr int picture_points = 96;
@@ -75,12 +79,16 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     list_->setObjectName("series");
     list_->setRootIsDecorated(false);
     list_->setItemDelegate(new WithoutFocusFrame(list_));
+    list_->setWordWrap(true);
     list_->setIconSize(QSize(picture_points, picture_points));
-    list_->setHeaderLabels({"", "Series", "Images", "Apart", "Kernel", "Phase", "Why"});
+    list_->setHeaderLabels(
+        {"", "Series", "Images", "Apart", "Kernel", "Phase", "Why", tr("Warnings")});
     for (const SeriesDescription& one : series)
         list_->addTopLevelItem(row_of(one, list_->topLevelItemCount() + 1));
     begin_pictures(series);
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
+    list_->header()->setStretchLastSection(true);
+    list_->setColumnWidth(7, 200);  // and wrapped
     list_->setCurrentItem(list_->topLevelItem(0));
     connect(list_, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
     column->addWidget(list_);

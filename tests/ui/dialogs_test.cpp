@@ -142,9 +142,16 @@ class Choosing : public ::testing::Test {
     Choosing() { dialog_.show(); }
     QTreeWidget& list() { return *dialog_.findChild<QTreeWidget*>("series"); }
 
-    SeriesDialog dialog_{
-        {{"3 \"portal\"", "CT", 240, 1.25, "B30f", "portal venous phase", ""},
-         {"2 \"lung\"", "CT", 480, 0.0, "B70f", "", "its kernel is for soft tissue"}}};
+    SeriesDialog dialog_{{{"3 \"portal\"", "CT", 240, 1.25, "B30f", "portal venous phase", ""},
+                          {"2 \"lung\"",
+                           "CT",
+                           480,
+                           0.0,
+                           "B70f",
+                           "",
+                           "its kernel is for soft tissue",
+                           {},
+                           {"it is <odd>", "it is long"}}}};
 };
 
 TEST_F(Choosing, lists_what_tells_the_series_apart) {
@@ -157,10 +164,11 @@ TEST_F(Choosing, lists_what_tells_the_series_apart) {
     };
     EXPECT_EQ(row(0),
               "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase | the best for the "
-              "liver's vessels");
+              "liver's vessels | ");
     EXPECT_EQ(row(1),
               "2 | 2 \"lung\" | 480 | unknown | B70f |  | of the best, its kernel is for soft "
-              "tissue");
+              "tissue | it is <odd>; it is long");
+    EXPECT_EQ(list().topLevelItem(1)->toolTip(7), "it is &lt;odd&gt;\nit is long");
 }
 
 TEST_F(Choosing, takes_the_best_by_enter_alone) {
