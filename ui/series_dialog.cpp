@@ -73,7 +73,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     : QDialog(parent), list_(new QTreeWidget(this)) {
     setWindowTitle("Choose a series");
     setMinimumSize(760, 280);
-    resize(900, 460);
+    resize(960, 460);
     auto* column = new QVBoxLayout(this);
     column->addWidget(new QLabel("The folder holds several CT series. Which one is to be read?"));
     list_->setObjectName("series");
@@ -88,7 +88,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     begin_pictures(series);
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
-    list_->setColumnWidth(7, 200);  // and wrapped
+    list_->setColumnWidth(7, 150);  // and wrapped
     list_->setCurrentItem(list_->topLevelItem(0));
     connect(list_, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
     column->addWidget(list_);
