@@ -138,10 +138,12 @@ std::vector<ShelvedCase> cases_in(const fs::path& folder, const fs::path& record
                          "Choose another folder");
     std::ranges::sort(places);
     const AttemptsOfPatients attempts = attempts_by_patient(recordings);
+    const std::vector<ShelvedLesson> lessons = lessons_in(folder, job);
     std::vector<ShelvedCase> cases;
     for (const fs::path& place : places) {
         job.throw_if_cancelled();
         cases.push_back(shelved(place, attempts));
+        cases.back().lessons = lessons_of(lessons, place);
         job.advance(static_cast<double>(cases.size()) / static_cast<double>(places.size()));
     }
     return cases;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cases of a folder as a library shows them: a drawing of each patient's vessels from the
-// front, what is known and doubted of him, and how lessons on him went. No widgets: made on a
-// worker.
+// front, what is known and doubted of him, which lessons go with him and how they went. No widgets:
+// made on a worker.
 #pragma once
 
 #include <QImage>
@@ -12,6 +12,7 @@
 
 #include "core/base/job.h"
 #include "core/tree/vessel_tree.h"
+#include "ui/shelved_lessons.h"
 
 namespace hepatica {
 
@@ -21,6 +22,7 @@ struct ShelvedCase {
     QImage drawing;  // null where the case cannot be read
     QString facts;   // HTML: lengths, systems, doubts, attempts; or why it cannot be read
     bool readable = false;
+    std::vector<ShelvedLesson> lessons{};  // that go with it, see lessons_of()
 };
 
 // The vessels from the front, each as wide as it is and in its system's colour, on a clear ground.

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/flow/fluid.h"
 #include "core/scene/default_injection.h"
 #include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
@@ -26,6 +27,9 @@ namespace {
 constexpr int slider_steps = 1000;
 constexpr int key_step = slider_steps / 100;
 constexpr int page_step = slider_steps / 10;
+
+constexpr double least_g_s = 0.001;
+constexpr double most_g_s = 100.0;
 
 struct Preset {
     const char* name;
@@ -71,6 +75,7 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
     hover_->setMinimumHeight(3 * fontMetrics().height());
     hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     column->addWidget(hover_);
+    column->addLayout(make_units());
     column->addStretch(1);
     preset_->setCurrentIndex(first_preset());
     choose_preset(first_preset());
@@ -90,13 +95,18 @@ QWidget* InjectPanel::make_settings() {
     source_->setObjectName("quiet");
     source_->setWordWrap(true);
     form->addRow(source_);
-    mass_flow_ = new DecimalSpinBox(0.001, 100.0, default_injection::mass_flow_g_s, 3, "g/s", box);
-    mass_flow_->setSingleStep(0.5);
-    mass_flow_->setToolTip("Mass flow at the catheter's tip");
-    form->addRow("Mass flow", mass_flow_);
+    flow_ =
+        new DecimalSpinBox(least_g_s, most_g_s, default_injection::mass_flow_g_s, 3, "g/s", box);
+    flow_->setObjectName("flow");
+    flow_->setSingleStep(0.5);
+    flow_->setToolTip("Mass flow at the catheter's tip");
+    flow_label_ = new QLabel("Mass flow", box);
+    flow_label_->setBuddy(flow_);
+    form->addRow(flow_label_, flow_);
     void_fraction_ = new DecimalSpinBox(0.0, 0.999, default_injection::void_fraction, 3, "", box);
     void_fraction_->setSingleStep(0.05);
     void_fraction_->setToolTip("Share of the volume that the second phase (gas, oil) takes");
+    connect(void_fraction_, &QDoubleSpinBox::valueChanged, this, [this] { show_flow_range(); });
     form->addRow("Void fraction", void_fraction_);
     viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", box);
     viscosity_->setSpecialValueText("of the mixture");
@@ -111,6 +121,20 @@ QWidget* InjectPanel::make_settings() {
     model_->setToolTip("Form of the pressure law");
     form->addRow("Pressure law", model_);
     return box;
+}
+
+QLayout* InjectPanel::make_units() {
+    units_choice_ = new QComboBox(this);
+    units_choice_->setObjectName("flowUnits");
+    units_choice_->addItems({tr("g/s, Pa"), tr("mL/min, mmHg")});  // in the order of FlowUnits
+    units_choice_->setToolTip(tr("Of flows and pressures in the panels and curves"));
+    connect(units_choice_, &QComboBox::activated, this, [this](int index) {
+        set_units(static_cast<FlowUnits>(index));
+        if (on_units) on_units(units_);
+    });
+    auto* form = new QFormLayout;
+    form->addRow(tr("Units"), units_choice_);
+    return form;
 }
 
 QWidget* InjectPanel::make_clock() {
@@ -148,12 +172,46 @@ void InjectPanel::choose_preset(int index) {
     const Preset& preset = presets.at(static_cast<std::size_t>(index));
     void_fraction_->setValue(preset.void_fraction);
     source_->setText(QString::fromUtf8(preset.source));
+    show_flow_range();
+}
+
+double InjectPanel::density_g_mm3() const {
+    const Preset& preset = presets.at(static_cast<std::size_t>(preset_->currentIndex()));
+    return mixture(blood(), second_phase(preset.second_phase), void_fraction_->value())
+        .density_g_mm3;
+}
+
+double InjectPanel::mass_flow_g_s() const {
+    if (units_ == FlowUnits::computed) return flow_->value();
+    return std::clamp(g_s_of(flow_->value(), density_g_mm3()), least_g_s, most_g_s);
+}
+
+// A pump that is set to a volume keeps it, whatever is in it.
+void InjectPanel::show_flow_range() {
+    if (units_ == FlowUnits::computed) return flow_->setRange(least_g_s, most_g_s);
+    const double density = density_g_mm3();
+    flow_->setRange(ml_min_of(least_g_s, density), ml_min_of(most_g_s, density));
+}
+
+void InjectPanel::set_units(FlowUnits units) {
+    const double chosen_g_s = mass_flow_g_s();
+    units_ = units;
+    units_choice_->setCurrentIndex(static_cast<int>(units));
+    const bool clinic = units == FlowUnits::clinic;
+    flow_->setDecimals(clinic ? 2 : 3);
+    flow_->setSuffix(clinic ? " mL/min" : " g/s");
+    flow_->setSingleStep(clinic ? 10.0 : 0.5);
+    show_flow_range();
+    flow_->setValue(clinic ? ml_min_of(chosen_g_s, density_g_mm3()) : chosen_g_s);
+    flow_label_->setText(clinic ? tr("Volume flow") : QString("Mass flow"));
+    flow_->setToolTip(clinic ? tr("Volume flow at the catheter's tip")
+                             : QString("Mass flow at the catheter's tip"));
 }
 
 InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
     InjectDrug injection;
     injection.point_mm = point_mm;
-    injection.mass_flow_g_s = mass_flow_->value();
+    injection.mass_flow_g_s = mass_flow_g_s();
     injection.void_fraction = void_fraction_->value();
     injection.pressure_model = model_->currentText().toStdString();
     injection.second_phase =

@@ -9,9 +9,11 @@
 
 #include "core/scene/frame.h"
 #include "core/session/command.h"
+#include "ui/flow_units.h"
 
 class QComboBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QSlider;
 
@@ -31,19 +33,29 @@ class InjectPanel : public QWidget {
     // What lies under the mouse; empty for nothing.
     void show_hover(const QString& text);
     void toggle_playing();
+    // Of what is shown and typed; an injection is given in grams per second all the same.
+    void set_units(FlowUnits units);
+    std::function<void(FlowUnits)> on_units;  // the user chose others, which are set already
     // Tells a simulation that has just begun what the user had chosen before.
     void post_choices();
 
   private:
     void choose_preset(int index);
+    double density_g_mm3() const;  // of what is injected
+    double mass_flow_g_s() const;
+    void show_flow_range();
     QWidget* make_settings();
     QWidget* make_clock();
+    QLayout* make_units();
     void ask_for_time(double time_s);
 
     std::function<void(Command)> post_;
     QComboBox* preset_ = nullptr;
     QLabel* source_ = nullptr;
-    DecimalSpinBox* mass_flow_ = nullptr;
+    DecimalSpinBox* flow_ = nullptr;  // in units_
+    QLabel* flow_label_ = nullptr;
+    QComboBox* units_choice_ = nullptr;
+    FlowUnits units_ = FlowUnits::computed;
     DecimalSpinBox* void_fraction_ = nullptr;
     DecimalSpinBox* viscosity_ = nullptr;
     QComboBox* model_ = nullptr;

@@ -95,14 +95,26 @@ void LessonDock::show_course(const fs::path& file) {
     }
 }
 
-void LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
+bool LessonDock::read(const std::string& name) {
     try {
         lesson_ = find_lesson(name);
-        lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
     } catch (...) {
-        return ways_.failed("Open lesson", std::current_exception());
+        ways_.failed("Open lesson", std::current_exception());
+        return false;
     }
     name_ = name;
+    return true;
+}
+
+void LessonDock::start_on(const std::string& name, const QString& case_folder) {
+    if (!read(name)) return;
+    waits_ = true;
+    ways_.open_case(case_folder);
+}
+
+void LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
+    if (!read(name)) return;
+    lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
         return begin();

@@ -49,6 +49,8 @@ class LessonDock : public QDockWidget {
     // Begins on the patient that is shown, or opens the lesson's own first. `more_pass`: pass marks
     // beside the lesson's own, of a course.
     void start(const std::string& name, const std::vector<Predicate>& more_pass = {});
+    // The same on the patient of this case, whom it goes with: opens him first.
+    void start_on(const std::string& name, const QString& case_folder);
     // Plays it from a file of its own. That is no attempt: no result is kept, and the recording
     // goes when the next lesson is tried.
     void try_out(const Lesson& lesson);
@@ -70,6 +72,7 @@ class LessonDock : public QDockWidget {
     std::vector<Vec3> marks_in(const Frame& frame) const;
 
   private:
+    bool read(const std::string& name);  // into lesson_; false where it failed, which is said
     void ask_for_lesson();
     void ask_for_course();
     void begin();

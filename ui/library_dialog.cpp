@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/patient/patient_case.h"
+#include "ui/case_lessons.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -64,7 +65,12 @@ void LibraryDialog::build() {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFixedWidth(300);
     scroll->setWidget(facts_);
-    middle->addWidget(scroll);
+    lessons_ = new CaseLessons([this](const ShelvedLesson& lesson) { begin(lesson); });
+    lessons_->setFixedWidth(scroll->maximumWidth());
+    auto* of_case = new QVBoxLayout;
+    of_case->addWidget(scroll, 3);
+    of_case->addWidget(lessons_, 2);
+    middle->addLayout(of_case);
     column->addLayout(middle, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     open_ = buttons->addButton("&Open", QDialogButtonBox::ActionRole);
@@ -93,6 +99,13 @@ void LibraryDialog::build() {
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
     column->addWidget(buttons);
+}
+
+void LibraryDialog::begin(const ShelvedLesson& lesson) {
+    const ShelvedCase* one = chosen();
+    if (one == nullptr || !one->readable) return;
+    hide();
+    ways_.begin_lesson(lesson, to_text(one->place));
 }
 
 void LibraryDialog::open_library() {
@@ -163,6 +176,9 @@ void LibraryDialog::show_chosen() {
     give_->setEnabled(open_->isEnabled());
     take_->setEnabled(!busy_);
     choose_->setEnabled(!busy_);
+    lessons_->setVisible(one != nullptr);
+    lessons_->show_lessons(one != nullptr ? one->lessons : std::vector<ShelvedLesson>(),
+                           open_->isEnabled());
     if (busy_ && one == nullptr) return facts_->setText("Reading the cases…");
     facts_->setText(one != nullptr
                         ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The library: the cases of one folder with drawings, what is known of each and how lessons on him
-// went. Opens one, takes a case into the folder, and gives one away as a single file.
+// went, and the lessons that go with it. Opens one, begins a lesson on it, takes a case into the
+// folder, and gives one away as a single file.
 #pragma once
 
 #include <QDialog>
@@ -19,11 +20,15 @@ class QPushButton;
 
 namespace hepatica {
 
+class CaseLessons;
+
 class LibraryDialog : public QDialog {
   public:
     struct Ways {
         std::function<void(const QString& place)> open;
         std::function<void(const std::string& doing, const Failure&)> failed;
+        // On the patient in that case.
+        std::function<void(const ShelvedLesson&, const QString& place)> begin_lesson;
     };
     // `settings` must outlive it.
     LibraryDialog(Settings& settings, Ways ways, QWidget* parent);
@@ -43,6 +48,7 @@ class LibraryDialog : public QDialog {
 
   private:
     void build();
+    void begin(const ShelvedLesson& lesson);
     void choose_folder();
     void read_folder();
     void fill();
@@ -60,6 +66,7 @@ class LibraryDialog : public QDialog {
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     QLabel* facts_ = nullptr;
+    CaseLessons* lessons_ = nullptr;
     QPushButton* open_ = nullptr;
     QPushButton* give_ = nullptr;
     QPushButton* take_ = nullptr;

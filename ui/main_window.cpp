@@ -208,6 +208,16 @@ void MainWindow::build_panels() {
     curves_->plots().on_save = [this](bool picture) { save_plots(picture); };
     addDockWidget(Qt::BottomDockWidgetArea, curves_);
     curves_->hide();
+    const auto show_units = [this](FlowUnits units) {
+        tool_panel_->set_units(units);
+        curves_->plots().set_units(units);
+    };
+    inject_->on_units = [this, show_units](FlowUnits units) {
+        settings_.set_flow_units(name_of(units));
+        show_units(units);
+    };
+    inject_->set_units(flow_units_named(settings_.flow_units()));
+    show_units(flow_units_named(settings_.flow_units()));
     build_branches();
     build_lessons();
     build_review();
@@ -308,7 +318,10 @@ void MainWindow::connect_files() {
     library_ = new LibraryDialog(
         settings_,
         {[this](const QString& path) { open(path); },
-         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); }},
+         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); },
+         [this](const ShelvedLesson& lesson, const QString& place) {
+             lessons_->start_on(lesson.file.string(), place);
+         }},
         this);
     actions_->on(ActionId::open_library, [this] { library_->open_library(); });
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });

@@ -201,7 +201,8 @@ PlotPanel::PlotPanel(QWidget* parent)
 }
 
 void PlotPanel::set_charts(const Chart& left, const Chart& right) {
-    left_->set_chart(left);
+    pressure_ = left;
+    left_->set_chart(in_units(pressure_, units_));
     right_->set_chart(right);
     injected_ = true;
     show_some();
@@ -224,11 +225,17 @@ void PlotPanel::show_some() {
 }
 
 void PlotPanel::clear() {
-    left_->set_chart({"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}});
+    pressure_ = {"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}};
+    left_->set_chart(in_units(pressure_, units_));
     right_->set_chart({"Delivery", "Time (s)", "Drug that has passed the ends (%)", {}});
     set_time({});
     injected_ = false;
     set_tear({}, {});
+}
+
+void PlotPanel::set_units(FlowUnits units) {
+    units_ = units;
+    left_->set_chart(in_units(pressure_, units_));
 }
 
 void PlotPanel::set_time(std::optional<double> time_s) {

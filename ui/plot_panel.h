@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/chart.h"
+#include "ui/flow_units.h"
 
 class QPainter;
 class QPushButton;
@@ -65,6 +66,8 @@ class PlotPanel : public QWidget {
     // The chart of a tear and what happened in it; none: nothing tears, and it is not shown.
     void set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events);
     void clear();
+    // Of pressures; what is shown and saved follows at once.
+    void set_units(FlowUnits units);
     const PlotView& tear() const { return *tear_; }
     const Chart& left() const { return left_->chart(); }
     const Chart& right() const { return right_->chart(); }
@@ -82,6 +85,8 @@ class PlotPanel : public QWidget {
     PlotView* left_;
     PlotView* right_;
     PlotView* tear_;
+    Chart pressure_;  // the left one as it was given
+    FlowUnits units_ = FlowUnits::computed;
     bool injected_ = false, tears_ = false;
     QPushButton* save_picture_;
     QPushButton* save_table_;

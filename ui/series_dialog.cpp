@@ -4,9 +4,15 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/series_thumbnails.h"
 
 namespace hepatica {
 namespace {
@@ -17,11 +23,49 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
     const QString why = series.why_not_chosen.empty()
                             ? "the best for the liver's vessels"
                             : "of the best, " + QString::fromStdString(series.why_not_chosen);
-    return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
-                                QString::number(series.slices), spacing,
-                                QString::fromStdString(series.kernel),
-                                QString::fromStdString(series.phase), why});
+    QStringList warnings;
+    for (const std::string& warning : series.warnings) warnings << QString::fromStdString(warning);
+    auto* row = new QTreeWidgetItem(
+        {QString::number(number), QString::fromStdString(series.description),
+         QString::number(series.slices), spacing, QString::fromStdString(series.kernel),
+         QString::fromStdString(series.phase), why, warnings.join("; ")});
+    row->setToolTip(7, warnings.join("\n").toHtmlEscaped());
+    return row;
 }
+
+constexpr int picture_points = 96;
+
+// The place of a picture that is still to come, or that there is not.
+QPixmap placeholder(double pixels_per_point, const QString& text) {
+    const int side = static_cast<int>(std::ceil(picture_points * pixels_per_point));
+    QPixmap empty(side, side);
+    empty.setDevicePixelRatio(pixels_per_point);
+    empty.fill(QColor(45, 48, 54));
+    QPainter painter(&empty);
+    painter.setPen(QColor(150, 156, 166));
+    painter.drawText(QRect(0, 0, picture_points, picture_points),
+                     Qt::AlignCenter | Qt::TextWordWrap, text);
+    return empty;
+}
+
+// The same in a row that is chosen: nothing may tint a CT.
+QIcon untinted(const QPixmap& picture) {
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
+}
+
+// The frame of the focus would lie over the pictures; the chosen row shows where the keys go.
+class WithoutFocusFrame : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->state &= ~QStyle::State_HasFocus;
+    }
+};
 
 }  // namespace
 
@@ -29,15 +73,22 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     : QDialog(parent), list_(new QTreeWidget(this)) {
     setWindowTitle("Choose a series");
     setMinimumSize(760, 280);
+    resize(960, 460);
     auto* column = new QVBoxLayout(this);
     column->addWidget(new QLabel("The folder holds several CT series. Which one is to be read?"));
     list_->setObjectName("series");
     list_->setRootIsDecorated(false);
-    list_->setAllColumnsShowFocus(true);
-    list_->setHeaderLabels({"", "Series", "Images", "Apart", "Kernel", "Phase", "Why"});
+    list_->setItemDelegate(new WithoutFocusFrame(list_));
+    list_->setWordWrap(true);
+    list_->setIconSize(QSize(picture_points, picture_points));
+    list_->setHeaderLabels(
+        {"", "Series", "Images", "Apart", "Kernel", "Phase", "Why", tr("Warnings")});
     for (const SeriesDescription& one : series)
         list_->addTopLevelItem(row_of(one, list_->topLevelItemCount() + 1));
+    begin_pictures(series);
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
+    list_->header()->setStretchLastSection(true);
+    list_->setColumnWidth(7, 150);  // and wrapped
     list_->setCurrentItem(list_->topLevelItem(0));
     connect(list_, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
     column->addWidget(list_);
@@ -47,6 +98,38 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     column->addWidget(buttons);
     list_->setFocus();
+}
+
+SeriesDialog::~SeriesDialog() = default;
+
+void SeriesDialog::begin_pictures(const std::vector<SeriesDescription>& series) {
+    std::vector<std::filesystem::path> slices;
+    for (const SeriesDescription& one : series) {
+        QTreeWidgetItem* row = list_->topLevelItem(static_cast<int>(slices.size()));
+        row->setIcon(0, untinted(placeholder(devicePixelRatioF(), {})));
+        slices.push_back(one.middle_slice);
+    }
+    const int side = static_cast<int>(std::ceil(picture_points * devicePixelRatioF()));
+    thumbnails_ = std::make_unique<SeriesThumbnails>(
+        std::move(slices), side, [this](std::size_t row, const QImage& picture) {
+            show_picture(static_cast<int>(row), picture);
+        });
+    connect(this, &QDialog::finished, this, [this] { thumbnails_.reset(); });
+}
+
+void SeriesDialog::show_picture(int row, const QImage& picture) {
+    QPixmap drawn = picture.isNull() ? placeholder(devicePixelRatioF(), tr("no picture"))
+                                     : QPixmap::fromImage(picture);
+    drawn.setDevicePixelRatio(devicePixelRatioF());
+    QTreeWidgetItem* item = list_->topLevelItem(row);
+    item->setIcon(0, untinted(drawn));
+    item->setToolTip(0, picture.isNull() ? tr("The slice in the middle cannot be shown")
+                                         : tr("The slice in the middle, in a window for soft "
+                                              "tissue (L 40, W 400)"));
+}
+
+bool SeriesDialog::draws_pictures() const {
+    return thumbnails_ && thumbnails_->working();
 }
 
 int SeriesDialog::chosen() const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks which series of a DICOM folder is to be read. The first is the best for the liver's vessels
-// and is chosen already, so that Enter takes it.
+// Asks which series of a DICOM folder is to be read, with a small picture of each. The first is the
+// best for the liver's vessels and is chosen already, so that Enter takes it.
 #pragma once
 
 #include <QDialog>
+#include <memory>
 #include <vector>
 
 #include "core/image/volume_reader.h"
@@ -12,15 +13,24 @@ class QTreeWidget;
 
 namespace hepatica {
 
+class SeriesThumbnails;
+
 class SeriesDialog : public QDialog {
   public:
     // Two series or more, the best first.
     SeriesDialog(const std::vector<SeriesDescription>& series, QWidget* parent = nullptr);
+    ~SeriesDialog() override;
 
     int chosen() const;  // its number in the list, from 1
+    // Pictures are still to come; none once the dialog is closed.
+    bool draws_pictures() const;
 
   private:
+    void begin_pictures(const std::vector<SeriesDescription>& series);
+    void show_picture(int row, const QImage& picture);
+
     QTreeWidget* list_;
+    std::unique_ptr<SeriesThumbnails> thumbnails_;
 };
 
 }  // namespace hepatica

@@ -17,6 +17,7 @@ const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
+const char* const flow_units_key = "flow_units";
 const char* const library_key = "library_folder";
 
 }  // namespace
@@ -112,6 +113,14 @@ QString Settings::theme() const {
 
 void Settings::set_theme(const QString& name) {
     if (store_) store_->setValue(theme_key, name);
+}
+
+QString Settings::flow_units() const {
+    return store_ ? store_->value(flow_units_key).toString() : QString();
+}
+
+void Settings::set_flow_units(const QString& name) {
+    if (store_) store_->setValue(flow_units_key, name);
 }
 
 QString Settings::library_folder() const {

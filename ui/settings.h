@@ -52,6 +52,10 @@ class Settings {
     QString theme() const;
     void set_theme(const QString& name);
 
+    // See flow_units_named(); empty: none was chosen.
+    QString flow_units() const;
+    void set_flow_units(const QString& name);
+
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 

@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/base/units.h"
+#include "core/flow/fluid.h"
 #include "render/tool_actor.h"
 #include "ui/decimal_spin_box.h"
 
@@ -16,6 +18,17 @@ namespace {
 
 constexpr double thinnest_mm = 0.5, thickest_mm = 20.0;
 constexpr double shortest_mm = 2.0, longest_mm = 200.0;
+
+QString bleeding_text(const TearView& tear, FlowUnits units) {
+    if (units == FlowUnits::computed)
+        return QString("; bleeds %1 g/s, %2 g so far")
+            .arg(tear.leak_g_s, 0, 'f', 1)
+            .arg(tear.leaked_g, 0, 'f', 0);
+    const double density_g_mm3 = blood().density_g_mm3;
+    return ToolPanel::tr("; bleeds %1 mL/min, %2 mL so far")
+        .arg(ml_min_of(tear.leak_g_s, density_g_mm3), 0, 'f', 0)
+        .arg(tear.leaked_g / density_g_mm3 / units::millilitre, 0, 'f', 0);
+}
 
 }  // namespace
 
@@ -119,7 +132,13 @@ double ToolPanel::cut_line_strength() const {
     return line_strength_->value();
 }
 
+void ToolPanel::set_units(FlowUnits units) {
+    units_ = units;
+    show_tear(std::optional(shown_tear_));
+}
+
 void ToolPanel::show_tear(const std::optional<TearView>& tear) {
+    shown_tear_ = tear;
     tears_->setChecked(tear.has_value());
     if (!tear) return torn_->setText("whole");
     QString text = tear->joints_broken == 0
@@ -128,10 +147,7 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
                              .arg(tear->joints_broken)
                              .arg(tear->pieces)
                              .arg(tear->entropy_produced_nats, 0, 'f', 2);
-    if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0)
-        text += QString("; bleeds %1 g/s, %2 g so far")
-                    .arg(tear->leak_g_s, 0, 'f', 1)
-                    .arg(tear->leaked_g, 0, 'f', 0);
+    if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0) text += bleeding_text(*tear, units_);
     if (!tear->stopped_by.empty())
         text += QString("; stopped by the %1 budget").arg(QString::fromStdString(tear->stopped_by));
     torn_->setText(text);

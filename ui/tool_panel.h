@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "ui/flow_units.h"
 #include "ui/tool_hand.h"
 
 class QCheckBox;
@@ -30,6 +31,7 @@ class ToolPanel : public QWidget {
     double cut_line_strength() const;
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);
+    void set_units(FlowUnits units);  // of the bleeding
     // A new simulation has begun: the panel goes back to what that begins with, no tearing.
     void forget_tear();
     // Empty where no tool is in the hand.
@@ -52,6 +54,8 @@ class ToolPanel : public QWidget {
     DecimalSpinBox* tear_factor_ = nullptr;
     DecimalSpinBox* line_strength_ = nullptr;
     QLabel* torn_ = nullptr;
+    std::optional<TearView> shown_tear_;
+    FlowUnits units_ = FlowUnits::computed;
 };
 
 }  // namespace hepatica

@@ -277,11 +277,25 @@ void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& st
                 std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
 }
 
-}  // namespace
-
-Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {
+// GDCM would write about every damaged file to the terminal.
+void silence_gdcm() {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
+}
+
+}  // namespace
+
+std::vector<double> slice_hu(const DicomSlice& slice) {
+    if (slice.frames > 1) reject(slice.file, "holds several frames in one file");
+    if (!slice.problem.empty()) reject(slice.file, slice.problem);
+    if (slice.rows < 1 || slice.columns < 1) reject(slice.file, "has no pixels");
+    silence_gdcm();
+    require_room(slice);
+    return read_pixels(slice);
+}
+
+Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {
+    silence_gdcm();
     SplitFrames split;  // holds the frames of enhanced files until they are read
     const OrderedSeries series = order_slices(split.split(
         choose_series(find_dicom_slices(folder, job, remarks), wish.series, folder, remarks), job));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/image/dicom_slices.h"
 #include "core/image/dicom_stack.h"
 #include "core/image/series_choice.h"
 #include "core/image/volume.h"
@@ -27,5 +28,9 @@ struct DicomWish {
 // The CT series that the caller asks for, see choose_series. For the rest see read_volume.
 Volume read_dicom(const std::filesystem::path& folder, const DicomWish& wish, Job& job,
                   ReadRemarks& remarks);
+
+// The same of a slice that nobody has checked; its geometry is not asked for. Throws InputError,
+// also where it holds several frames.
+std::vector<double> slice_hu(const DicomSlice& slice);
 
 }  // namespace hepatica

@@ -68,7 +68,7 @@ struct DicomSlice {
     double along_normal_mm() const { return position_mm.dot(normal()); }
 };
 
-// One file as a slice, or nothing where it is no DICOM image.
+// Of one file; nothing where it is no DICOM file, holds no image or its header is damaged.
 std::optional<DicomSlice> read_dicom_slice(const std::filesystem::path& file);
 
 // Looks at every file below `folder`; what is not a DICOM image is passed over, and what cannot be

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/quoted_name.h"
+#include "core/image/dicom_series.h"
 #include "core/image/header_text.h"
 
 namespace hepatica {
@@ -193,6 +194,35 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
     return all;
 }
 
+// The file of the slice that has as many on its one side as on the other.
+fs::path middle_slice(const Series& series) {
+    std::vector<std::pair<double, std::size_t>> places;
+    for (std::size_t i = 0; i < series.slices.size(); ++i) {
+        const DicomSlice& slice = series.slices[i];
+        const bool placed = slice.has_geometry && series.first().has_geometry;
+        places.emplace_back(placed ? slice.position_mm.dot(series.first().normal()) : 0.0, i);
+    }
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+    std::ranges::nth_element(places, middle);
+    return series.slices[middle->second].file;
+}
+
+std::vector<std::string> warnings_of(const Series& series) {
+    if (!series.is_ct()) return {"it is no CT"};
+    std::vector<std::string> warnings;
+    try {
+        order_slices(series.slices);
+    } catch (const InputError& refused) {
+        warnings.push_back("it cannot be read: " + refused.problem() + " (" +
+                           quoted_name(fs::path(refused.place()).filename().string()) + ")");
+    }
+    if (series.spacing_mm > thickest_good_mm)
+        warnings.push_back("its slices lie far apart: thin vessels are lost");
+    if (series.phase() == Phase::without_contrast)
+        warnings.push_back("without contrast no vessel is seen");
+    return warnings;
+}
+
 std::string text_of(const Series& series) {
     const DicomSlice& first = series.first();
     std::ostringstream text;
@@ -248,7 +278,8 @@ std::vector<SeriesDescription> describe_series(const std::vector<DicomSlice>& sl
         const DicomSlice& first = series.first();
         list.push_back({first.description, first.modality, series.images(), series.spacing_mm,
                         first.kernel, name_of(series.phase()),
-                        list.empty() ? "" : reason(all.front(), series)});
+                        list.empty() ? "" : reason(all.front(), series), middle_slice(series),
+                        warnings_of(series)});
     }
     return list;
 }

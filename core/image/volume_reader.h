@@ -46,6 +46,10 @@ struct SeriesDescription {
     std::string kernel;          // as its maker calls it; may be blank
     std::string phase;           // of the contrast, as far as the description tells; may be blank
     std::string why_not_chosen;  // in words, against the first of the list; "" of the first
+    std::filesystem::path middle_slice{};  // the file of the one in the middle of the others
+    // What speaks against it, in words: that it cannot be read and why, or that little will be
+    // seen.
+    std::vector<std::string> warnings{};
 };
 
 // The series that a folder holds, CT first and the best for the liver's vessels first: read_volume

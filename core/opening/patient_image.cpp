@@ -75,6 +75,18 @@ Mask organ_voxels(const PatientCase& patient, const fs::path& folder) {
     return std::move(voxels_of(patient, folder).organs);
 }
 
+Mask segment_voxels(const PatientCase& patient, const fs::path& folder, bool corrected, Job& job) {
+    // With his organs in memory he has the segments of his tree, if there are any.
+    if (!patient.couinaud.voxels.empty() || !patient.organs.voxels.empty() || folder.empty())
+        return patient.couinaud;
+    PatientCase voxels = voxels_of(patient, folder);
+    if (!corrected) return std::move(voxels.couinaud);
+    job.begin_stage("Parting the liver into segments");
+    voxels.tree = patient.tree;
+    label_segments(voxels, job);
+    return std::move(voxels.couinaud);
+}
+
 PatientCase whole_case(const PatientCase& patient, const fs::path& folder, Job& job) {
     PatientCase whole = patient;
     if (folder.empty() || !whole.mask.voxels.empty()) return whole;

@@ -25,6 +25,12 @@ Mask system_voxels(const PatientCase& patient, const std::filesystem::path& fold
 // Likewise the labels of organs, see organ_label.
 Mask organ_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
+// Likewise the labels of Couinaud's segments that belong to his present tree. `corrected`: his tree
+// is not that of the case in `folder` any more, so that they are made anew from the organs there.
+// Begins one stage where they are; throws Cancelled.
+Mask segment_voxels(const PatientCase& patient, const std::filesystem::path& folder, bool corrected,
+                    Job& job);
+
 // The patient with his voxels, those of the case in `folder` where he was read without them, and
 // with the segments of the liver that belong to his present tree. Throws InputError as read_case()
 // does, Cancelled.

@@ -112,6 +112,34 @@ TEST(SeriesChoice, IsListedBestFirstWithTheReason) {
     EXPECT_NE(refusal([&] { exam.value_read(nullptr, 3); }).find("no number 3"), std::string::npos);
 }
 
+// What would be refused or show little is said before anybody waits for it.
+TEST(SeriesChoice, WarnsOfWhatSpeaksAgainstASeries) {
+    Examination exam;
+    exam.add("portal", 16, 60, 2.0);
+    exam.add("thick", 16, 60, 5.0);
+    exam.add("native", 16, 60, 2.0);
+    exam.add("holed", 16, 60, 2.0);
+    exam.add("magnets", 16, 60, 2.0);
+    exam.edit("magnets", modality, "MR");
+    fs::remove(exam.path() / "holed" / "slice_0008.dcm");
+    Job job;
+    const std::vector<SeriesDescription> list = list_series(exam.path(), job);
+    ASSERT_EQ(list.size(), 5u);
+    const auto warnings = [&](const char* name) {
+        for (const SeriesDescription& one : list)
+            if (one.description.find(name) != std::string::npos) return one.warnings;
+        return std::vector<std::string>{"not found"};
+    };
+    EXPECT_TRUE(warnings("portal").empty());
+    EXPECT_EQ(warnings("thick"),
+              std::vector<std::string>{"its slices lie far apart: thin vessels are lost"});
+    EXPECT_EQ(warnings("native"), std::vector<std::string>{"without contrast no vessel is seen"});
+    EXPECT_EQ(warnings("magnets"), std::vector<std::string>{"it is no CT"});
+    ASSERT_EQ(warnings("holed").size(), 1u);
+    EXPECT_TRUE(warnings("holed")[0].starts_with("it cannot be read: 1 slice is missing between"))
+        << warnings("holed")[0];
+}
+
 // Anonymisers blank the UIDs; examinations of two dates were stacked into one.
 TEST(SeriesChoice, TellsExaminationsWithoutIdentifiersApart) {
     for (const auto& [tag, one, other] :

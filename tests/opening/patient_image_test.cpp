@@ -8,9 +8,12 @@
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
 #include "core/opening/open_patient.h"
+#include "core/patient/corrections.h"
 #include "core/patient/image_digest.h"
+#include "core/patient/liver_segments.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "tests/patient/parted_patient.h"
+#include "tests/tree/territories/textbook_portal.h"
 
 namespace hepatica {
 namespace {
@@ -70,6 +73,33 @@ TEST_F(PatientImage, SystemsAreReadFromTheCaseWhereThePatientCameWithoutVoxels) 
     EXPECT_EQ(system_voxels(opened, folder_ / "p.hep").voxels, patient.mask.voxels);
     EXPECT_EQ(system_voxels(patient, {}).voxels, patient.mask.voxels);
     EXPECT_TRUE(system_voxels(opened, {}).voxels.empty());
+}
+
+// A tree that has been corrected since takes the segments of the case with it.
+TEST_F(PatientImage, SegmentsAreThoseOfThePresentTree) {
+    PatientCase patient = test::patient_with_bridges();
+    auto textbook =
+        test::textbook_patient(test::PortalType::usual, true, test::liver_of_phantom(6.0));
+    patient.tree = textbook.tree;
+    patient.organs = textbook.liver;
+    label_segments(patient, job_);
+    ASSERT_FALSE(patient.couinaud.voxels.empty());
+    const fs::path folder = folder_ / "segments.hep";
+    write_case(folder, patient);
+    PatientCase opened = read_case_without_voxels(folder);
+    EXPECT_EQ(segment_voxels(opened, folder, false, job_).voxels, patient.couinaud.voxels);
+    EXPECT_EQ(segment_voxels(patient, {}, false, job_).voxels, patient.couinaud.voxels);
+    EXPECT_TRUE(segment_voxels(opened, {}, false, job_).voxels.empty()) << "nobody knows a liver";
+
+    TreeEdit edit;
+    edit.kind = TreeEditKind::delete_branch;
+    edit.at_mm = Vec3(-22, 12, 4);  // the caudate branch
+    patient.tree = opened.tree = with_edited_tree(opened, {edit}).tree;
+    const Mask before = patient.couinaud;
+    label_segments(patient, job_);
+    ASSERT_NE(patient.couinaud.voxels, before.voxels);
+    EXPECT_EQ(segment_voxels(opened, folder, true, job_).voxels, patient.couinaud.voxels);
+    EXPECT_EQ(segment_voxels(opened, folder, false, job_).voxels, before.voxels);
 }
 
 }  // namespace

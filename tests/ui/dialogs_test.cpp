@@ -142,9 +142,16 @@ class Choosing : public ::testing::Test {
     Choosing() { dialog_.show(); }
     QTreeWidget& list() { return *dialog_.findChild<QTreeWidget*>("series"); }
 
-    SeriesDialog dialog_{
-        {{"3 \"portal\"", "CT", 240, 1.25, "B30f", "portal venous phase", ""},
-         {"2 \"lung\"", "CT", 480, 0.0, "B70f", "", "its kernel is for soft tissue"}}};
+    SeriesDialog dialog_{{{"3 \"portal\"", "CT", 240, 1.25, "B30f", "portal venous phase", ""},
+                          {"2 \"lung\"",
+                           "CT",
+                           480,
+                           0.0,
+                           "B70f",
+                           "",
+                           "its kernel is for soft tissue",
+                           {},
+                           {"it is <odd>", "it is long"}}}};
 };
 
 TEST_F(Choosing, lists_what_tells_the_series_apart) {
@@ -157,10 +164,11 @@ TEST_F(Choosing, lists_what_tells_the_series_apart) {
     };
     EXPECT_EQ(row(0),
               "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase | the best for the "
-              "liver's vessels");
+              "liver's vessels | ");
     EXPECT_EQ(row(1),
               "2 | 2 \"lung\" | 480 | unknown | B70f |  | of the best, its kernel is for soft "
-              "tissue");
+              "tissue | it is <odd>; it is long");
+    EXPECT_EQ(list().topLevelItem(1)->toolTip(7), "it is &lt;odd&gt;\nit is long");
 }
 
 TEST_F(Choosing, takes_the_best_by_enter_alone) {
@@ -176,6 +184,87 @@ TEST_F(Choosing, takes_another_by_one_key_more) {
     QTest::keyClick(&list(), Qt::Key_Return);
     EXPECT_EQ(dialog_.result(), QDialog::Accepted);
     EXPECT_EQ(dialog_.chosen(), 2);
+}
+
+// Small pictures of the series in a folder, all of 40 HU.
+class Pictures : public ::testing::Test {
+  protected:
+    Pictures() : folder_(two_series(to_path(temporary_.filePath("scan")))) {}
+    std::vector<SeriesDescription> series() const {
+        Job job;
+        return list_series(folder_, job);
+    }
+    static QImage picture(SeriesDialog& dialog, int row, QIcon::Mode mode = QIcon::Normal) {
+        QTreeWidget* list = dialog.findChild<QTreeWidget*>("series");
+        return list->topLevelItem(row)->icon(0).pixmap(QSize(96, 96), mode).toImage();
+    }
+    static QString tip(SeriesDialog& dialog, int row) {
+        return dialog.findChild<QTreeWidget*>("series")->topLevelItem(row)->toolTip(0);
+    }
+
+    const QTemporaryDir temporary_;
+    const fs::path folder_;
+};
+
+TEST_F(Pictures, arrive_in_the_dialog_after_it_is_shown) {
+    SeriesDialog dialog(series());
+    EXPECT_TRUE(dialog.draws_pictures());
+    const QColor before = picture(dialog, 0).pixelColor(48, 48);
+    EXPECT_NE(before, QColor(128, 128, 128)) << "nothing has been decoded yet";
+    dialog.show();
+    EXPECT_TRUE(dialog.isVisible());
+    ASSERT_TRUE(testing::wait_for([&] { return !dialog.draws_pictures(); }));
+    for (const int row : {0, 1}) {
+        EXPECT_EQ(picture(dialog, row).size(), QSize(96, 96)) << "16 by 16 pixels of a millimetre";
+        EXPECT_EQ(picture(dialog, row).pixelColor(48, 48), QColor(128, 128, 128)) << "40 HU";
+        EXPECT_TRUE(tip(dialog, row).contains("soft tissue"));
+    }
+    EXPECT_EQ(picture(dialog, 0, QIcon::Selected).pixelColor(48, 48), QColor(128, 128, 128))
+        << "the chosen row tints no CT";
+    EXPECT_EQ(dialog.chosen(), 1);
+}
+
+TEST_F(Pictures, are_as_long_and_wide_as_the_slice) {
+    Volume volume;
+    volume.grid.dims = {20, 10, 8};
+    volume.grid.spacing_mm = Vec3(1, 4, 1);  // 20 by 40 mm
+    volume.voxels.assign(20 * 10 * 8, 240);
+    Job job;
+    write_dicom_series(folder_ / "one", volume, {}, job);
+    SeriesDialog dialog(series());
+    ASSERT_TRUE(testing::wait_for([&] { return !dialog.draws_pictures(); }));
+    auto* list = dialog.findChild<QTreeWidget*>("series");
+    const int square = list->topLevelItem(0)->text(1).contains("thick") ? 0 : 1;
+    EXPECT_EQ(picture(dialog, square).size(), QSize(96, 96));
+    EXPECT_EQ(picture(dialog, 1 - square).size(), QSize(48, 96));
+}
+
+TEST_F(Pictures, that_cannot_be_decoded_leave_a_plain_place_and_no_error) {
+    std::vector<SeriesDescription> both = series();
+    fs::resize_file(both[0].middle_slice, fs::file_size(both[0].middle_slice) - 9);
+    both.push_back(both[1]);
+    both.back().middle_slice = folder_ / "gone";
+    SeriesDialog dialog(both);
+    dialog.show();
+    ASSERT_TRUE(testing::wait_for([&] { return !dialog.draws_pictures(); }));
+    for (const int row : {0, 2}) {
+        EXPECT_EQ(picture(dialog, row).size(), QSize(96, 96));
+        EXPECT_TRUE(tip(dialog, row).contains("cannot be shown"));
+    }
+    EXPECT_EQ(picture(dialog, 1).pixelColor(48, 48), QColor(128, 128, 128)) << "the others come";
+    EXPECT_TRUE(dialog.isVisible());
+    EXPECT_EQ(dialog.chosen(), 1);
+    QTest::keyClick(dialog.findChild<QTreeWidget*>("series"), Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+}
+
+TEST_F(Pictures, are_not_waited_for_and_end_with_the_dialog) {
+    SeriesDialog dialog(series());
+    dialog.show();
+    ASSERT_TRUE(dialog.draws_pictures());
+    QTest::keyClick(dialog.findChild<QTreeWidget*>("series"), Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_FALSE(dialog.draws_pictures());
 }
 
 class SavingCase : public ::testing::Test {

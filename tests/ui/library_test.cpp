@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <fstream>
 
 #include "core/base/error.h"
@@ -14,6 +15,7 @@
 #include "tests/session/recorded.h"
 #include "tests/ui/window_test.h"
 #include "ui/case_shelf.h"
+#include "ui/lesson_dock.h"
 #include "ui/library_dialog.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -85,6 +87,58 @@ TEST(CaseShelf, DrawsVesselsFromTheFront) {
     EXPECT_TRUE(drawing_of(VesselTree{}, QSize(10, 10)).pixelColor(5, 5).alpha() == 0);
 }
 
+// Of a vessel to be taken hold of.
+void write_lesson_for(const fs::path& file, const std::string& name, const std::string& patient) {
+    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "about": "Take <it>.",
+        "name": ")" << name
+                        << R"(", "patient": ")" << patient
+                        << R"(", "scene": {"name": "take hold", "deform": {}},
+        "tools": ["pull"], "marks": {"the mark": {"share_of_longest_path": 0.2}},
+        "steps": [{"text": "Take it", "goal": [{"what": "holding", "at_least": 1}]}]})";
+}
+
+QStringList names_of(const std::vector<ShelvedLesson>& lessons, ShelvedLesson::Patient patient) {
+    QStringList names;
+    for (const ShelvedLesson& lesson : lessons)
+        if (lesson.patient == patient) names << lesson.name;
+    return names;
+}
+
+TEST(CaseShelf, TellsWhichLessonsGoWithEachCase) {
+    const TemporaryFolder folder, recordings;
+    const fs::path& place = folder.path();
+    write_case(place / "one.hep", *test::small_patient());
+    write_case(place / "two.hepz", *test::small_patient());
+    write_lesson_for(place / "c.json", "Of one", "one.hep");
+    write_lesson_for(place / "b.json", "Of one by a way about",
+                     "../" + place.filename().string() + "/./one.hep");
+    write_lesson_for(place / "a.json", "Of two", (place / "two.hepz").string());
+    write_lesson_for(place / "d.json", "Of anybody", "any");
+    write_lesson_for(place / "e.json", "Of the built-in patient", "built-in");
+    write_lesson_for(place / "f.json", "Of one who left", "gone.hep");
+    std::ofstream(place / "g.json") << R"({"format": "hepatica-lesson", "version": 1})";
+    std::ofstream(place / "h.json") << R"({"format": "hepatica-course", "version": 1})";
+    std::ofstream(place / "i.json") << "no JSON at all";
+    write_lesson_for(place / "j.txt", "Of another kind of file", "any");
+    Job job;
+    const std::vector<ShelvedCase> cases = cases_in(place, recordings.path(), job);
+    ASSERT_EQ(cases.size(), 2u);
+    using enum ShelvedLesson::Patient;
+    EXPECT_EQ(names_of(cases[0].lessons, this_case),
+              (QStringList{"Of one by a way about", "Of one"}));
+    EXPECT_EQ(names_of(cases[1].lessons, this_case), QStringList{"Of two"});
+    for (const ShelvedCase& one : cases) {
+        EXPECT_EQ(names_of(one.lessons, any), QStringList{"Of anybody"});
+        EXPECT_EQ(names_of(one.lessons, unreadable), QStringList{"g.json"});
+        EXPECT_EQ(one.lessons.front().patient, this_case) << "its own come first";
+        EXPECT_EQ(one.lessons.back().patient, unreadable);
+        EXPECT_TRUE(one.lessons.back().about.contains("name"))
+            << one.lessons.back().about.toStdString();
+    }
+    EXPECT_EQ(cases[0].lessons[1].file, place / "c.json");
+    EXPECT_EQ(cases[0].lessons[1].about, "Take <it>.");
+}
+
 class LibraryTest : public testing::WindowTest {
   protected:
     LibraryTest()
@@ -103,6 +157,27 @@ class LibraryTest : public testing::WindowTest {
         window_.actions()[ActionId::open_library].trigger();
         ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
     }
+    QTreeWidget& lessons() { return *dialog().findChild<QTreeWidget*>("caseLessons"); }
+    QPushButton& begin_button() { return *dialog().findChild<QPushButton*>("caseLessonBegin"); }
+    // "part: lesson, lesson", one a line.
+    QStringList listed() {
+        QStringList lines;
+        for (int i = 0; i < lessons().topLevelItemCount(); ++i) {
+            const QTreeWidgetItem* part = lessons().topLevelItem(i);
+            QStringList names;
+            for (int k = 0; k < part->childCount(); ++k) names << part->child(k)->text(0);
+            lines << part->text(0) + ": " + names.join(", ");
+        }
+        return lines;
+    }
+    QPoint place_of(int part, int lesson) {
+        return lessons().visualItemRect(lessons().topLevelItem(part)->child(lesson)).center();
+    }
+    // The lesson of this name runs on the patient of that case.
+    bool plays(const QString& name) {
+        return window_.lessons().playing() &&
+               window_.lessons().findChild<QLabel*>("lessonTitle")->text().contains(name);
+    }
 
     fs::path cases_, opened_;
 };
@@ -114,6 +189,53 @@ TEST_F(LibraryTest, opens_what_is_chosen) {
     wait();
     EXPECT_EQ(opened_, cases_ / "first.hep");
     EXPECT_TRUE(dialog().isHidden());
+}
+
+TEST_F(LibraryTest, lists_the_lessons_of_the_chosen_case) {
+    write_case(cases_ / "second.hep", *test::small_patient());
+    write_lesson_for(cases_ / "a.json", "Hold it", "second.hep");
+    write_lesson_for(cases_ / "b.json", "Whoever", "any");
+    std::ofstream(cases_ / "c.json") << R"({"format": "hepatica-lesson", "version": 1})";
+    open_library();
+    EXPECT_EQ(listed(), (QStringList{"For any patient: Whoever", "Cannot be read: c.json"}));
+    EXPECT_FALSE(begin_button().isEnabled()) << "none is chosen";
+    QTest::mouseClick(lessons().viewport(), Qt::LeftButton, {}, place_of(1, 0));
+    EXPECT_FALSE(begin_button().isEnabled()) << "a damaged one cannot begin";
+    QTest::mouseDClick(lessons().viewport(), Qt::LeftButton, {}, place_of(1, 0));
+    EXPECT_TRUE(dialog().isVisible());
+    dialog().findChild<QListWidget*>("library")->setCurrentRow(1);
+    EXPECT_EQ(listed(), (QStringList{"For this patient: Hold it", "For any patient: Whoever",
+                                     "Cannot be read: c.json"}));
+}
+
+TEST_F(LibraryTest, says_that_no_lesson_goes_with_a_case) {
+    open_library();
+    ASSERT_EQ(listed().size(), 1);
+    EXPECT_TRUE(listed()[0].startsWith("No lesson in this folder"));
+    EXPECT_FALSE(begin_button().isEnabled());
+}
+
+TEST_F(LibraryTest, begins_a_lesson_of_the_case_by_a_double_click) {
+    write_lesson_for(cases_ / "a.json", "Hold it", "first.hep");
+    open_library();
+    QTest::mouseClick(lessons().viewport(), Qt::LeftButton, {}, place_of(0, 0));
+    QTest::mouseDClick(lessons().viewport(), Qt::LeftButton, {}, place_of(0, 0));
+    EXPECT_TRUE(dialog().isHidden());
+    EXPECT_TRUE(wait_for([this] { return plays("Hold it"); }));
+    EXPECT_EQ(opened_, cases_ / "first.hep");
+}
+
+TEST_F(LibraryTest, begins_a_lesson_for_anybody_on_the_chosen_case) {
+    write_case(cases_ / "second.hep", *test::small_patient());
+    write_lesson_for(cases_ / "a.json", "Whoever", "any");
+    open_library();
+    dialog().findChild<QListWidget*>("library")->setCurrentRow(1);
+    QTest::mouseClick(lessons().viewport(), Qt::LeftButton, {}, place_of(0, 0));
+    ASSERT_TRUE(begin_button().isEnabled());
+    QTest::mouseClick(&begin_button(), Qt::LeftButton);
+    EXPECT_TRUE(dialog().isHidden());
+    EXPECT_TRUE(wait_for([this] { return plays("Whoever"); }));
+    EXPECT_EQ(opened_, cases_ / "second.hep");
 }
 
 TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {

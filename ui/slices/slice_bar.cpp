@@ -55,13 +55,16 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
     place_->setObjectName("slicePlace");
-    // However long its text, the window is no wider for it.
-    place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    // Two lines, whatever is said: it neither widens the window nor moves the slices.
+    place_->setWordWrap(true);
+    place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
     place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
     row->addWidget(presets_);
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
+    row->addWidget(segment_choice());
     row->addWidget(click_choice());
     row->addWidget(draw_button());
     row->addWidget(place_, 1);
@@ -78,6 +81,26 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
         show_place(scene_.crosshair_mm());
     });
     follow_window();
+}
+
+// Couinaud's segments, where they are known.
+QWidget* SliceBar::segment_choice() {
+    auto* choice = new QCheckBox(tr("Segments"));
+    choice->setObjectName("segments");
+    choice->setAccessibleName(tr("Couinaud's segments of the liver over the CT"));
+    choice->setChecked(false);
+    connect(choice, &QCheckBox::toggled, this,
+            [this](bool visible) { scene_.set_segments_visible(visible); });
+    const auto follow = [this, choice] {
+        const bool known = !scene_.segments().voxels.empty();
+        choice->setEnabled(known);
+        choice->setToolTip(known ? tr("Couinaud's segments 1 to 8, in the colours of the branches "
+                                      "that supply them (F6)")
+                                 : QString::fromStdString(scene_.why_no_segments()));
+    };
+    scene_.on_change(follow);
+    follow();
+    return choice;
 }
 
 // What a click in a slice is for.
@@ -128,7 +151,8 @@ void SliceBar::say(const QString& text) {
 }
 
 void SliceBar::show_place(const Vec3& position_mm) {
-    place_->setText(QString::fromStdString(scene_.describe(position_mm)));
+    // The place in the first line, what is there in the second.
+    place_->setText(QString::fromStdString(scene_.describe(position_mm)).replace("HU   ", "HU\n"));
 }
 
 void SliceBar::follow_window() {

@@ -22,6 +22,7 @@ class SliceBar : public QWidget {
     void say(const QString& text);  // until the mouse moves on
 
   private:
+    QWidget* segment_choice();
     QWidget* click_choice();
     QWidget* draw_button();
     void follow_click();

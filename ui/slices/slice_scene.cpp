@@ -53,6 +53,8 @@ void SliceScene::show_tree(const VesselTree& tree) {
 void SliceScene::clear() {
     ct_.reset();
     systems_ = {};
+    segments_ = {};
+    why_no_segments_.clear();
     tree_ = {};
     centrelines_.clear();
     measurements_.clear();
@@ -80,9 +82,29 @@ void SliceScene::set_opacity(double opacity) {
     tell();
 }
 
+void SliceScene::set_segments(Mask segments, std::string why_none) {
+    segments_ = std::move(segments);
+    why_no_segments_ = std::move(why_none);
+    tell();
+}
+
+void SliceScene::set_segments_visible(bool visible) {
+    shows_segments_ = visible;
+    tell();
+}
+
 void SliceScene::set_centrelines_visible(bool visible) {
     shows_centrelines_ = visible;
     tell();
+}
+
+int SliceScene::segment_at(const Vec3& position_mm) const {
+    if (segments_.voxels.empty()) return 0;
+    const Vec3 index = segments_.grid.to_index(position_mm);
+    const auto [x, y, z] = std::array{static_cast<int>(std::lround(index.x())),
+                                      static_cast<int>(std::lround(index.y())),
+                                      static_cast<int>(std::lround(index.z()))};
+    return segments_.grid.contains(x, y, z) ? segments_.at(x, y, z) : 0;
 }
 
 std::string SliceScene::describe(const Vec3& position_mm) const {
@@ -95,6 +117,8 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
     std::string text = along(position_mm.x(), 'L', 'R') + "  " + along(position_mm.y(), 'P', 'A') +
                        "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
                        std::to_string(ct_->at(x, y, z)) + " HU";
+    if (const int segment = segment_at(position_mm); segment > 0)
+        text += "   segment " + std::to_string(segment);
     const CentrelinePoint* vessel = nullptr;
     double nearest = 1.0;  // in radii
     for (const CentrelinePoint& point : centrelines_) {

@@ -53,17 +53,27 @@ class SliceScene {
     void set_window(const GreyWindow& window);   // a width below 1 HU counts as 1
     double opacity() const { return opacity_; }  // of the vessels' voxels, 0 to 1
     void set_opacity(double opacity);
+    // Couinaud's, 1 to 8, on a grid of their own; empty: none, for the reason given.
+    void set_segments(Mask segments, std::string why_none);
+    const Mask& segments() const { return segments_; }
+    const std::string& why_no_segments() const { return why_no_segments_; }
+    bool shows_segments() const { return shows_segments_ && !segments_.voxels.empty(); }
+    void set_segments_visible(bool visible);
     bool shows_centrelines() const { return shows_centrelines_; }
     void set_centrelines_visible(bool visible);
 
-    // Of a place: its coordinates, its Hounsfield units and the vessel there; empty outside.
+    // Of a place: its coordinates, its Hounsfield units, the segment of the liver and the vessel
+    // there; empty outside.
     std::string describe(const Vec3& position_mm) const;
 
   private:
     void tell() const;
+    int segment_at(const Vec3& position_mm) const;  // 0: none
 
     std::shared_ptr<const Volume> ct_;
     Mask systems_;
+    Mask segments_;
+    std::string why_no_segments_;
     std::vector<CentrelinePoint> centrelines_;
     VesselTree tree_;
     Measurements measurements_;
@@ -71,6 +81,7 @@ class SliceScene {
     Vec3 crosshair_mm_ = Vec3::Zero();
     GreyWindow window_{};
     double opacity_ = 0.6;
+    bool shows_segments_ = false;
     bool shows_centrelines_ = true;
     std::vector<std::function<void()>> watchers_;
 };

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double hu_per_point = 2.0;
 constexpr double most_zoom = 20.0;
+constexpr int least_numbered = 40;  // pixels of a segment that has room for its number
 
 QColor colour_of(const Colour& colour) {
     return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
@@ -27,28 +28,36 @@ QString title_of(SliceDirection direction) {
     return titles[static_cast<std::size_t>(direction)];
 }
 
-// Grey with the systems' colours over it.
-QImage blend(const std::vector<std::uint8_t>& grey, const std::vector<std::uint8_t>& labels,
-             int columns, int rows, double opacity) {
-    std::array<std::array<double, 3>, 256> tint{};
-    for (const VascularSystem system : vascular_systems)
-        tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
+QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) {
     QImage picture(columns, rows, QImage::Format_RGB32);
     std::size_t i = 0;
     for (int row = 0; row < rows; ++row) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
-        for (int column = 0; column < columns; ++column, ++i) {
-            const int plain = grey[i];
-            line[column] = qRgb(plain, plain, plain);
-            if (labels.empty() || labels[i] == 0) continue;
-            const auto mixed = [&](std::size_t channel) {
+        for (int column = 0; column < columns; ++column, ++i)
+            line[column] = qRgb(grey[i], grey[i], grey[i]);
+    }
+    return picture;
+}
+
+// The systems' colours over what is there.
+void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, double opacity) {
+    std::array<std::array<double, 3>, 256> tint{};
+    for (const VascularSystem system : vascular_systems)
+        tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
+    std::size_t i = 0;
+    for (int row = 0; row < picture.height(); ++row) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
+        for (int column = 0; column < picture.width(); ++column, ++i) {
+            if (labels[i] == 0) continue;
+            const auto mixed = [&](int plain, std::size_t channel) {
                 return static_cast<int>((1.0 - opacity) * plain +
                                         opacity * 255.0 * tint[labels[i]][channel]);
             };
-            line[column] = qRgb(mixed(0), mixed(1), mixed(2));
+            const QRgb below = line[column];
+            line[column] =
+                qRgb(mixed(qRed(below), 0), mixed(qGreen(below), 1), mixed(qBlue(below), 2));
         }
     }
-    return picture;
 }
 
 // Readable on every grey.
@@ -118,11 +127,16 @@ const QImage& SliceView::picture() {
         picture_ = {};
     } else if (picture_is_old_) {
         const SliceStack slices = stack();
-        const bool shows_labels = scene_.opacity() > 0.0 && !scene_.systems().voxels.empty();
-        picture_ = blend(grey_slice(scene_.ct(), slices, slice(), scene_.window()),
-                         shows_labels ? label_slice(scene_.systems(), slices, slice())
-                                      : std::vector<std::uint8_t>{},
-                         slices.columns(), slices.rows(), scene_.opacity());
+        picture_ = grey_image(grey_slice(scene_.ct(), slices, slice(), scene_.window()),
+                              slices.columns(), slices.rows());
+        segment_numbers_.clear();
+        if (scene_.shows_segments()) {
+            const auto segments = label_slice(scene_.segments(), slices, slice());
+            lay_segments(picture_, segments);
+            segment_numbers_ = segment_numbers(segments, slices.columns(), least_numbered);
+        }
+        if (scene_.opacity() > 0.0 && !scene_.systems().voxels.empty())
+            lay_systems(picture_, label_slice(scene_.systems(), slices, slice()), scene_.opacity());
     }
     picture_is_old_ = false;
     return picture_;
@@ -141,12 +155,24 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(corner, size), picture());
     painter.setRenderHint(QPainter::Antialiasing);
+    paint_segment_numbers(painter);
     if (scene_.shows_centrelines()) paint_centrelines(painter);
     paint_crosshair(painter);
     paint_measurements(painter);
     paint_pen(painter);
     paint_words(painter);
     if (hasFocus()) paint_focus(painter);
+}
+
+void SliceView::paint_segment_numbers(QPainter& painter) const {
+    const SliceStack slices = stack();
+    for (const SegmentNumber& number : segment_numbers_) {
+        const Vec3 there =
+            slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
+        write_shaded(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
+                     Qt::AlignCenter, QString::number(number.segment),
+                     colour_of(palette::liver_segment(number.segment)).lighter(125));
+    }
 }
 
 void SliceView::paint_centrelines(QPainter& painter) const {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+#include "ui/slices/segment_overlay.h"
 #include "ui/slices/slice_scene.h"
 
 namespace hepatica {
@@ -67,6 +68,7 @@ class SliceView : public QWidget {
     void paint_pen(QPainter& painter) const;
     void paint_measurement(QPainter& painter, const Measurement& measurement) const;
     void paint_measurements(QPainter& painter) const;
+    void paint_segment_numbers(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
     void paint_words(QPainter& painter) const;
@@ -78,6 +80,7 @@ class SliceView : public QWidget {
     std::function<void(const QString&)> say_;
     std::function<void()> double_click_;
     QImage picture_;
+    std::vector<SegmentNumber> segment_numbers_;  // in it
     bool picture_is_old_ = true;
     double zoom_ = 1.0;      // against the slice that fits
     QPointF shift_;          // of the slice's middle from the widget's

@@ -19,6 +19,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
           settings,
           {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                scene_.show(std::move(ct), std::move(systems), patient_->tree);
+               want_segments();
                arrange();
            },
            [this](const JobProgress& now) { say(QString::fromStdString(now.stage) + "…", false); },
@@ -28,6 +29,18 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                say(text, true);
                if (!failure.place.empty()) callbacks_.failed(failure);
            }}),
+      segments_({[this](Mask segments) {
+                     scene_.set_segments(std::move(segments),
+                                         tr("This case holds no segments of the liver: they are "
+                                            "known where there are a liver mask and a portal vein")
+                                             .toStdString());
+                 },
+                 [this](const Failure& failure) {
+                     scene_.set_segments({}, tr("The segments cannot be read: %1")
+                                                 .arg(QString::fromStdString(failure.problem))
+                                                 .toStdString());
+                     callbacks_.failed(failure);
+                 }}),
       view_(view) {
     build(view);
     scene_.on_change([this] { mark_crosshair(); });
@@ -85,17 +98,26 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
                               const std::filesystem::path& image) {
     clear();
     patient_ = patient;
+    segments_.show(patient, folder);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
 }
 
 void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
-    if (!scene_.empty()) scene_.show_tree(patient_->tree);
+    segments_.show_corrected(patient_);
+    if (scene_.empty()) return;
+    scene_.show_tree(patient_->tree);
+    want_segments();
+}
+
+void ViewLayout::want_segments() {
+    if (segments_.want()) scene_.set_segments({}, tr("The segments are being read").toStdString());
 }
 
 void ViewLayout::clear() {
     keeper_.show(nullptr, {}, {});
+    segments_.show(nullptr, {});
     patient_.reset();
     scene_.clear();
     enlarged_ = nullptr;

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "ui/slices/ct_keeper.h"
+#include "ui/slices/segment_keeper.h"
 #include "ui/slices/slice_scene.h"
 
 class QGridLayout;
@@ -56,6 +57,7 @@ class ViewLayout : public QWidget {
   private:
     void build(QWidget* view);
     void arrange();
+    void want_segments();
     void mark_crosshair();
     void enlarge(SliceView* view);
     void say(const QString& text, bool can_choose);
@@ -64,6 +66,7 @@ class ViewLayout : public QWidget {
     Callbacks callbacks_;
     SliceScene scene_;
     CtKeeper keeper_;
+    SegmentKeeper segments_;
     std::shared_ptr<const PatientCase> patient_;
     QWidget* view_;
     std::array<SliceView*, 3> views_{};

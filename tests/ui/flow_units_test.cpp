@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flows and pressures in the units of the clinic: what is shown and typed, what is still injected,
+// and that the choice is kept.
+#include "ui/flow_units.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+
+#include "core/flow/fluid.h"
+#include "tests/ui/fake_window_test.h"
+#include "ui/curves_dock.h"
+#include "ui/inject_panel.h"
+#include "ui/plot_panel.h"
+#include "ui/tool_panel.h"
+
+namespace hepatica {
+namespace {
+
+// A litre of water weighs a kilogram; blood 1.06 times as much.
+TEST(FlowUnits, ConvertByTheDensityOfWhatFlows) {
+    EXPECT_NEAR(ml_min_of(1.0, 1e-3), 60.0, 1e-12);
+    EXPECT_NEAR(ml_min_of(1.06, 1.06e-3), 60.0, 1e-12);
+    EXPECT_NEAR(g_s_of(60.0, 1.06e-3), 1.06, 1e-12);
+    EXPECT_EQ(flow_units_named(name_of(FlowUnits::clinic)), FlowUnits::clinic);
+    EXPECT_EQ(flow_units_named(name_of(FlowUnits::computed)), FlowUnits::computed);
+    EXPECT_EQ(flow_units_named(""), FlowUnits::computed) << "as it was before there was a choice";
+}
+
+// 760 mmHg are an atmosphere, 101325 Pa.
+TEST(FlowUnits, OfPressuresInAChart) {
+    const Chart atmosphere{"Air", "Time (s)", "Pressure (Pa)", {{"here", {0.0}, {101325.0}}}};
+    const Chart clinic = in_units(atmosphere, FlowUnits::clinic);
+    EXPECT_EQ(clinic.y_label, "Pressure (mmHg)");
+    EXPECT_NEAR(clinic.curves[0].y[0], 760.0, 1e-3);
+    EXPECT_EQ(clinic.curves[0].x[0], 0.0);
+    EXPECT_EQ(in_units(atmosphere, FlowUnits::computed).curves[0].y[0], 101325.0);
+    const Chart share{"Drug", "Time (s)", "Delivered (%)", {{"here", {0.0}, {50.0}}}};
+    EXPECT_EQ(in_units(share, FlowUnits::clinic).curves[0].y[0], 50.0) << "no pressure";
+}
+
+TEST(FlowUnits, OfTheCurvesFollowTheChoiceAtOnceAndBack) {
+    PlotPanel plots;
+    plots.set_units(FlowUnits::clinic);
+    EXPECT_TRUE(plots.left().y_label.ends_with("(mmHg)")) << "also while they are empty";
+    plots.set_charts({"", "Time (s)", "Pressure (Pa)", {{"p", {0.0, 1.0}, {0.0, 101325.0}}}},
+                     {"", "Time (s)", "Delivered (%)", {{"d", {0.0, 1.0}, {0.0, 50.0}}}});
+    EXPECT_NEAR(plots.left().curves[0].y[1], 760.0, 1e-3);
+    EXPECT_EQ(plots.right().curves[0].y[1], 50.0);
+    plots.set_units(FlowUnits::computed);
+    EXPECT_EQ(plots.left().curves[0].y[1], 101325.0);
+    EXPECT_EQ(plots.left().y_label, "Pressure (Pa)");
+}
+
+// 2.12 g/s are 120 mL/min of blood, and 530 g are half a litre.
+TEST(FlowUnits, OfBleeding) {
+    ToolPanel panel({});
+    TearView tear;
+    tear.joints_broken = 3;
+    tear.leak_g_s = 2000.0 * blood().density_g_mm3;
+    tear.leaked_g = 500e3 * blood().density_g_mm3;
+    panel.show_tear(tear);
+    const auto says = [&](const QString& text) {
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            if (label->text().contains(text)) return true;
+        return false;
+    };
+    EXPECT_TRUE(says("bleeds 2.1 g/s, 530 g so far"));
+    panel.set_units(FlowUnits::clinic);
+    EXPECT_TRUE(says("bleeds 120 mL/min, 500 mL so far")) << "without another frame";
+    panel.set_units(FlowUnits::computed);
+    EXPECT_TRUE(says("bleeds 2.1 g/s, 530 g so far"));
+}
+
+class FlowUnitsInWindow : public testing::FakeWindowTest {
+  protected:
+    static void choose(MainWindow& window, int index) {
+        auto& units = *window.findChild<QComboBox*>("flowUnits");
+        units.setFocus();
+        QTest::keyClick(&units, index == 0 ? Qt::Key_Home : Qt::Key_End);
+    }
+    static QDoubleSpinBox& flow(MainWindow& window) {
+        return *window.findChild<QDoubleSpinBox*>("flow");
+    }
+    static InjectDrug injection(MainWindow& window) {
+        auto* choice = window.findChild<QComboBox*>("flowUnits");
+        return static_cast<InjectPanel*>(choice->parentWidget())->injection_at(Vec3(1, 2, 3));
+    }
+};
+
+TEST_F(FlowUnitsInWindow, AreThoseOfBeforeUntilOthersAreChosen) {
+    EXPECT_EQ(flow(window_).suffix(), " g/s");
+    EXPECT_EQ(settings_.flow_units(), "");
+    EXPECT_TRUE(static_cast<CurvesDock*>(window_.findChild<QDockWidget*>("Curves"))
+                    ->plots()
+                    .left()
+                    .y_label.ends_with("(Pa)"));
+}
+
+TEST_F(FlowUnitsInWindow, ShowTheSameInjectionInOtherNumbers) {
+    const double before = injection(window_).mass_flow_g_s;
+    const double density = mixture(blood(), carrier(), 0.0).density_g_mm3;
+    choose(window_, 1);
+    EXPECT_EQ(flow(window_).suffix(), " mL/min");
+    EXPECT_NEAR(flow(window_).value(), before / density * 60.0 / 1000.0, 0.005);
+    EXPECT_NEAR(injection(window_).mass_flow_g_s, before, 1e-3);
+    flow(window_).setValue(60.0);
+    EXPECT_NEAR(injection(window_).mass_flow_g_s, 1000.0 * density, 1e-9)
+        << "a millilitre a second";
+    choose(window_, 0);
+    EXPECT_EQ(flow(window_).suffix(), " g/s");
+    EXPECT_NEAR(flow(window_).value(), 1000.0 * density, 1e-3);
+}
+
+// A pump set to a volume gives less mass of what is lighter.
+TEST_F(FlowUnitsInWindow, KeepTheVolumeWhateverIsInjected) {
+    choose(window_, 1);
+    flow(window_).setValue(60.0);
+    const double of_carrier = injection(window_).mass_flow_g_s;
+    for (QComboBox* box : window_.findChildren<QComboBox*>())
+        if (const int gas_preset = box->findText("Gas, as in the paper"); gas_preset >= 0)
+            box->setCurrentIndex(gas_preset);
+    EXPECT_EQ(flow(window_).value(), 60.0);
+    const InjectDrug gas_now = injection(window_);
+    EXPECT_EQ(gas_now.second_phase, "gas");
+    EXPECT_NEAR(gas_now.mass_flow_g_s,
+                1000.0 * mixture(blood(), gas(), gas_now.void_fraction).density_g_mm3, 1e-9);
+    EXPECT_LT(gas_now.mass_flow_g_s, 0.7 * of_carrier);
+}
+
+TEST_F(FlowUnitsInWindow, AreKeptForTheNextStart) {
+    choose(window_, 1);
+    EXPECT_EQ(settings_.flow_units(), name_of(FlowUnits::clinic));
+    ASSERT_TRUE(window_.close());
+    MainWindow next(settings_, {}, answers());
+    EXPECT_EQ(flow(next).suffix(), " mL/min");
+    EXPECT_EQ(next.findChild<QComboBox*>("flowUnits")->currentIndex(), 1);
+    EXPECT_TRUE(static_cast<CurvesDock*>(next.findChild<QDockWidget*>("Curves"))
+                    ->plots()
+                    .left()
+                    .y_label.ends_with("(mmHg)"));
+    EXPECT_NEAR(injection(next).mass_flow_g_s, injection(window_).mass_flow_g_s, 1e-3);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shelved_lessons.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Patient = ShelvedLesson::Patient;
+
+constexpr std::uintmax_t longest_lesson = 1 << 20;  // bytes; a recording or a mesh is no lesson
+
+// Says that it is a lesson, whether or not it can be read as one.
+bool claims_to_be_lesson(const fs::path& file) {
+    std::error_code failed;
+    if (!fs::is_regular_file(file, failed) || fs::file_size(file, failed) > longest_lesson)
+        return false;
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return text.find("\"hepatica-lesson\"") != std::string::npos;
+}
+
+bool is_same_place(const fs::path& a, const fs::path& b) {
+    std::error_code failed;
+    return fs::equivalent(a, b, failed) && !failed;
+}
+
+// Nothing where it is for the built-in patient, who is no case of a library.
+std::optional<ShelvedLesson> shelved(const fs::path& file) {
+    ShelvedLesson entry{file, to_text(file.filename()), {}, Patient::unreadable, {}};
+    try {
+        const Lesson lesson = read_lesson(file);
+        if (lesson.patient == "built-in") return std::nullopt;
+        entry.name = QString::fromStdString(lesson.name);
+        entry.about = QString::fromStdString(lesson.about);
+        entry.patient = Patient::any;
+        if (lesson.patient != "any") {
+            entry.patient = Patient::this_case;
+            entry.of_case = file.parent_path() / lesson.patient;
+        }
+    } catch (const InputError& error) {
+        entry.about =
+            QString::fromStdString(error.place() + ": " + error.problem() + ". " + error.remedy());
+    }
+    return entry;
+}
+
+}  // namespace
+
+std::vector<ShelvedLesson> lessons_in(const fs::path& folder, Job& job) {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed))
+        if (entry->path().extension() == ".json") files.push_back(entry->path());
+    std::ranges::sort(files);
+    std::vector<ShelvedLesson> lessons;
+    for (const fs::path& file : files) {
+        job.throw_if_cancelled();
+        if (!claims_to_be_lesson(file)) continue;
+        if (auto lesson = shelved(file)) lessons.push_back(*std::move(lesson));
+    }
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        const Lesson lesson = find_lesson(entry.id);
+        if (lesson.patient == "any")
+            lessons.push_back({entry.id,
+                               QString::fromStdString(lesson.name),
+                               QString::fromStdString(lesson.about),
+                               Patient::any,
+                               {}});
+    }
+    return lessons;
+}
+
+std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
+                                      const fs::path& place) {
+    std::vector<ShelvedLesson> fitting;
+    for (const Patient kind : {Patient::this_case, Patient::any, Patient::unreadable})
+        for (const ShelvedLesson& lesson : all)
+            if (lesson.patient == kind &&
+                (kind != Patient::this_case || is_same_place(lesson.of_case, place)))
+                fitting.push_back(lesson);
+    return fitting;
+}
+
+}  // namespace hepatica

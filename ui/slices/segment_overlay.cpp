@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/segment_overlay.h"
+
+#include <array>
+#include <cstddef>
+
+#include "render/palette.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int segments = 8;
+
+bool is_segment(int label) {
+    return label >= 1 && label <= segments;
+}
+
+QRgb mixed(QRgb below, const Colour& tint, double opacity) {
+    const auto channel = [&](int plain, double colour) {
+        return static_cast<int>((1.0 - opacity) * plain + opacity * 255.0 * colour);
+    };
+    return qRgb(channel(qRed(below), tint[0]), channel(qGreen(below), tint[1]),
+                channel(qBlue(below), tint[2]));
+}
+
+}  // namespace
+
+void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
+    const int columns = picture.width(), rows = picture.height();
+    const auto label = [&](int column, int row) {
+        const bool inside = column >= 0 && column < columns && row >= 0 && row < rows;
+        return inside ? int{labels[static_cast<std::size_t>(row) * columns + column]} : 0;
+    };
+    for (int row = 0; row < rows; ++row) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
+        for (int column = 0; column < columns; ++column) {
+            const int here = label(column, row);
+            if (!is_segment(here)) continue;
+            const bool border = label(column - 1, row) != here || label(column + 1, row) != here ||
+                                label(column, row - 1) != here || label(column, row + 1) != here;
+            line[column] = mixed(line[column], palette::liver_segment(here),
+                                 border ? segment_border_opacity : segment_opacity);
+        }
+    }
+}
+
+std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labels, int columns,
+                                           int least) {
+    struct Region {
+        double column_sum = 0.0, row_sum = 0.0;
+        int pixels = 0;
+        double nearest = 0.0;  // squared, to the middle
+        QPoint pixel;
+    };
+    std::array<Region, segments + 1> regions{};
+    const auto over_labels = [&](const auto& look) {
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            if (is_segment(labels[i]))
+                look(regions[labels[i]], static_cast<int>(i) % columns,
+                     static_cast<int>(i) / columns);
+    };
+    over_labels([](Region& region, int column, int row) {
+        region.column_sum += column;
+        region.row_sum += row;
+        ++region.pixels;
+    });
+    for (Region& region : regions) region.nearest = static_cast<double>(labels.size()) * columns;
+    over_labels([](Region& region, int column, int row) {
+        const double across = column - region.column_sum / region.pixels;
+        const double down = row - region.row_sum / region.pixels;
+        const double away = across * across + down * down;
+        if (away >= region.nearest) return;
+        region.nearest = away;
+        region.pixel = QPoint(column, row);
+    });
+    std::vector<SegmentNumber> numbers;
+    for (int segment = 1; segment <= segments; ++segment)
+        if (const Region& region = regions[static_cast<std::size_t>(segment)];
+            region.pixels > 0 && region.pixels >= least)
+            numbers.push_back({segment, region.pixel});
+    return numbers;
+}
+
+}  // namespace hepatica
