@@ -210,8 +210,10 @@ fs::path middle_slice(const Series& series) {
 std::vector<std::string> warnings_of(const Series& series) {
     if (!series.is_ct()) return {"it is no CT"};
     std::vector<std::string> warnings;
+    const bool known =  // an enhanced file's frames are not, until it is split
+        std::ranges::none_of(series.slices, &DicomSlice::enhanced);
     try {
-        order_slices(series.slices);
+        if (known) order_slices(series.slices);
     } catch (const InputError& refused) {
         warnings.push_back("it cannot be read: " + refused.problem() + " (" +
                            quoted_name(fs::path(refused.place()).filename().string()) + ")");

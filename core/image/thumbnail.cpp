@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/image/dicom_frames.h"
 #include "core/image/dicom_reader.h"
 
 namespace hepatica {
@@ -59,12 +60,16 @@ Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side) {
     const std::optional<DicomSlice> slice = read_dicom_slice(dicom_file);
     if (!slice)
         throw InputError("holds no DICOM image", dicom_file.string(), "Choose another series");
-    const std::vector<double> hu = slice_hu(*slice);
-    SlicePixels pixels{hu, slice->columns, slice->rows};
-    if (slice->has_geometry && is_length(slice->column_spacing_mm) &&
-        is_length(slice->row_spacing_mm)) {
-        pixels.column_mm = slice->column_spacing_mm;
-        pixels.row_mm = slice->row_spacing_mm;
+    Job job;
+    SplitFrames split;  // holds the frames until they are read
+    const std::vector<DicomSlice> frames = split.split({*slice}, job);
+    const DicomSlice& middle = frames[frames.size() / 2];
+    const std::vector<double> hu = slice_hu(middle);
+    SlicePixels pixels{hu, middle.columns, middle.rows};
+    if (middle.has_geometry && is_length(middle.column_spacing_mm) &&
+        is_length(middle.row_spacing_mm)) {
+        pixels.column_mm = middle.column_spacing_mm;
+        pixels.row_mm = middle.row_spacing_mm;
     }
     return thumbnail_of(pixels, soft_tissue, side);
 }

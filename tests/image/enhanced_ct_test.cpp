@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/image/dicom_frames.h"
+#include "core/image/thumbnail.h"
 #include "core/image/volume_reader.h"
 #include "tests/image/dicom_folder.h"
 #include "tests/image/enhanced_ct.h"
@@ -98,6 +99,10 @@ TEST(EnhancedCt, IsListedWithItsFramesAndReadByItsName) {
     const auto series = list_series(file.folder.path(), job);
     ASSERT_EQ(series.size(), 1u);
     EXPECT_EQ(series[0].slices, 9u);
+    for (const std::string& warning : series[0].warnings)
+        EXPECT_EQ(warning.find("cannot be read"), std::string::npos) << warning;
+    const Thumbnail middle = thumbnail_of(series[0].middle_slice, 96);
+    EXPECT_EQ(std::max(middle.width, middle.height), 96);
     EXPECT_EQ(read_volume(file.path(), job).voxels, ct.volume.voxels);
 }
 
