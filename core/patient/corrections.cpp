@@ -104,8 +104,8 @@ std::vector<Bridge> open_bridges(const PatientCase& patient) {
 }
 
 TreeEdit acceptance_of(const Bridge& bridge) {
-    return {TreeEditKind::add_link, bridge.path_mm.front(), bridge.path_mm.back(), bridge.path_mm,
-            VascularSystem::unknown, {}};
+    return {TreeEditKind::add_link, bridge.path_mm.front(),  bridge.path_mm.back(),
+            bridge.path_mm,         VascularSystem::unknown, {}};
 }
 
 TreeEdit refusal_of(const Bridge& bridge) {
