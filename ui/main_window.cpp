@@ -180,6 +180,8 @@ void MainWindow::build_slices(QWidget* parent) {
     };
     callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
     callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places) {
+        if (review_->reviewing())
+            return VesselPen::Answer{false, "Not drawn: end the review first"};
         return editing_->draw(ct, places);
     };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
