@@ -144,8 +144,6 @@ class Edit {
             add_drawn_vessel(graph_, {edit.path_mm, edit.radii_mm}, edit.system);
         if (drawn.grows_out && drawn.leads_in && drawn.system_at_to != drawn.system)
             adopt(drawn.to, drawn.system, drawn.system_at_to);
-        // A vessel of its own is drawn from where blood comes in.
-        if (!drawn.grows_out && !drawn.leads_in) wishes_.push_back({drawn.from, drawn.system});
     }
 
     VesselTree result() {

@@ -19,7 +19,8 @@ enum class TreeEditKind {
     delete_branch,    // removes the segment at `at_mm` and all that hangs on it
     set_root,         // makes the end nearest to `at_mm` the root of its component
     reassign_system,  // gives the segment at `at_mm` and all that hangs on it to `system`
-    draw_vessel,      // adds the vessel along `path_mm` (drawn_vessel.h), which begins at `at_mm`
+    draw_vessel,      // adds the vessel along `path_mm` (drawn_vessel.h), which begins at `at_mm`;
+                      // one that touches no other has its root there
 };
 
 struct TreeEdit {

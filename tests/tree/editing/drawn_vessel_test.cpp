@@ -45,7 +45,10 @@ std::string problem_of(const VesselTree& tree, const Centreline& line) {
 
 TEST(DrawnVessel, GrowsOutOfTheVesselItBeginsIn) {
     const VesselTree before = tree_of(VascularSystem::portal);
-    const VesselTree after = edited(before, drawing_of(straight(in_trunk, free_place, 1.2)));
+    Centreline line = straight(in_trunk, free_place, 1.2);
+    // Within the trunk its radius would be measured as the trunk's.
+    for (std::size_t i = 0; line.points_mm[i].x() < 3.0; ++i) line.radii_mm[i] = 3.5;
+    const VesselTree after = edited(before, drawing_of(line));
     validate(after);
     EXPECT_EQ(roots(after).size(), 1u);
     EXPECT_EQ(bifurcation_count(after), bifurcation_count(before) + 1);
@@ -84,7 +87,7 @@ TEST(DrawnVessel, ReachesAWallThatItEndsBeside) {
 }
 
 TEST(DrawnVessel, StandsAloneWhereItTouchesNothing) {
-    TreeEdit edit =
+    const TreeEdit edit =
         drawing_of(straight(Vec3(40, 0, 0), Vec3(60, 0, 0), 2.0), VascularSystem::hepatic);
     const VesselTree after = edited(forked_tree(), edit);
     validate(after);
