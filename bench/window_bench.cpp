@@ -12,6 +12,7 @@
 #include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <clocale>
@@ -24,7 +25,10 @@
 #include "core/session/script.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
+#include "ui/paths.h"
 #include "ui/pixel_mapping.h"
+#include "ui/slices/slice_view.h"
+#include "ui/slices/view_layout.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
 
@@ -149,6 +153,40 @@ class WindowBench {
         view.draw_again();
     }
 
+    // The wheel turns one notch after another over the axial slice, and each notch is painted
+    // before the next, through all slices and back. False where the CT is not his.
+    bool scroll(const std::filesystem::path& ct) {
+        ViewLayout& views = window_.view_layout();
+        views.show_patient(window_.workspace().patient(), {}, ct);
+        views.set_slices_visible(true);
+        if (!run_until([&] { return !views.slices().empty(); })) return false;
+        run_for(2.0);
+        SliceView& axial = views.slice_view(SliceDirection::axial);
+        const Index3& dims = views.slices().ct().grid.dims;
+        const int slices = dims[2];
+        int painted = -1;
+        std::vector<double> times_ms;
+        for (int notch = 0; notch < 2 * slices; ++notch) {
+            QElapsedTimer clock;
+            clock.start();
+            const QPointF middle(axial.rect().center());
+            QWheelEvent turn(middle, axial.mapToGlobal(middle), {},
+                             QPoint(0, notch < slices ? -120 : 120), Qt::NoButton, {},
+                             Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&axial, &turn);
+            if (axial.slice() == painted) continue;  // the end of the stack
+            painted = axial.slice();
+            QCoreApplication::processEvents();
+            times_ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+        }
+        std::printf("scrolled through %d x %d x %d with three slices and the view beside:\n",
+                    dims[0], dims[1], dims[2]);
+        std::printf("  %zu slices; each with all that follows it: median %.1f ms, p95 %.1f ms\n",
+                    times_ms.size(), quantile(times_ms, 0.5), quantile(times_ms, 0.95));
+        views.set_slices_visible(false);
+        return true;
+    }
+
     void pull() {
         const Vec3 held = on_vessel(0.5);
         mouse(QEvent::MouseButtonPress, held);
@@ -239,8 +277,10 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     const bool only_pull = application.arguments().contains("--only-pull");
-    if (application.arguments().size() < 2) {
-        std::fprintf(stderr, "usage: window_bench CASE|built-in [--only-pull]\n");
+    const auto slices_at = application.arguments().indexOf("--slices");
+    const bool names_ct = slices_at > 0 && slices_at + 1 < application.arguments().size();
+    if (application.arguments().size() < 2 || (slices_at > 0 && !names_ct)) {
+        std::fprintf(stderr, "usage: window_bench CASE|built-in [--only-pull | --slices CT]\n");
         return 2;
     }
     apply_theme(application);
@@ -260,6 +300,8 @@ int main(int argc, char** argv) {
                 window.view().renderer_name().c_str(), window.view().width(),
                 window.view().height());
     WindowBench bench(window);
+    if (slices_at > 0)
+        return bench.scroll(to_path(application.arguments().at(slices_at + 1))) ? 0 : 1;
     if (!only_pull) {
         bench.idle("before an injection");
         if (!bench.inject()) return 1;
