@@ -112,15 +112,20 @@ void LessonDock::start_on(const std::string& name, const QString& case_folder) {
     ways_.open_case(case_folder);
 }
 
-void LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
-    if (!read(name)) return;
+bool LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
+    if (!read(name)) return false;
     lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
-        return begin();
-    waits_ = true;
-    if (any || lesson_->patient == "built-in") return ways_.open_built_in();
-    ways_.open_case(to_text(fs::path(name).parent_path() / lesson_->patient));
+        begin();
+    else {
+        waits_ = true;
+        if (any || lesson_->patient == "built-in")
+            ways_.open_built_in();
+        else
+            ways_.open_case(to_text(fs::path(name).parent_path() / lesson_->patient));
+    }
+    return true;
 }
 
 void LessonDock::patient_shown(bool built_in) {
@@ -135,7 +140,7 @@ void LessonDock::patient_shown(bool built_in) {
     hide();
 }
 
-void LessonDock::try_out(const Lesson& lesson) {
+bool LessonDock::try_out(const Lesson& lesson) {
     const fs::path file = tried() / "lesson.json";
     try {
         fs::create_directories(tried());
@@ -143,9 +148,10 @@ void LessonDock::try_out(const Lesson& lesson) {
             if (entry.path().extension() == ".hrec") fs::remove(entry.path());
         write_lesson(file, lesson);
     } catch (...) {
-        return ways_.failed("Try the lesson", std::current_exception());
+        ways_.failed("Try the lesson", std::current_exception());
+        return false;
     }
-    start(file.string());
+    return start(file.string());
 }
 
 fs::path LessonDock::next_recording() const {

@@ -47,13 +47,13 @@ class LessonDock : public QDockWidget {
     // The lessons that come with the program, and "Open lesson...".
     void fill(QMenu& menu);
     // Begins on the patient that is shown, or opens the lesson's own first. `more_pass`: pass marks
-    // beside the lesson's own, of a course.
-    void start(const std::string& name, const std::vector<Predicate>& more_pass = {});
+    // beside the lesson's own, of a course. False where it cannot be read.
+    bool start(const std::string& name, const std::vector<Predicate>& more_pass = {});
     // The same on the patient of this case, whom it goes with: opens him first.
     void start_on(const std::string& name, const QString& case_folder);
     // Plays it from a file of its own. That is no attempt: no result is kept, and the recording
-    // goes when the next lesson is tried.
-    void try_out(const Lesson& lesson);
+    // goes when the next lesson is tried. False where that cannot be done.
+    bool try_out(const Lesson& lesson);
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
     CourseDialog& course() { return *course_; }

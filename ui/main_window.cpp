@@ -29,6 +29,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/library_dialog.h"
 #include "ui/liver_keeper.h"
 #include "ui/message_bar.h"
@@ -262,6 +263,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
     screen.not_opened = [this] {
         lessons_->patient_not_shown();
+        if (lesson_editor_) lesson_editor_->back_from_trying();
         review_->patient_not_shown();
     };
     keeper_ = std::make_unique<PatientKeeper>(

@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "ui/branch_dock.h"
 #include "ui/curves_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -277,6 +278,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (lesson_editor_ && !may_close_ && !lesson_editor_->may_end()) return event->ignore();
     in_close_event_ = true;
     if (!may_close_) {
         keeper_->leave([this] {

@@ -73,7 +73,7 @@ void MainWindow::build_lesson_editor() {
     ways.places_changed = [this] {
         if (patient_ && show_marks()) view_->draw_again();
     };
-    ways.try_out = [this](const Lesson& lesson) { lessons_->try_out(lesson); };
+    ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {
         const QString file = QFileDialog::getOpenFileName(
             lesson_editor_, "Edit lesson", settings_.last_folder(), "Lessons (*.json)");
@@ -81,10 +81,11 @@ void MainWindow::build_lesson_editor() {
     };
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
         const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
-        const QString file = QFileDialog::getSaveFileName(lesson_editor_, "Save lesson", suggested,
-                                                          "Lessons (*.json)");
-        if (file.isEmpty()) return std::nullopt;
-        return to_path(file.endsWith(".json", Qt::CaseInsensitive) ? file : file + ".json");
+        QFileDialog dialog(lesson_editor_, "Save lesson", suggested, "Lessons (*.json)");
+        dialog.setAcceptMode(QFileDialog::AcceptSave);
+        dialog.setDefaultSuffix("json");  // before it asks about a file that is there
+        if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+        return to_path(dialog.selectedFiles().front());
     };
     ways.may_discard = [this] {
         return QMessageBox::question(lesson_editor_, "Hepatica",

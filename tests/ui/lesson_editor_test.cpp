@@ -79,6 +79,23 @@ TEST(LessonDocument, NamesAPatientBelowTheFileRelativeToIt) {
     }
 }
 
+TEST(LessonDocument, NamesAPatientAboveTheFileAsItDidBefore) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "course" / "lesson.json";
+    std::filesystem::create_directories(file.parent_path());
+    Lesson lesson = new_lesson();
+    lesson.patient = "../cases/a.hep";
+    write_lesson(file, lesson);
+    LessonDocument document({});
+    document.open(file);
+    EXPECT_EQ(document.lesson().patient, (folder.path() / "cases" / "a.hep").string());
+    document.change("", [](Lesson& changed) { changed.name = "Other"; });
+    document.save(file);
+    EXPECT_EQ(read_lesson(file).patient, "../cases/a.hep");
+    document.save(folder.path() / "lesson.json");  // from there the path would be another
+    EXPECT_EQ(read_lesson(folder.path() / "lesson.json").patient, "cases/a.hep");
+}
+
 TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
     const TemporaryFolder folder;
     const std::filesystem::path copy = folder.path() / "data" / "unsaved.json";
@@ -117,7 +134,10 @@ class LessonEditorTest : public ::testing::Test {
         ways.shown_case = [] { return QString("/cases/shown.hep"); };
         ways.ask_for_place = [this] { ++asked_for_place_; };
         ways.places_changed = [this] { drawn_ = editor_.places(); };
-        ways.try_out = [this](const Lesson& lesson) { tried_ = lesson; };
+        ways.try_out = [this](const Lesson& lesson) {
+            tried_ = lesson;
+            return can_try_;
+        };
         ways.which_file = [this] { return file_; };
         ways.where_to_save = [this](const QString&) { return file_; };
         ways.may_discard = [this] { return may_discard_; };
@@ -148,6 +168,7 @@ class LessonEditorTest : public ::testing::Test {
     std::optional<std::filesystem::path> file_ = folder_.path() / "made.json";
     std::optional<Lesson> tried_;
     bool may_discard_ = false;
+    bool can_try_ = true;
     int asked_for_place_ = 0, failures_ = 0;
     std::vector<Vec3> drawn_;
     LessonEditor editor_;
@@ -248,6 +269,96 @@ TEST_F(LessonEditorTest, a_place_that_is_clicked_on_is_a_mark_or_the_target) {
     EXPECT_FALSE(lesson().target);
     editor_.hide();
     EXPECT_TRUE(drawn_.empty());
+}
+
+TEST_F(LessonEditorTest, a_place_that_was_asked_for_is_forgotten_with_its_mark) {
+    turn_to(1);
+    click("lessonAddMark");
+    click("mark1click");
+    turn_to(2);
+    click("lessonUndo");  // of the second mark
+    editor_.place_clicked(Vec3(1, 2, 3));
+    ASSERT_EQ(lesson().marks.size(), 1u);
+    EXPECT_FALSE(lesson().marks[0].place.point_mm);
+    turn_to(1);
+    click("mark0click");
+    may_discard_ = true;
+    field<QAction>("beginWith_look_around").trigger();
+    const Lesson begun = lesson();
+    editor_.place_clicked(Vec3(1, 2, 3));
+    EXPECT_EQ(text_of(lesson()), text_of(begun)) << "it was a mark of the lesson before";
+}
+
+// A key presses Undo while a field that goes by it still has the focus.
+TEST_F(LessonEditorTest, what_is_being_typed_into_a_row_that_goes_harms_nothing) {
+    QApplication::setActiveWindow(&editor_);
+    turn_to(1);
+    click("lessonAddMark");
+    auto& name = field<QLineEdit>("mark1name");
+    name.setFocus();
+    QTest::keyClicks(&name, "!");
+    click("lessonUndo");  // of what was typed
+    EXPECT_EQ(lesson().mark_names(), (std::vector<std::string>{"mark 1", "mark 2"}));
+    field<QLineEdit>("mark1name").setFocus();
+    click("lessonUndo");  // of the mark
+    EXPECT_EQ(lesson().mark_names(), (std::vector<std::string>{"mark 1"}));
+    turn_to(2);
+    click("goalAdd");
+    ASSERT_EQ(lesson().steps[0].goal.size(), 2u);
+    field<QDoubleSpinBox>("goal1bound").setFocus();
+    QTest::keyClicks(&field<QDoubleSpinBox>("goal1bound"), "7");
+    click("goal1remove");
+    EXPECT_EQ(lesson().steps[0].goal.size(), 1u);
+    click("lessonUndo");
+    EXPECT_EQ(lesson().steps[0].goal.size(), 2u);
+    field<QDoubleSpinBox>("goal1bound").setFocus();
+    for (int i = 0; i < 4; ++i) click("lessonUndo");
+    EXPECT_EQ(text_of(lesson()), text_of(new_lesson()));
+}
+
+TEST_F(LessonEditorTest, each_bound_is_undone_by_itself) {
+    turn_to(2);
+    click("goalAdd");
+    field<QDoubleSpinBox>("goal0bound").setValue(21.0);
+    field<QDoubleSpinBox>("goal1bound").setValue(22.0);
+    click("goal0remove");
+    ASSERT_EQ(lesson().steps[0].goal.size(), 1u);
+    click("lessonUndo");
+    ASSERT_EQ(lesson().steps[0].goal.size(), 2u);
+    EXPECT_EQ(lesson().steps[0].goal[0].bound, 21.0);
+    EXPECT_EQ(lesson().steps[0].goal[1].bound, 22.0);
+    click("lessonUndo");
+    EXPECT_EQ(lesson().steps[0].goal[0].bound, 21.0);
+    EXPECT_NE(lesson().steps[0].goal[1].bound, 22.0);
+}
+
+TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {
+    turn_to(2);
+    click("goal0remove");
+    click("lessonTry");
+    EXPECT_EQ(failures_, 1);
+    EXPECT_FALSE(tried_);
+    EXPECT_TRUE(editor_.isVisible());
+    click("lessonUndo");
+    can_try_ = false;
+    click("lessonTry");
+    EXPECT_TRUE(tried_);
+    EXPECT_TRUE(editor_.isVisible()) << "its patient does not come";
+    can_try_ = true;
+    click("lessonTry");
+    EXPECT_FALSE(editor_.isVisible());
+}
+
+TEST_F(LessonEditorTest, the_program_ends_unasked_only_where_all_is_kept) {
+    EXPECT_TRUE(editor_.may_end()) << "nothing is unsaved";
+    field<QLineEdit>("lessonName").setText("Mine");
+    EXPECT_TRUE(editor_.may_end()) << "a copy is on disk";
+    EXPECT_EQ(read_lesson(folder_.path() / "unsaved.json").name, "Mine");
+    turn_to(2);
+    click("goal0remove");
+    EXPECT_FALSE(editor_.may_end()) << "this cannot be read back";
+    may_discard_ = true;
+    EXPECT_TRUE(editor_.may_end());
 }
 
 TEST_F(LessonEditorTest, two_marks_cannot_have_one_name) {

@@ -83,7 +83,7 @@ BoundsTable::BoundsTable(const QString& title, const QString& name, const Predic
     connect(add, &QPushButton::clicked, this, [this] {
         bounds_.push_back(first_);
         fill();
-        changed_(bounds_);
+        changed_("", bounds_);
     });
     head->addWidget(add);
     column->addLayout(head);
@@ -98,14 +98,17 @@ void BoundsTable::show_bounds(const std::vector<Predicate>& bounds,
 }
 
 void BoundsTable::fill() {
+    filling_ = true;
     clear_rows(*rows_);
     for (std::size_t i = 0; i < bounds_.size(); ++i) rows_->addWidget(make_row(i));
+    filling_ = false;
 }
 
 void BoundsTable::set(std::size_t index, const Predicate& bound, bool other_quantity) {
+    if (filling_) return;  // a row on its way out loses the focus, and may be of no bound any more
     bounds_[index] = bound;
     if (other_quantity) fill();  // with a mark or without, another unit
-    changed_(bounds_);
+    changed_(std::to_string(index), bounds_);
 }
 
 QWidget* BoundsTable::make_row(std::size_t index) {
@@ -125,7 +128,9 @@ QWidget* BoundsTable::make_row(std::size_t index) {
     line->setStretchFactor(quantity, 1);
     connect(quantity, &QComboBox::activated, this, [this, index](int chosen) {
         Predicate now = bounds_[index];
+        const std::string unit = words_of(now.quantity).unit;
         now.quantity = quantities()[static_cast<std::size_t>(chosen)].quantity;
+        if (words_of(now.quantity).unit != unit) now.bound = 1.0;  // it was a number of others
         now.mark = words_of(now.quantity).of_mark ? std::max(now.mark, 0) : -1;
         set(index, now, true);
     });
@@ -151,6 +156,7 @@ QWidget* BoundsTable::make_row(std::size_t index) {
                                QString::fromUtf8(words.unit)),
             "bound", "The bound");
     connect(number, &DecimalSpinBox::valueChanged, this, [this, index](double value) {
+        if (filling_) return;
         Predicate now = bounds_[index];
         now.bound = value;
         set(index, now, false);
@@ -159,7 +165,7 @@ QWidget* BoundsTable::make_row(std::size_t index) {
     connect(remove, &QPushButton::clicked, this, [this, index] {
         bounds_.erase(bounds_.begin() + static_cast<std::ptrdiff_t>(index));
         fill();
-        changed_(bounds_);
+        changed_("", bounds_);
     });
     return row;
 }

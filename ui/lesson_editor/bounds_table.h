@@ -16,7 +16,9 @@ namespace hepatica {
 
 class BoundsTable : public QWidget {
   public:
-    using Changed = std::function<void(const std::vector<Predicate>&)>;
+    // `row`: the number of the one that was changed; empty where one came or went.
+    using Changed =
+        std::function<void(const std::string& row, const std::vector<Predicate>& bounds)>;
     // `name`: of the object, and of its fields with the row's number ("goal0quantity"). `first`:
     // what a row that is added asks for.
     BoundsTable(const QString& title, const QString& name, const Predicate& first, Changed changed);
@@ -34,6 +36,7 @@ class BoundsTable : public QWidget {
     std::vector<Predicate> bounds_;
     std::vector<std::string> marks_;
     QVBoxLayout* rows_;
+    bool filling_ = false;
 };
 
 }  // namespace hepatica

@@ -53,15 +53,20 @@ void LessonDocument::begin(Lesson lesson) {
     saved_text_ = text_of(lesson);
     forget_states(std::move(lesson));
     file_.clear();
+    patient_path_.clear();
 }
 
 void LessonDocument::open(const fs::path& file) {
     const fs::path place = fs::absolute(file).lexically_normal();
     Lesson lesson = read_lesson(place);
+    const std::string in_file = lesson.patient;
     if (is_path(lesson.patient))
         lesson.patient = (place.parent_path() / lesson.patient).lexically_normal().string();
+    const std::string path = lesson.patient;
     begin(std::move(lesson));
     file_ = place;
+    patient_in_file_ = in_file;
+    patient_path_ = path;
 }
 
 bool LessonDocument::dirty() const {
@@ -96,7 +101,11 @@ void LessonDocument::redo() {
 void LessonDocument::save(const fs::path& file) {
     const fs::path place = fs::absolute(file).lexically_normal();
     Lesson written = lesson();
-    if (is_path(written.patient)) written.patient = beside(written.patient, place);
+    // Where nobody chose another one he is named as before: a course may lie beside its cases.
+    if (written.patient == patient_path_ && place.parent_path() == file_.parent_path())
+        written.patient = patient_in_file_;
+    else if (is_path(written.patient))
+        written.patient = beside(written.patient, place);
     write_lesson(place, written);
     file_ = place;
     saved_text_ = text_of(lesson());
@@ -118,6 +127,7 @@ void LessonDocument::keep_copy() {
     }
     fs::create_directories(kept_copy_.parent_path(), ignored);
     write_text_atomically(kept_copy_, text_of(lesson()));
+    kept_text_ = text_of(lesson());
 }
 
 }  // namespace hepatica

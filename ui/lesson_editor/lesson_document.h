@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lesson/lesson.h"
+#include "core/lesson/lesson_writer.h"
 
 namespace hepatica {
 
@@ -42,6 +43,8 @@ class LessonDocument {
     // Writes the copy where something is unsaved and whole, and removes it where all is saved.
     // Throws InputError where that cannot be done.
     void keep_copy();
+    // The copy is the lesson as it is now. Not so while it cannot be read back: half of a change.
+    bool kept() const { return kept_text_ == text_of(lesson()); }
 
   private:
     void forget_states(Lesson lesson);
@@ -52,6 +55,9 @@ class LessonDocument {
     std::size_t now_ = 0;
     std::string field_;  // of the last change
     std::string saved_text_;
+    std::string kept_text_;
+    // The patient as the file names him, and the path that was made of it.
+    std::string patient_in_file_, patient_path_;
     bool left_behind_ = false;
 };
 

@@ -107,10 +107,12 @@ void LessonEditor::build_buttons(QWidget& foot) {
     }
     begin->setMenu(menu);
     undo_ = add_button(*row, "&Undo", "lessonUndo", [this] {
+        take_what_is_typed();
         document_.undo();
         changed(true);
     });
     redo_ = add_button(*row, "Red&o", "lessonRedo", [this] {
+        take_what_is_typed();
         document_.redo();
         changed(true);
     });
@@ -131,7 +133,9 @@ void LessonEditor::show_editor() {
     activateWindow();
 }
 
+// Whose place is waited for belonged to what was shown before.
 void LessonEditor::show_page() {
+    places_->wait_no_more();
     static_cast<LessonPage*>(pages_->currentWidget())->show_lesson(document_.lesson());
 }
 
@@ -171,13 +175,27 @@ void LessonEditor::attempt(const std::string& doing, const std::function<void()>
     }
 }
 
+// A field is told of when it is left, which a key that presses a button does not do.
+void LessonEditor::take_what_is_typed() {
+    QWidget* field = QApplication::focusWidget();
+    if (field != nullptr && isAncestorOf(field)) field->clearFocus();
+}
+
+bool LessonEditor::may_end() {
+    take_what_is_typed();
+    keep_now();
+    return !document_.dirty() || document_.kept() || ways_.may_discard();
+}
+
 void LessonEditor::begin_with(const std::string& id) {
+    take_what_is_typed();
     if (document_.dirty() && !ways_.may_discard()) return;
     document_.begin(id.empty() ? new_lesson() : find_lesson(id));
     changed(true);
 }
 
 void LessonEditor::open() {
+    take_what_is_typed();
     if (document_.dirty() && !ways_.may_discard()) return;
     const auto file = ways_.which_file();
     if (!file) return;
@@ -185,9 +203,8 @@ void LessonEditor::open() {
     changed(true);
 }
 
-// A number that is being typed counts.
 void LessonEditor::save(bool ask) {
-    if (QWidget* field = QApplication::focusWidget()) field->clearFocus();
+    take_what_is_typed();
     std::optional<std::filesystem::path> file = document_.file();
     if (ask || file->empty())
         file = ways_.where_to_save(QString::fromStdString(document_.lesson().name));
@@ -197,11 +214,17 @@ void LessonEditor::save(bool ask) {
 }
 
 void LessonEditor::try_out() {
-    if (QWidget* field = QApplication::focusWidget()) field->clearFocus();
+    take_what_is_typed();
     keep_now();
+    bool whole = false;
+    attempt("Try the lesson", [&] {
+        lesson_of(text_of(document_.lesson()), "This lesson");
+        whole = true;
+    });
+    if (!whole) return;  // its doubts say the same, and it stays to be mended
     trying_ = true;
     hide();
-    ways_.try_out(document_.lesson());
+    if (!ways_.try_out(document_.lesson())) back_from_trying();
 }
 
 void LessonEditor::back_from_trying() {

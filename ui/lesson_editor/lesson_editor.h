@@ -32,8 +32,9 @@ class LessonEditor : public QWidget {
         std::function<void()> ask_for_place;
         // places() are others now.
         std::function<void()> places_changed;
-        // Plays it; the editor comes back by back_from_trying().
-        std::function<void(const Lesson&)> try_out;
+        // Plays it, or opens its patient to do so; the editor comes back by back_from_trying().
+        // False: not after all.
+        std::function<bool(const Lesson&)> try_out;
         // A file to open, or to save under the name that is suggested; none: not after all.
         std::function<std::optional<std::filesystem::path>()> which_file;
         std::function<std::optional<std::filesystem::path>(const QString& suggested)> where_to_save;
@@ -52,6 +53,8 @@ class LessonEditor : public QWidget {
     // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
     std::vector<Vec3> places() const;
     void back_from_trying();
+    // Before the program ends: what cannot be kept (see LessonDocument) is asked about.
+    bool may_end();
     const LessonDocument& document() const { return document_; }
 
   protected:
@@ -68,6 +71,7 @@ class LessonEditor : public QWidget {
     void open();
     void save(bool ask);
     void try_out();
+    void take_what_is_typed();
     void attempt(const std::string& doing, const std::function<void()>& task);
 
     Ways ways_;

@@ -29,6 +29,7 @@ class LessonPage : public QWidget {
     }
 
   protected:
+    bool showing() const { return showing_; }
     // While it fills itself nothing that its fields tell counts as a person's.
     virtual void fill(const Lesson& lesson) = 0;
     void change_value(const std::string& field, const std::function<void(Lesson&)>& change) {

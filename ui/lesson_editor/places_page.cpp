@@ -141,6 +141,7 @@ void PlacesPage::place_clicked(const Vec3& place_mm) {
 
 // Two marks of a name could not be told apart.
 void PlacesPage::rename(int mark, QLineEdit& field) {
+    if (showing()) return;  // a row on its way out loses the focus
     const std::string name = field.text().trimmed().toStdString();
     std::string& present = names_[static_cast<std::size_t>(mark)];
     if (name.empty() || (name != present && std::ranges::find(names_, name) != names_.end()))

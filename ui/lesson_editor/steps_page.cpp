@@ -32,15 +32,16 @@ StepsPage::StepsPage(Changes changes)
       text_(new QPlainTextEdit),
       hint_(new QLineEdit),
       hold_(new DecimalSpinBox(0.0, 3600.0, 0.0, 1, "s")),
-      goal_(new BoundsTable("Goal: all of these at once", "goal",
-                            {Quantity::force_mn, -1, true, 10.0},
-                            [this](const std::vector<Predicate>& bounds) {
-                                set("goal", [&](LessonStep& step) { step.goal = bounds; });
-                            })),
+      goal_(new BoundsTable(
+          "Goal: all of these at once", "goal", {Quantity::force_mn, -1, true, 10.0},
+          [this](const std::string& row, const std::vector<Predicate>& bounds) {
+              set(row.empty() ? "" : "goal" + row, [&](LessonStep& step) { step.goal = bounds; });
+          })),
       limits_(new BoundsTable("Limits while it lasts", "stepLimit",
                               {Quantity::step_time_s, -1, false, 60.0},
-                              [this](const std::vector<Predicate>& bounds) {
-                                  set("limits", [&](LessonStep& step) { step.limits = bounds; });
+                              [this](const std::string& row, const std::vector<Predicate>& bounds) {
+                                  set(row.empty() ? "" : "limits" + row,
+                                      [&](LessonStep& step) { step.limits = bounds; });
                               })) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_list());
@@ -142,7 +143,8 @@ void StepsPage::fill_step() {
 
 void StepsPage::set(const std::string& field, const std::function<void(LessonStep&)>& change) {
     const std::size_t step = step_;
-    change_value("step" + std::to_string(step) + field, [&](Lesson& lesson) {
+    const std::string name = field.empty() ? "" : "step" + std::to_string(step) + field;
+    change_value(name, [&](Lesson& lesson) {
         change(lesson.steps[step]);
         shown_ = lesson;
     });
