@@ -282,6 +282,7 @@ TEST_F(LessonEditorTest, a_place_that_was_asked_for_is_forgotten_with_its_mark) 
     EXPECT_FALSE(lesson().marks[0].place.point_mm);
     turn_to(1);
     click("mark0click");
+    turn_to(2);
     may_discard_ = true;
     field<QAction>("beginWith_look_around").trigger();
     const Lesson begun = lesson();

@@ -156,7 +156,7 @@ void PlacesPage::set_place(int place, const ScriptPlace& at, bool same_row) {
         if (place == target)
             lesson.target = at;
         else
-            lesson.marks[static_cast<std::size_t>(place)].place = at;
+            lesson.marks.at(static_cast<std::size_t>(place)).place = at;
     };
     if (same_row)
         change_value("place" + std::to_string(place), set);
