@@ -160,7 +160,7 @@ class WindowBench {
         views.show_patient(window_.workspace().patient(), {}, ct);
         views.set_slices_visible(true);
         if (!run_until([&] { return !views.slices().empty(); })) return false;
-        run_for(2.0);
+        run_for(idle_s);  // the dial is measured beside the window, once
         SliceView& axial = views.slice_view(SliceDirection::axial);
         const Index3& dims = views.slices().ct().grid.dims;
         const int slices = dims[2];

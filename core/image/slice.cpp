@@ -100,11 +100,19 @@ std::vector<std::uint8_t> grey_slice(const Volume& ct, const SliceStack& stack, 
                  static_cast<std::size_t>(stack.rows()));
     const double black = window.level_hu - 0.5 * window.width_hu;
     const double steps = 255.0 / window.width_hu;
+    // A picture's columns and rows run along the grid's axes: even steps through its voxels.
+    const auto offset_of = [&](int column, int row) {
+        const auto [x, y, z] = stack.voxel(column, row, slice);
+        return static_cast<std::ptrdiff_t>(ct.grid.offset(x, y, z));
+    };
+    const std::ptrdiff_t first = offset_of(0, 0);
+    const std::ptrdiff_t right = stack.columns() > 1 ? offset_of(1, 0) - first : 0;
+    const std::ptrdiff_t down = stack.rows() > 1 ? offset_of(0, 1) - first : 0;
     for (int row = 0; row < stack.rows(); ++row)
         for (int column = 0; column < stack.columns(); ++column) {
-            const Index3 voxel = stack.voxel(column, row, slice);
-            const double value = (ct.at(voxel[0], voxel[1], voxel[2]) - black) * steps;
-            grey.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))));
+            const auto at = static_cast<std::size_t>(first + row * down + column * right);
+            const double value = std::clamp((ct.voxels[at] - black) * steps, 0.0, 255.0);
+            grey.push_back(static_cast<std::uint8_t>(value + 0.5));
         }
     return grey;
 }

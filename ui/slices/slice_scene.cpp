@@ -40,6 +40,7 @@ void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const Vess
             std::ranges::max_element(centrelines_, {}, &CentrelinePoint::radius_mm);
         middle = thickest->position_mm;
     }
+    ++voxels_version_;
     set_crosshair(middle);
 }
 
@@ -47,7 +48,7 @@ void SliceScene::show_tree(const VesselTree& tree) {
     tree_ = tree;
     centrelines_ = centrelines_of(tree);
     measurements_.remove_diameters();
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::clear() {
@@ -59,7 +60,7 @@ void SliceScene::clear() {
     centrelines_.clear();
     measurements_.clear();
     pen_.set_taken(false);
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::set_crosshair(const Vec3& position_mm) {
@@ -74,23 +75,23 @@ void SliceScene::set_crosshair(const Vec3& position_mm) {
 
 void SliceScene::set_window(const GreyWindow& window) {
     window_ = {window.level_hu, std::max(1.0, window.width_hu)};
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::set_opacity(double opacity) {
     opacity_ = std::clamp(opacity, 0.0, 1.0);
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::set_segments(Mask segments, std::string why_none) {
     segments_ = std::move(segments);
     why_no_segments_ = std::move(why_none);
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::set_segments_visible(bool visible) {
     shows_segments_ = visible;
-    tell();
+    tell_of_voxels();
 }
 
 void SliceScene::set_centrelines_visible(bool visible) {
@@ -131,6 +132,11 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
     char radius[48];
     std::snprintf(radius, sizeof radius, ", radius %.1f mm", vessel->radius_mm);
     return text + "   " + title_of(vessel->system) + radius;
+}
+
+void SliceScene::tell_of_voxels() {
+    ++voxels_version_;
+    tell();
 }
 
 void SliceScene::tell() const {

@@ -3,6 +3,7 @@
 // crosshair, and how grey and how opaque. No widget.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,6 +34,9 @@ class SliceScene {
     // The same CT with a corrected tree.
     void show_tree(const VesselTree& tree);
     void clear();
+
+    // Counts the changes of all that a slice shows but the crosshair, its centrelines and marks.
+    std::uint64_t voxels_version() const { return voxels_version_; }
 
     bool empty() const { return ct_ == nullptr; }
     const Volume& ct() const { return *ct_; }  // unless empty
@@ -68,6 +72,7 @@ class SliceScene {
 
   private:
     void tell() const;
+    void tell_of_voxels();
     int segment_at(const Vec3& position_mm) const;  // 0: none
 
     std::shared_ptr<const Volume> ct_;
@@ -83,6 +88,7 @@ class SliceScene {
     double opacity_ = 0.6;
     bool shows_segments_ = false;
     bool shows_centrelines_ = true;
+    std::uint64_t voxels_version_ = 0;
     std::vector<std::function<void()>> watchers_;
 };
 

@@ -81,10 +81,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(120, 90);
     setCursor(Qt::CrossCursor);
-    scene_.on_change([this] {
-        picture_is_old_ = true;
-        update();
-    });
+    scene_.on_change([this] { update(); });
     scene_.measurements().on_change([this] { update(); });
     scene_.pen().on_change([this] { update(); });
 }
@@ -125,7 +122,7 @@ Vec3 SliceView::to_mm(const QPointF& place) const {
 const QImage& SliceView::picture() {
     if (scene_.empty()) {
         picture_ = {};
-    } else if (picture_is_old_) {
+    } else if (picture_slice_ != slice() || picture_version_ != scene_.voxels_version()) {
         const SliceStack slices = stack();
         picture_ = grey_image(grey_slice(scene_.ct(), slices, slice(), scene_.window()),
                               slices.columns(), slices.rows());
@@ -138,7 +135,8 @@ const QImage& SliceView::picture() {
         if (scene_.opacity() > 0.0 && !scene_.systems().voxels.empty())
             lay_systems(picture_, label_slice(scene_.systems(), slices, slice()), scene_.opacity());
     }
-    picture_is_old_ = false;
+    picture_slice_ = slice();
+    picture_version_ = scene_.voxels_version();
     return picture_;
 }
 

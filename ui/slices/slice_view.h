@@ -81,7 +81,9 @@ class SliceView : public QWidget {
     std::function<void()> double_click_;
     QImage picture_;
     std::vector<SegmentNumber> segment_numbers_;  // in it
-    bool picture_is_old_ = true;
+    // What the picture is of: scrolling through one direction leaves those of the others.
+    std::uint64_t picture_version_ = 0;
+    int picture_slice_ = -1;
     double zoom_ = 1.0;      // against the slice that fits
     QPointF shift_;          // of the slice's middle from the widget's
     QPointF last_;           // of the mouse, while a button is down
