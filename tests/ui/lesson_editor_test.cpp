@@ -13,6 +13,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabWidget>
+#include <algorithm>
 #include <fstream>
 
 #include "core/base/error.h"
@@ -331,6 +332,17 @@ TEST_F(LessonEditorTest, each_bound_is_undone_by_itself) {
     click("lessonUndo");
     EXPECT_EQ(lesson().steps[0].goal[0].bound, 21.0);
     EXPECT_NE(lesson().steps[0].goal[1].bound, 22.0);
+}
+
+TEST_F(LessonEditorTest, small_bounds_can_be_typed_and_another_unit_begins_anew) {
+    turn_to(2);
+    field<QDoubleSpinBox>("goal0bound").setValue(25.0);
+    const auto words = quantities();
+    const auto bleeding = std::ranges::find(words, Quantity::leak_g_s, &QuantityWords::quantity);
+    choose("goal0quantity", static_cast<int>(bleeding - words.begin()));
+    EXPECT_EQ(lesson().steps[0].goal[0].bound, 1.0) << "25 were millinewtons";
+    field<QDoubleSpinBox>("goal0bound").setValue(0.05);
+    EXPECT_EQ(lesson().steps[0].goal[0].bound, 0.05);
 }
 
 TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {

@@ -52,8 +52,10 @@ int decimals_of(const QuantityWords& words, double bound) {
         case holding:
             return 0;
         default:
-            return *words.unit && bound * 10.0 == std::round(bound * 10.0) ? 1 : 3;
+            break;
     }
+    const bool in_grams = words.unit[0] == 'g';  // of blood and of a drug a twentieth counts
+    return *words.unit && !in_grams && bound * 10.0 == std::round(bound * 10.0) ? 1 : 3;
 }
 
 }  // namespace
