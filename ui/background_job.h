@@ -32,9 +32,10 @@ class BackgroundJob {
     using Work = std::function<std::function<void()>(Job&)>;
 
     struct Callbacks {
-        std::function<void(const JobProgress&)> progress;  // about 20 times a second
+        std::function<void(const JobProgress&)> progress =  // about 20 times a second
+            [](const JobProgress&) {};
         std::function<void(const Failure&)> failed;
-        std::function<void()> cancelled;
+        std::function<void()> cancelled = [] {};
         std::function<void()> ended;  // last, after any of the others
     };
 

@@ -27,9 +27,7 @@ void LiverKeeper::make() {
     if (!patient_ || made_) return;
     made_ = true;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = screen_.failed;
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_](Job& job) -> std::function<void()> {

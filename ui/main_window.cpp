@@ -263,7 +263,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
     screen.not_opened = [this] {
         lessons_->patient_not_shown();
-        if (lesson_editor_) lesson_editor_->back_from_trying();
+        if (lesson_editor_ && !lessons_->playing()) lesson_editor_->back_from_trying();
         review_->patient_not_shown();
     };
     keeper_ = std::make_unique<PatientKeeper>(

@@ -28,10 +28,8 @@ SeriesThumbnails::SeriesThumbnails(std::vector<std::filesystem::path> slices, in
 void SeriesThumbnails::begin(std::size_t series) {
     if (series >= slices_.size()) return job_.reset();
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     // Reading the series will say why.
     callbacks.failed = [this, series](const Failure&) { show_(series, {}); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this, series] { begin(series + 1); };
     job_ = std::make_unique<BackgroundJob>(
         [this, series, file = slices_[series], side = side_](Job& job) -> std::function<void()> {

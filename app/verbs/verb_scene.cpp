@@ -25,14 +25,14 @@ SceneFile scene_of(const std::filesystem::path& file) {
 
 // What tools and tears need is built with the body: it weighs what the body weighs more than
 // without. What it adds to a frame is in the body's.
-Json part_of_body(const char* name, const std::shared_ptr<const PatientCase>& patient,
-                  const SceneSpec& with, const SceneSpec& without, const DeformBackEnd& back_end) {
-    const auto weigh_body = [&](const SceneSpec& spec) {
-        Job job;
-        const World world(patient, spec, job, back_end);
-        return *std::ranges::find(world.parts(), "deform", &PartCost::name);
-    };
-    const PartCost heavy = weigh_body(with), light = weigh_body(without);
+PartCost weigh_body(const std::shared_ptr<const PatientCase>& patient, const SceneSpec& spec,
+                    const DeformBackEnd& back_end) {
+    Job job;
+    const World world(patient, spec, job, back_end);
+    return *std::ranges::find(world.parts(), "deform", &PartCost::name);
+}
+
+Json part_of_body(const char* name, const PartCost& heavy, const PartCost& light) {
     return {{"name", name},
             {"bytes", heavy.bytes > light.bytes ? heavy.bytes - light.bytes : 0},
             {"ms", nullptr},
@@ -68,15 +68,18 @@ Json run_scene(const SceneChoices& options, Job& job) {
                          {"ms", frame_ms[p]},
                          {"build_ms", part.build_ms}});
     }
-    if (scene.spec.contact && scene.spec.contact->tools) {
-        SceneSpec without = scene.spec;
-        without.contact->tools = false;
-        parts.push_back(part_of_body("tools", patient, scene.spec, without, back_end.back_end));
-    }
-    if (scene.spec.tear) {
-        SceneSpec without = scene.spec;
-        without.tear.reset();
-        parts.push_back(part_of_body("tear", patient, scene.spec, without, back_end.back_end));
+    const bool has_tools = scene.spec.contact && scene.spec.contact->tools;
+    if (has_tools || scene.spec.tear) {
+        const PartCost all = weigh_body(patient, scene.spec, back_end.back_end);
+        const auto add = [&](const char* name, const SceneSpec& without) {
+            parts.push_back(
+                part_of_body(name, all, weigh_body(patient, without, back_end.back_end)));
+        };
+        SceneSpec no_tools = scene.spec, no_tear = scene.spec;
+        if (has_tools) no_tools.contact->tools = false;
+        no_tear.tear.reset();
+        if (has_tools) add("tools", no_tools);
+        if (scene.spec.tear) add("tear", no_tear);
     }
     return {{"scene", scene.spec.name},
             {"case", scene.patient.string()},

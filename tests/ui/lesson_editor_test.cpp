@@ -429,7 +429,11 @@ TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
 class LessonEditorWindowTest : public testing::WindowTest {
   protected:
     LessonEditorWindowTest()
-        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+        : WindowTest({[](const OpenRequest& request, Job& job) {
+                          if (!request.built_in)
+                              throw InputError("is not there", "nowhere", "Give another");
+                          return play(test::small_patient(), job);
+                      },
                       [](const std::filesystem::path&, const PatientCase&) {}}) {
         open_built_in();
     }
@@ -458,6 +462,10 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     editor().findChild<QLineEdit*>("lessonName")->setText("Tried");
     click("lessonTry");
     ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_TRUE(editor().isHidden());
+    // Another opening that comes to nothing does not end the try.
+    window_.open(QString("/nowhere/at/all.hep"));
+    ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
     EXPECT_TRUE(editor().isHidden());
     EXPECT_EQ(window_.lessons().findChild<QLabel*>("lessonTitle")->text(), "<b>Tried</b>");
     // A tool that it does not allow ends it, so that its recording is whole.

@@ -27,9 +27,7 @@ bool SegmentKeeper::want() {
     if (!patient_ || tried_) return false;
     tried_ = true;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = screen_.failed;
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_,

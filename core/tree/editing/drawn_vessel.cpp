@@ -21,27 +21,41 @@ struct Beside {
     double beyond_wall_mm = std::numeric_limits<double>::infinity();  // below 0: in the lumen
 };
 
-Beside nearest_wall(const VesselGraph& graph, const Vec3& place_mm) {
-    Beside nearest;
-    for (std::size_t i = 0; i < graph.links.size(); ++i) {
-        VesselSegment segment;
-        segment.points_mm = graph.links[i].points_mm;
-        segment.radii_mm = graph.links[i].radii_mm;
-        const NearestStation foot = nearest_station(segment, place_mm);
-        const double beyond = foot.distance_mm - station_at(segment, foot.arclength_mm).radius_mm;
-        if (beyond < nearest.beyond_wall_mm)
-            nearest = {static_cast<int>(i), foot.arclength_mm, beyond};
+// The walls of a graph as it is now.
+class Walls {
+  public:
+    explicit Walls(const VesselGraph& graph) {
+        for (const VesselLink& link : graph.links) {
+            VesselSegment& segment = segments_.emplace_back();
+            segment.points_mm = link.points_mm;
+            segment.radii_mm = link.radii_mm;
+        }
     }
-    return nearest;
-}
+
+    Beside nearest(const Vec3& place_mm) const {
+        Beside nearest;
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const NearestStation foot = nearest_station(segments_[i], place_mm);
+            const double beyond =
+                foot.distance_mm - station_at(segments_[i], foot.arclength_mm).radius_mm;
+            if (beyond < nearest.beyond_wall_mm)
+                nearest = {static_cast<int>(i), foot.arclength_mm, beyond};
+        }
+        return nearest;
+    }
+
+  private:
+    std::vector<VesselSegment> segments_;
+};
 
 }  // namespace
 
 DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system) {
     const std::size_t count = drawn.points_mm.size();
     std::vector<std::uint8_t> inside;
+    const Walls walls(graph);
     for (const Vec3& point : drawn.points_mm)
-        inside.push_back(nearest_wall(graph, point).beyond_wall_mm < 0.0 ? 1 : 0);
+        inside.push_back(walls.nearest(point).beyond_wall_mm < 0.0 ? 1 : 0);
     if (2 * std::ranges::count(inside, 1) > std::ssize(inside))
         throw InputError("more than half of it lies in vessels that are there already",
                          place_text(drawn.points_mm.front()),
@@ -56,7 +70,7 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     result.system = system;
     const auto node_at = [&](const Vec3& end_mm, double radius_mm, bool& touches,
                              VascularSystem& touched) {
-        const Beside beside = nearest_wall(graph, end_mm);
+        const Beside beside = Walls(graph).nearest(end_mm);  // the other end may have split one
         touches = beside.beyond_wall_mm <= touch_mm;
         if (!touches) {
             graph.nodes.push_back({end_mm, radius_mm});

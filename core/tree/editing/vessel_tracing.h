@@ -14,9 +14,10 @@ namespace hepatica {
 
 // Clicks in the order along the vessel, each at most 50 mm from the one before; clicks within half
 // a millimetre of the one before are passed over. The centreline begins and ends at the voxels of
-// the first and the last click, with points a voxel apart. Takes some tens of milliseconds for
-// 30 mm. Throws InputError where there are fewer than two places, one lies outside of the CT, two
-// are too far apart, or the places are no brighter than what is around them by 15 HU.
+// the first and the last click, with points a voxel apart. Takes 0.1 s for 40 mm of a
+// small CT and half a second for three clicks over 62 mm of a real one. Throws InputError where
+// there are fewer than two places, one lies outside of the CT, two are too far apart, or the places
+// are no brighter than what is around them by 15 HU.
 //   blood_contrast_hu: see below; thin vessels are measured too wide where it is not known (0).
 Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
                          double blood_contrast_hu = 0.0);
