@@ -163,6 +163,7 @@ class Tracer {
         search.piece_of = [wanted = offset_of(ct_.grid, goal)](std::size_t offset) {
             return offset == wanted ? 1 : -1;
         };
+        search.goal_mm = ct_.grid.to_mm(goal[0], goal[1], goal[2]);
         search.brightness = bright;
         // The box is all that there is to search, and its darkest way is not refused.
         search.longest_gap_mm = search.longest_cost_mm = std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 #include "core/tree/extraction/gap_paths.h"
 
 #include <algorithm>
+#include <limits>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -14,11 +15,15 @@ namespace {
 constexpr double darkest = 0.1;       // a dark millimetre costs as much as ten bright ones
 constexpr double own_reach_mm = 4.0;  // how far back into its own piece a path may lead
 
+// A voxel that was seen. What the callbacks say of it is asked once: that costs most.
 struct Reached {
-    double cost_mm;
-    double gap_mm;
-    std::size_t before;
-    bool closed;
+    int piece = -1;
+    double price = 1.0;     // of a millimetre
+    double still_mm = 0.0;  // it is to the goal at least
+    double cost_mm = std::numeric_limits<double>::infinity();
+    double gap_mm = 0.0;
+    std::size_t before = 0;
+    bool closed = false;  // its cost is final, or it must not be entered
 };
 
 class Search {
@@ -29,19 +34,20 @@ class Search {
         const Grid& grid = *search_.grid;
         const std::size_t first = grid.offset(start[0], start[1], start[2]);
         start_mm_ = grid.to_mm(start[0], start[1], start[2]);
-        reached_[first] = {0.0, 0.0, first, false};
-        open_.emplace(0.0, first);
+        Reached& begin = seen(first);
+        begin.cost_mm = 0.0;
+        begin.before = first;
+        open_.emplace(begin.still_mm, first);
         std::vector<GapPath> paths;
         std::set<int> found;
         while (!open_.empty()) {
             const std::size_t here = std::get<1>(open_.top());
             open_.pop();
-            Reached& entry = reached_[here];
+            Reached& entry = reached_.at(here);
             if (entry.closed) continue;
             entry.closed = true;
-            const int piece = search_.piece_of(here);
-            if (piece >= 0 && piece != own_) {
-                if (found.insert(piece).second) paths.push_back(path_to(here, piece));
+            if (entry.piece >= 0 && entry.piece != own_) {
+                if (found.insert(entry.piece).second) paths.push_back(path_to(here, entry.piece));
                 continue;  // what lies behind is that piece's own business
             }
             spread(here, entry);
@@ -65,42 +71,45 @@ class Search {
     }
 
     void visit(std::size_t here, const Reached& entry, std::size_t next, double step_mm) {
-        // Before what is there is asked, which costs most: half of all visits are to closed voxels.
-        const auto known = reached_.find(next);
-        if (known != reached_.end() && known->second.closed) return;
-        const int piece = search_.piece_of(next);
-        const bool outside = piece < 0;
-        const auto [x, y, z] = search_.grid->index_of(next);
-        const Vec3 place = search_.grid->to_mm(x, y, z);
-        if (piece == own_ && (place - start_mm_).norm() > own_reach_mm) return;
-        double price = 1.0;
-        if (outside) {
-            const double b = search_.brightness(place);
-            price = 1.0 / (darkest + (1.0 - darkest) * b * b);
-        }
-        const double cost = entry.cost_mm + price * step_mm;
-        const double gap = entry.gap_mm + (outside ? step_mm : 0.0);
+        Reached& there = seen(next);
+        if (there.closed) return;
+        const double cost = entry.cost_mm + there.price * step_mm;
+        const double gap = entry.gap_mm + (there.piece < 0 ? step_mm : 0.0);
         if (cost > search_.longest_cost_mm || gap > search_.longest_gap_mm) return;
-        if (known == reached_.end()) {
-            reached_.emplace(next, Reached{cost, gap, here, false});
-        } else {
-            if (known->second.cost_mm <= cost) return;
-            known->second = {cost, gap, here, false};
+        if (there.cost_mm <= cost) return;
+        there.cost_mm = cost;
+        there.gap_mm = gap;
+        there.before = here;
+        open_.emplace(cost + there.still_mm, next);
+    }
+
+    Reached& seen(std::size_t voxel) {
+        const auto [entry, is_new] = reached_.try_emplace(voxel);
+        Reached& there = entry->second;
+        if (!is_new) return there;
+        const auto [x, y, z] = search_.grid->index_of(voxel);
+        const Vec3 place = search_.grid->to_mm(x, y, z);
+        there.piece = search_.piece_of(voxel);
+        there.closed = there.piece == own_ && (place - start_mm_).norm() > own_reach_mm;
+        if (there.piece < 0) {
+            const double b = search_.brightness(place);
+            there.price = 1.0 / (darkest + (1.0 - darkest) * b * b);
         }
-        open_.emplace(cost, next);
+        if (search_.goal_mm) there.still_mm = (*search_.goal_mm - place).norm();
+        return there;
     }
 
     GapPath path_to(std::size_t end, int piece) {
         GapPath path;
         path.piece = piece;
-        path.cost_mm = reached_[end].cost_mm;
-        path.gap_mm = reached_[end].gap_mm;
-        for (std::size_t p = end;; p = reached_[p].before) {
+        path.cost_mm = reached_.at(end).cost_mm;
+        path.gap_mm = reached_.at(end).gap_mm;
+        for (std::size_t p = end;; p = reached_.at(p).before) {
             const auto [x, y, z] = search_.grid->index_of(p);
             path.points_mm.push_back(search_.grid->to_mm(x, y, z));
             path.brightness.push_back(
                 search_.piece_of(p) >= 0 ? 1.0 : search_.brightness(path.points_mm.back()));
-            if (reached_[p].before == p) break;
+            if (reached_.at(p).before == p) break;
         }
         std::ranges::reverse(path.points_mm);
         std::ranges::reverse(path.brightness);
