@@ -2,6 +2,7 @@
 #include "core/tree/extraction/gap_paths.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <queue>
 #include <set>
@@ -23,8 +24,13 @@ struct Reached {
     double cost_mm = std::numeric_limits<double>::infinity();
     double gap_mm = 0.0;
     std::size_t before = 0;
+    bool asked = false;
     bool closed = false;  // its cost is final, or it must not be entered
 };
+
+// Voxels are kept in runs along a row, for neighbours are looked up together.
+constexpr std::size_t run_length = 16;
+using Run = std::array<Reached, run_length>;
 
 class Search {
   public:
@@ -43,7 +49,7 @@ class Search {
         while (!open_.empty()) {
             const std::size_t here = std::get<1>(open_.top());
             open_.pop();
-            Reached& entry = reached_.at(here);
+            Reached& entry = seen(here);
             if (entry.closed) continue;
             entry.closed = true;
             if (entry.piece >= 0 && entry.piece != own_) {
@@ -84,9 +90,9 @@ class Search {
     }
 
     Reached& seen(std::size_t voxel) {
-        const auto [entry, is_new] = reached_.try_emplace(voxel);
-        Reached& there = entry->second;
-        if (!is_new) return there;
+        Reached& there = reached_[voxel / run_length][voxel % run_length];
+        if (there.asked) return there;
+        there.asked = true;
         const auto [x, y, z] = search_.grid->index_of(voxel);
         const Vec3 place = search_.grid->to_mm(x, y, z);
         there.piece = search_.piece_of(voxel);
@@ -102,14 +108,14 @@ class Search {
     GapPath path_to(std::size_t end, int piece) {
         GapPath path;
         path.piece = piece;
-        path.cost_mm = reached_.at(end).cost_mm;
-        path.gap_mm = reached_.at(end).gap_mm;
-        for (std::size_t p = end;; p = reached_.at(p).before) {
+        path.cost_mm = seen(end).cost_mm;
+        path.gap_mm = seen(end).gap_mm;
+        for (std::size_t p = end;; p = seen(p).before) {
             const auto [x, y, z] = search_.grid->index_of(p);
             path.points_mm.push_back(search_.grid->to_mm(x, y, z));
             path.brightness.push_back(
                 search_.piece_of(p) >= 0 ? 1.0 : search_.brightness(path.points_mm.back()));
-            if (reached_.at(p).before == p) break;
+            if (seen(p).before == p) break;
         }
         std::ranges::reverse(path.points_mm);
         std::ranges::reverse(path.brightness);
@@ -121,7 +127,7 @@ class Search {
     Vec3 start_mm_ = Vec3::Zero();
     using Open = std::tuple<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
-    std::unordered_map<std::size_t, Reached> reached_;  // looked up, never iterated over
+    std::unordered_map<std::size_t, Run> reached_;  // looked up, never iterated over
 };
 
 }  // namespace
