@@ -63,7 +63,7 @@ Json to_json(const StepperOptions& options) {
               {"max_iterations", options.linear.max_iterations},
               {"newton_iterations", options.newton_iterations},
               {"substeps", options.substeps}};
-    if (options.tension) json["tension"] = true;
+    if (!options.tension) json["tension"] = false;
     if (options.published) json["published"] = true;
     return json;
 }

@@ -24,8 +24,8 @@ struct StepperOptions {
     RayleighDamping velocity_error{};
     // Adds what taut elements resist being turned to the matrix of a step that begins at the
     // present velocity, see TensionStiffness: such a step need not be shortened. `corotated` and
-    // one iterate only, on the processor.
-    bool tension = false;
+    // one iterate only, on the processor; others are what they are without.
+    bool tension = true;
     // Takes the step of the publication unchanged, even where it creates energy. Otherwise such a
     // step is shortened, which the report says.
     bool published = false;
