@@ -49,6 +49,7 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
     about_ = add_label(*column, "quiet");
+    doubts_ = add_label(*column, "lessonPlaceDoubts");
     step_ = add_label(*column, "lessonStep");
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
@@ -86,7 +87,12 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->addStretch(1);
 }
 
-void LessonPanel::begin(const Lesson& lesson) {
+void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& doubts) {
+    QStringList lines;
+    for (const std::string& doubt : doubts) lines << "⚠ " + QString::fromStdString(doubt);
+    doubts_->setTextFormat(Qt::PlainText);
+    doubts_->setText(lines.join("\n"));
+    doubts_->setVisible(!lines.isEmpty());
     lesson_ = lesson;
     hinted_step_ = static_cast<std::size_t>(-1);
     title_->setText("<b>" + QString::fromStdString(lesson.name).toHtmlEscaped() + "</b>");

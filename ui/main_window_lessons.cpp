@@ -11,6 +11,7 @@
 #include "core/tree/station.h"
 #include "ui/curves_dock.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/paths.h"
@@ -68,8 +69,14 @@ LessonEditor& MainWindow::lesson_editor() {
 void MainWindow::build_lesson_editor() {
     LessonEditor::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
-    ways.shown_case = [this] { return to_text(keeper_->workspace().folder()); };
+    ways.shown_patient = [this] {
+        const bool built_in = patient_ && patient_->title == built_in_title;
+        return built_in ? QString("built-in") : to_text(keeper_->workspace().folder());
+    };
     ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
+    ways.ask_no_more = [this] {
+        if (view_->mouse().mode() == MouseMode::place) (*actions_)[ActionId::pull_mode].trigger();
+    };
     ways.places_changed = [this] {
         if (patient_ && show_marks()) view_->draw_again();
     };
@@ -96,7 +103,8 @@ void MainWindow::build_lesson_editor() {
     ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
-    lesson_editor_ = new LessonEditor(std::move(ways), to_path(settings_.lesson_draft()), this);
+    draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
+    lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }
 
 // On the centreline, so that it means the same whatever side was clicked on.
