@@ -207,6 +207,11 @@ void LessonDock::leave() {
     ways_.left();
 }
 
+void LessonDock::set_units(FlowUnits units) {
+    panel_->set_units(units);
+    show_figures();
+}
+
 void LessonDock::show_figures() {
     if (!watch_) return;
     panel_->show_standing(watch_->standing());

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/patient/patient_case.h"
+#include "ui/flow_units.h"
 #include "ui/lesson_play.h"
 
 class QMenu;
@@ -69,6 +70,7 @@ class LessonDock : public QDockWidget {
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
+    void set_units(FlowUnits units);
     // At every figure's turn: how the lesson stands.
     void show_figures();
     // Where the marks are in a frame; none where no lesson is played.

@@ -18,6 +18,7 @@
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
 #include "ui/theme.h"
+#include "ui/vtk_widget.h"
 
 namespace hepatica {
 namespace {
@@ -55,6 +56,7 @@ void MainWindow::build_lessons() {
         if (lesson_editor_) lesson_editor_->back_from_trying();
     };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
+    lessons_->set_units(flow_units_named(settings_.flow_units()));
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);

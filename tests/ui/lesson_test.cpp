@@ -82,6 +82,22 @@ TEST_F(LessonPanelTest, says_whether_it_fits_the_patient) {
     EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
 }
 
+TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
+    const BoundStanding bleeding{{Quantity::leak_g_s, -1, false, 0.53}, 1.06, false};
+    standing_.limits = {bleeding};
+    panel_.set_units(FlowUnits::clinic);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30 mL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("60 mL/min"));
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {reason_of_limit(bleeding, {})};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 60 mL/min"));
+    panel_.set_units(FlowUnits::computed);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06 g/s"));
+}
+
 TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
     panel_.show_standing(standing_);
     auto* hint = panel_.findChild<QLabel*>("lessonHint");

@@ -16,12 +16,12 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/lesson_editor/about_page.h"
+#include "ui/lesson_editor/doubts_in_words.h"
 #include "ui/lesson_editor/places_page.h"
 #include "ui/lesson_editor/rules_page.h"
 #include "ui/lesson_editor/steps_page.h"
@@ -30,20 +30,6 @@
 
 namespace hepatica {
 namespace {
-
-// What keeps it from being played; empty: nothing.
-QStringList gaps_in_words(const Lesson& lesson) {
-    QStringList lines;
-    for (const std::string& gap : gaps_in(lesson)) lines << QString::fromStdString(gap);
-    if (!lines.isEmpty()) return lines;
-    try {
-        lesson_of(text_of(lesson), "This lesson");
-    } catch (const InputError& error) {  // of what no page shows
-        lines << QString::fromStdString(error.place() + " " + error.problem() + ". " +
-                                        error.remedy() + ".");
-    }
-    return lines;
-}
 
 void refuse_gaps(const Lesson& lesson, const char* what) {
     const std::vector<std::string> gaps = gaps_in(lesson);
@@ -180,38 +166,11 @@ void LessonEditor::show_state() {
     const QString left = document_.left_behind()
                              ? "This lesson was left unsaved by an earlier run of the program.\n"
                              : "";
-    doubts_->setText(left + doubts());
+    doubts_->setText(
+        left + doubts_in_words(document_.lesson(), ways_.patient().get(), ways_.shown_patient()));
     doubts_->setVisible(!doubts_->text().isEmpty());
     undo_->setEnabled(document_.can_undo());
     redo_->setEnabled(document_.can_redo());
-}
-
-// What keeps it from being played, then what can hardly be meant; empty: nothing.
-QString LessonEditor::doubts() const {
-    const Lesson& lesson = document_.lesson();
-    const QStringList gaps = gaps_in_words(lesson);
-    QStringList lines = gaps;
-    for (const std::string& doubt : doubts_about(lesson)) lines << QString::fromStdString(doubt);
-    lines << place_doubts();
-    constexpr qsizetype most = 4;
-    if (lines.size() > most)
-        lines = lines.mid(0, most - 1) << QString("and %1 more").arg(lines.size() - most + 1);
-    for (QString& line : lines) line.prepend("• ");
-    return lines.join("\n");
-}
-
-QStringList LessonEditor::place_doubts() const {
-    const Lesson& lesson = document_.lesson();
-    const std::shared_ptr<const PatientCase> patient = ways_.patient();
-    if (patient == nullptr) return {};
-    const QString shown = ways_.shown_patient();
-    const bool its_own = lesson.patient == "any" || lesson.patient == shown.toStdString() ||
-                         same_place(lesson.patient, to_path(shown));
-    QStringList lines;
-    for (const std::string& doubt : its_own ? doubts_about_places(lesson, patient->tree)
-                                            : doubts_about_another(lesson, patient->tree))
-        lines << QString::fromStdString(doubt);
-    return lines;
 }
 
 void LessonEditor::patient_shown() {

@@ -77,8 +77,6 @@ class LessonEditor : public QWidget {
     void try_out();
     void take_what_is_typed();
     QWidget* scrolled(LessonPage* page);
-    QString doubts() const;
-    QStringList place_doubts() const;
     void attempt(const std::string& doing, const std::function<void()>& task);
 
     Ways ways_;
