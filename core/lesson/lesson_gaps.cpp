@@ -50,7 +50,7 @@ class Finder {
         for (const Predicate& bound : bounds)
             if (words_of(bound.quantity).of_mark && bound.mark < 0)
                 gaps_.push_back(where + ": \"" + to_words(bound, marks_) +
-                                "\". Choose another mark for it, or remove the bound.");
+                                "\" has lost its mark. Choose another one, or remove the bound.");
     }
 
     const Lesson& lesson_;

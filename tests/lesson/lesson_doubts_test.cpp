@@ -176,6 +176,12 @@ TEST(LessonDoubts, SeesGoalsThatNoToolReaches) {
         lesson.tools = {does_not, reaches};
         EXPECT_THAT(doubts_about(lesson), IsEmpty()) << words;
     }
+    lesson.tools = {LessonTool::pull};
+    lesson.steps[0].goal = {{Quantity::injected_g, -1, true, 1.0}};
+    lesson.setup.actions.emplace_back();  // it may inject
+    EXPECT_THAT(doubts_about(lesson), IsEmpty());
+    lesson.setup.actions.clear();
+    EXPECT_THAT(doubts_about(lesson), Not(IsEmpty()));
     // It is so by itself, or gravity does it.
     lesson.tools = {LessonTool::inject};
     lesson.steps[0].goal = {{Quantity::force_mn, -1, false, 1.0}};
