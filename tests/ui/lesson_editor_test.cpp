@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <algorithm>
 #include <fstream>
@@ -425,6 +426,8 @@ TEST_F(LessonEditorTest, fits_on_a_small_screen) {
     QApplication::processEvents();
     for (int page = 0; page < 4; ++page) {
         turn_to(page);
+        QWidget* shown = field<QTabWidget>("lessonPages").currentWidget();
+        EXPECT_TRUE(qobject_cast<QScrollArea*>(shown) || shown->findChild<QScrollArea*>()) << page;
         const QSize least = editor_.minimumSizeHint().expandedTo(editor_.minimumSize());
         EXPECT_LE(least.width(), 1024) << page;
         EXPECT_LE(least.height(), 700) << page << ": 768 without the desktop's and its own title";
