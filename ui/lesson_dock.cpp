@@ -11,6 +11,7 @@
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/course_standing.h"
+#include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/attempts_dialog.h"
@@ -108,8 +109,13 @@ bool LessonDock::read(const std::string& name) {
 
 void LessonDock::start_on(const std::string& name, const QString& case_folder) {
     if (!read(name)) return;
+    open_case(to_path(case_folder));
+}
+
+void LessonDock::open_case(const fs::path& place) {
     waits_ = true;
-    ways_.open_case(case_folder);
+    waits_for_ = fs::absolute(place).lexically_normal();
+    ways_.open_case(to_text(waits_for_));
 }
 
 bool LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
@@ -118,26 +124,37 @@ bool LessonDock::start(const std::string& name, const std::vector<Predicate>& mo
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
         begin();
-    else {
+    else if (any || lesson_->patient == "built-in") {
         waits_ = true;
-        if (any || lesson_->patient == "built-in")
-            ways_.open_built_in();
-        else
-            ways_.open_case(to_text(fs::path(name).parent_path() / lesson_->patient));
+        waits_for_.clear();
+        ways_.open_built_in();
+    } else {
+        open_case(fs::path(name).parent_path() / lesson_->patient);
     }
     return true;
 }
 
-void LessonDock::patient_shown(bool built_in) {
+void LessonDock::patient_shown(bool built_in, const fs::path& asked_for) {
+    end_play();
     built_in_shown_ = built_in;
-    keep_result();
-    watch_.reset();
     // Not on whoever was opened in the place of the lesson's own patient.
-    const bool fits = lesson_ && (lesson_->patient != "built-in" || built_in);
+    const bool fits = !waits_for_.empty() ? same_place(asked_for, waits_for_)
+                                          : lesson_ && (lesson_->patient == "any" || built_in);
     // Once what says that the patient is being opened has gone, which takes room.
     if (std::exchange(waits_, false) && fits)
         return QTimer::singleShot(0, this, [this] { begin(); });
     hide();
+}
+
+void LessonDock::patient_corrected() {
+    end_play();
+    built_in_shown_ = false;
+    hide();
+}
+
+void LessonDock::end_play() {
+    keep_result();
+    watch_.reset();
 }
 
 bool LessonDock::try_out(const Lesson& lesson) {
@@ -175,7 +192,7 @@ void LessonDock::begin() {
     } catch (...) {
         return ways_.failed("Begin the lesson", std::current_exception());
     }
-    panel_->begin(*lesson_);
+    panel_->begin(*lesson_, doubts_about_places(*lesson_, patient->tree));
     show_figures();
     show();
     raise();
@@ -188,6 +205,11 @@ void LessonDock::leave() {
     hide();
     ways_.use(nullptr);
     ways_.left();
+}
+
+void LessonDock::set_units(FlowUnits units) {
+    panel_->set_units(units);
+    show_figures();
 }
 
 void LessonDock::show_figures() {

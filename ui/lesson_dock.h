@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/patient/patient_case.h"
+#include "ui/flow_units.h"
 #include "ui/lesson_play.h"
 
 class QMenu;
@@ -57,8 +58,11 @@ class LessonDock : public QDockWidget {
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
     CourseDialog& course() { return *course_; }
-    // There is another patient now: a lesson that waited for one begins, one that ran is over.
-    void patient_shown(bool built_in);
+    // There is another patient now, who was opened from this place: a lesson that waited for him
+    // begins, one that ran is over.
+    void patient_shown(bool built_in, const std::filesystem::path& asked_for);
+    // The patient has other vessels now: a lesson that ran is over.
+    void patient_corrected();
     // The patient that was being opened does not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
@@ -66,6 +70,7 @@ class LessonDock : public QDockWidget {
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
+    void set_units(FlowUnits units);
     // At every figure's turn: how the lesson stands.
     void show_figures();
     // Where the marks are in a frame; none where no lesson is played.
@@ -75,6 +80,8 @@ class LessonDock : public QDockWidget {
     bool read(const std::string& name);  // into lesson_; false where it failed, which is said
     void ask_for_lesson();
     void ask_for_course();
+    void open_case(const std::filesystem::path& place);
+    void end_play();  // the patient goes
     void begin();
     void leave();
     // Where lessons that are tried and their recordings are kept.
@@ -90,6 +97,8 @@ class LessonDock : public QDockWidget {
     std::string watched_name_, shown_name_;  // of watch_'s; of the one whose attempts are shown
     std::optional<Lesson> lesson_;
     bool waits_ = false;  // for its patient
+    // Whom it waits for: a case; empty: the built-in patient, or whoever comes where it is for any.
+    std::filesystem::path waits_for_;
     bool built_in_shown_ = false;
     std::shared_ptr<LessonWatch> watch_;
     bool result_kept_ = false;  // of watch_

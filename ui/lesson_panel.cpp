@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/lesson_words.h"
 #include "ui/push_button.h"
+
 namespace hepatica {
 namespace {
 
@@ -23,22 +25,23 @@ QLabel* add_label(QVBoxLayout& column, const char* name) {
 }
 
 // A row of a table: a mark that colour alone need not tell, the bound, and how it stands.
-QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, const char* kept,
-               const char* broken) {
+QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, FlowUnits units,
+               const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
     const QString now =
-        known ? QString::fromStdString(to_words(bound.predicate.quantity, bound.value)) : "";
+        known ? QString::fromStdString(to_words(bound.predicate.quantity, bound.value, units)) : "";
     return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
         .arg(QString::fromUtf8(bound.kept ? kept : broken),
-             QString::fromStdString(to_words(bound.predicate, marks)).toHtmlEscaped(),
+             QString::fromStdString(to_words(bound.predicate, marks, units)).toHtmlEscaped(),
              now.toHtmlEscaped());
 }
 
 QString table_of(const QString& title, const std::vector<BoundStanding>& bounds,
-                 const std::vector<std::string>& marks, const char* kept, const char* broken) {
+                 const std::vector<std::string>& marks, FlowUnits units, const char* kept,
+                 const char* broken) {
     if (bounds.empty()) return "";
     QString html = "<p style='margin:0'>" + title + "</p><table width='100%'>";
-    for (const BoundStanding& bound : bounds) html += row_of(bound, marks, kept, broken);
+    for (const BoundStanding& bound : bounds) html += row_of(bound, marks, units, kept, broken);
     return html + "</table>";
 }
 
@@ -49,6 +52,7 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
     about_ = add_label(*column, "quiet");
+    doubts_ = add_label(*column, "lessonPlaceDoubts");
     step_ = add_label(*column, "lessonStep");
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
@@ -86,7 +90,12 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->addStretch(1);
 }
 
-void LessonPanel::begin(const Lesson& lesson) {
+void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& doubts) {
+    QStringList lines;
+    for (const std::string& doubt : doubts) lines << "⚠ " + QString::fromStdString(doubt);
+    doubts_->setTextFormat(Qt::PlainText);
+    doubts_->setText(lines.join("\n"));
+    doubts_->setVisible(!lines.isEmpty());
     lesson_ = lesson;
     hinted_step_ = static_cast<std::size_t>(-1);
     title_->setText("<b>" + QString::fromStdString(lesson.name).toHtmlEscaped() + "</b>");
@@ -102,7 +111,7 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
     report_->setVisible(!running);
     look_back_->setVisible(!running);
     attempts_->setVisible(!running);
-    limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), "✓", "✗"));
+    limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), units_, "✓", "✗"));
     if (running)
         show_step(standing);
     else
@@ -116,7 +125,7 @@ void LessonPanel::show_step(const LessonStanding& standing) {
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
                        .arg(QString::fromStdString(step.text)));
-    goal_->setText(table_of("Goal", standing.goal, lesson_.mark_names(), "●", "○"));
+    goal_->setText(table_of("Goal", standing.goal, lesson_.mark_names(), units_, "●", "○"));
     hold_->setVisible(step.hold_s > 0.0);
     const double held_s = standing.steps[standing.step].held_s;
     if (step.hold_s > 0.0)
@@ -131,11 +140,11 @@ void LessonPanel::show_end(const LessonStanding& standing) {
     hint_->hide();
     const bool passed = standing.outcome == LessonOutcome::passed;
     QString html = passed ? "<p><b>✓ Passed</b></p>" : "<p><b>✗ Not passed</b></p>";
-    for (const std::string& reason : standing.reasons)
+    for (const std::string& reason : reasons_in(standing, lesson_.mark_names(), units_))
         html += "<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>";
     std::vector<BoundStanding> seen = standing.pass;  // only who reaches the end meets them
     std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
-    html += table_of("Pass marks", seen, lesson_.mark_names(), "✓", "✗");
+    html += table_of("Pass marks", seen, lesson_.mark_names(), units_, "✓", "✗");
     const LessonMetrics& metrics = standing.metrics;
     html +=
         QString("<p>%1, path %2, peak force %3</p>")

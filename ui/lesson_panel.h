@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/lesson/lesson_run.h"
+#include "ui/flow_units.h"
 
 class QLabel;
 class QProgressBar;
@@ -26,8 +27,10 @@ class LessonPanel : public QWidget {
 
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
 
-    // From here on this lesson is shown.
-    void begin(const Lesson& lesson);
+    // From here on this lesson is shown. `doubts`: whether it fits the patient, a sentence each.
+    void begin(const Lesson& lesson, const std::vector<std::string>& doubts = {});
+    // For what is shown from the next standing on.
+    void set_units(FlowUnits units) { units_ = units; }
     void show_standing(const LessonStanding& standing);
 
   private:
@@ -35,10 +38,12 @@ class LessonPanel : public QWidget {
     void show_end(const LessonStanding& standing);
 
     Lesson lesson_;
+    FlowUnits units_ = FlowUnits::computed;
     std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // whose hint is open
     std::size_t shown_step_ = 0;
     QLabel* title_;
     QLabel* about_;
+    QLabel* doubts_;
     QLabel* step_;
     QLabel* goal_;
     QProgressBar* hold_;

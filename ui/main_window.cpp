@@ -29,6 +29,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/library_dialog.h"
 #include "ui/liver_keeper.h"
@@ -214,6 +215,7 @@ void MainWindow::build_panels() {
     const auto show_units = [this](FlowUnits units) {
         tool_panel_->set_units(units);
         curves_->plots().set_units(units);
+        if (lessons_ != nullptr) lessons_->set_units(units);
     };
     inject_->on_units = [this, show_units](FlowUnits units) {
         settings_.set_flow_units(name_of(units));

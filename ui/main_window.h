@@ -26,6 +26,7 @@ class DialKeeper;
 class EditPanel;
 class InjectPanel;
 class LessonDock;
+class DraftSlot;
 class LessonEditor;
 class LibraryDialog;
 class LiverKeeper;
@@ -176,6 +177,7 @@ class MainWindow : public QMainWindow {
     BranchDock* branches_ = nullptr;
     LessonDock* lessons_ = nullptr;
     LessonEditor* lesson_editor_ = nullptr;  // null until then
+    std::unique_ptr<DraftSlot> draft_slot_;  // likewise
     ReviewDock* review_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;

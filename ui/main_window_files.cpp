@@ -139,8 +139,10 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
     const QString folder =
         QFileDialog::getExistingDirectory(this, "Folder for the report", settings_.last_folder());
     if (folder.isEmpty()) return;
-    QStringList arguments{"--report", to_text(recording), "--out",
-                          folder,     "--lesson",         QString::fromStdString(lesson)};
+    QStringList arguments{"--report", to_text(recording),
+                          "--out",    folder,
+                          "--lesson", QString::fromStdString(lesson),
+                          "--units",  name_of(flow_units_named(settings_.flow_units()))};
     const std::filesystem::path& patient = workspace().folder();
     if (!patient.empty() && !workspace().dirty()) arguments << "--patient" << to_text(patient);
     auto* process = new QProcess(this);

@@ -11,12 +11,14 @@
 #include "core/tree/station.h"
 #include "ui/curves_dock.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
 #include "ui/theme.h"
+#include "ui/vtk_widget.h"
 
 namespace hepatica {
 namespace {
@@ -54,6 +56,7 @@ void MainWindow::build_lessons() {
         if (lesson_editor_) lesson_editor_->back_from_trying();
     };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
+    lessons_->set_units(flow_units_named(settings_.flow_units()));
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
@@ -68,8 +71,14 @@ LessonEditor& MainWindow::lesson_editor() {
 void MainWindow::build_lesson_editor() {
     LessonEditor::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
-    ways.shown_case = [this] { return to_text(keeper_->workspace().folder()); };
+    ways.shown_patient = [this] {
+        const bool built_in = patient_ && patient_->title == built_in_title;
+        return built_in ? QString("built-in") : to_text(keeper_->workspace().folder());
+    };
     ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
+    ways.ask_no_more = [this] {
+        if (view_->mouse().mode() == MouseMode::place) (*actions_)[ActionId::pull_mode].trigger();
+    };
     ways.places_changed = [this] {
         if (patient_ && show_marks()) view_->draw_again();
     };
@@ -96,7 +105,8 @@ void MainWindow::build_lesson_editor() {
     ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
-    lesson_editor_ = new LessonEditor(std::move(ways), to_path(settings_.lesson_draft()), this);
+    draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
+    lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }
 
 // On the centreline, so that it means the same whatever side was clicked on.

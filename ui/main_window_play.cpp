@@ -56,7 +56,11 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     if (!corrected) show_warnings();
-    lessons_->patient_shown(patient_->title == built_in_title);
+    if (corrected)
+        lessons_->patient_corrected();
+    else
+        lessons_->patient_shown(patient_->title == built_in_title, patient_->asked_for);
+    if (lesson_editor_) lesson_editor_->patient_shown();
     review_->patient_shown();
 }
 

@@ -16,6 +16,13 @@ inline QString to_text(const std::filesystem::path& path) {
     return QFile::decodeName(path.native().c_str());
 }
 
+// The same file or folder, whatever way its path takes.
+inline bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code missing;
+    return a.lexically_normal() == b.lexically_normal() ||
+           std::filesystem::equivalent(a, b, missing);
+}
+
 // For file dialogs.
 inline QString volume_filter() {
     return "Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)";

@@ -64,6 +64,7 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
             if (!series.empty()) return [this, request, series] { choose_series(request, series); };
             // std::function wants to be copied, a loaded patient does not.
             auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
+            if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
             return [this, request, loaded] {
                 if (!request.built_in && !request.unsaved_copy)
                     screen_.remember(request.reconstruct.ct);

@@ -14,7 +14,8 @@ namespace hepatica {
 
 struct LoadedPatient : OpenedPatient {
     SurfaceAnatomy anatomy;
-    std::vector<double> flow_shares;         // per segment, see flow_shares.h; may be empty
+    std::filesystem::path asked_for{};  // what was opened; empty: the built-in, or a correction
+    std::vector<double> flow_shares;    // per segment, see flow_shares.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running
 };
 

@@ -27,6 +27,7 @@
 #include "core/scene/surface_anatomy.h"
 #include "core/session/recording_file.h"
 #include "render/chart.h"
+#include "ui/lesson_words.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
 
@@ -115,11 +116,11 @@ void draw(const Chart& chart, const std::vector<PlotEvent>& events, const fs::pa
 }
 
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
-                     const std::vector<std::string>& marks) {
+                     const std::vector<std::string>& marks, FlowUnits units) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds)
-        rows.push_back({{"bound", to_words(bound.predicate, marks)},
-                        {"was", to_words(bound.predicate.quantity, bound.value)},
+        rows.push_back({{"bound", to_words(bound.predicate, marks, units)},
+                        {"was", to_words(bound.predicate.quantity, bound.value, units)},
                         {"kept", bound.kept ? "yes" : "no"}});
     return rows;
 }
@@ -135,12 +136,13 @@ Json table_of_steps(const LessonStanding& standing, const Lesson& lesson) {
     return rows;
 }
 
-Json table_of_metrics(const LessonMetrics& metrics) {
+Json table_of_metrics(const LessonMetrics& metrics, FlowUnits units) {
     Json rows = Json::array();
     for (const QuantityWords& words : quantities()) {
         if (words.quantity >= Quantity::step_time_s) break;
         const double value = value_of({words.quantity, -1, true, 0.0}, metrics, {}, 0.0);
-        rows.push_back({{"metric", words.words}, {"value", to_words(words.quantity, value)}});
+        rows.push_back(
+            {{"metric", words.words}, {"value", to_words(words.quantity, value, units)}});
     }
     return rows;
 }
@@ -230,21 +232,24 @@ struct Parts {
 HtmlReport page_of(const Parts& parts) {
     const LessonStanding& standing = parts.scored.standing;
     const std::vector<std::string> marks = parts.lesson.mark_names();
+    const FlowUnits units = parts.request.units;
     HtmlReport page("Hepatica: " + parts.lesson.name);
     if (!parts.request.name.empty()) page.add_paragraph("Played by " + parts.request.name + ".");
     if (!parts.free) {
         page.add_paragraph(standing.outcome == LessonOutcome::passed ? "PASSED." : "NOT PASSED.");
-        for (const std::string& reason : standing.reasons) page.add_paragraph(reason);
+        for (const std::string& reason : reasons_in(standing, marks, units))
+            page.add_paragraph(reason);
         if (!parts.lesson.about.empty()) page.add_paragraph(parts.lesson.about);
         page.add_heading("Steps");
         page.add_table(table_of_steps(standing, parts.lesson));
         if (!standing.limits.empty()) page.add_heading("Limits");
-        if (!standing.limits.empty()) page.add_table(table_of_bounds(standing.limits, marks));
+        if (!standing.limits.empty())
+            page.add_table(table_of_bounds(standing.limits, marks, units));
         if (!standing.pass.empty()) page.add_heading("Pass marks");
-        if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks));
+        if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks, units));
     }
     page.add_heading("Metrics");
-    page.add_table(table_of_metrics(standing.metrics));
+    page.add_table(table_of_metrics(standing.metrics, units));
     page.add_heading("Over time");
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading("Pictures");
@@ -301,7 +306,8 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
         std::string table;
         for (const Chart& chart : charts) {
             const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
-            draw(chart, events_of(scored.standing), folder / name);
+            draw(bleeding_in_units(chart, request.units), events_of(scored.standing),
+                 folder / name);
             parts.plots.emplace_back(name, chart.title);
             table += to_csv(chart);
         }

@@ -9,6 +9,7 @@
 
 #include "core/base/job.h"
 #include "core/opening/built_in_cache.h"
+#include "ui/flow_units.h"
 
 namespace hepatica {
 
@@ -17,8 +18,9 @@ struct ReportRequest {
     std::filesystem::path out;  // a folder; others' files in it stay
     std::string lesson;         // file or name; empty: the built-in one that was played, or none
     std::string name;           // of the trainee; empty: not said
-    std::filesystem::path patient;  // a case; empty: see recorded_patient()
-    BuiltInCache cache;             // of the built-in patient
+    std::filesystem::path patient;          // a case; empty: see recorded_patient()
+    BuiltInCache cache;                     // of the built-in patient
+    FlowUnits units = FlowUnits::computed;  // on the pages; tables keep what is computed in
 };
 
 struct WrittenReport {

@@ -47,7 +47,9 @@ QList<QCommandLineOption> report_options() {
             {"patient",
              "Case that was recorded; none: the one beside the recording, or the "
              "built-in patient.",
-             "CASE"}};
+             "CASE"},
+            {"units", "Blood on the pages: computed (g, g/s) or clinic (mL, mL/min).", "UNITS",
+             "computed"}};
 }
 
 bool asks_for_report(int argc, char** argv) {
@@ -69,6 +71,8 @@ int report_main(int argc, char** argv) {
     parser.addOptions(report_options());
     parser.process(application);
     if (!parser.isSet("out")) return refuse("--report needs --out DIR", 2);
+    const FlowUnits units = flow_units_named(parser.value("units"));
+    if (name_of(units) != parser.value("units")) return refuse("--units is computed or clinic", 2);
     try {
         Job job;
         print(write_report({.recording = to_path(parser.value("report")),
@@ -76,7 +80,8 @@ int report_main(int argc, char** argv) {
                             .lesson = parser.value("lesson").toStdString(),
                             .name = parser.value("name").toStdString(),
                             .patient = to_path(parser.value("patient")),
-                            .cache = users_cache()},
+                            .cache = users_cache(),
+                            .units = units},
                            job),
               parser.isSet("json"));
     } catch (const InputError& error) {

@@ -2,6 +2,11 @@
 #include "core/lesson/lesson_doubts.h"
 
 #include <algorithm>
+#include <cstdio>
+
+#include "core/lesson/lesson_gaps.h"
+#include "core/lesson/lesson_reach.h"
+#include "core/tree/station.h"
 
 namespace hepatica {
 
@@ -104,20 +109,53 @@ bool asks_for_target(Quantity quantity) {
            quantity == elsewhere_filled;
 }
 
+struct NamedPoint {
+    std::string name;
+    Vec3 at_mm;
+};
+
+// The marks and the target that are points, not shares.
+std::vector<NamedPoint> points_of(const Lesson& lesson) {
+    std::vector<NamedPoint> points;
+    for (const LessonMark& mark : lesson.marks)
+        if (mark.place.point_mm) points.push_back({"\"" + mark.name + "\"", *mark.place.point_mm});
+    if (lesson.target && lesson.target->point_mm)
+        points.push_back({"The target", *lesson.target->point_mm});
+    return points;
+}
+
 class Doubter {
   public:
-    explicit Doubter(const Lesson& lesson) : lesson_(lesson), marks_(lesson.mark_names()) {}
+    Doubter(const Lesson& lesson, const std::filesystem::path& folder)
+        : lesson_(lesson), folder_(folder), marks_(lesson.mark_names()) {}
 
     std::vector<std::string> all() {
+        look_at_patient();
         look_at_tools();
         look_at_places();
         for (std::size_t i = 0; i < lesson_.steps.size(); ++i) look_at_step(i);
-        for (const Predicate& bound : lesson_.limits) look_at(bound, "the limit");
-        for (const Predicate& bound : lesson_.pass) look_at(bound, "the pass mark");
+        const double all_s = least_time_s(lesson_, lesson_.steps.size());
+        for (const Predicate& bound : lesson_.limits) {
+            look_at(bound, "Limits all the time");
+            look_at_limit(bound, "Limits all the time", true);
+            look_at_time(bound, "Limits all the time", all_s, longest_step_s());
+        }
+        for (const Predicate& bound : lesson_.pass) {
+            look_at(bound, "Pass marks");
+            look_at_time(bound, "Pass marks", all_s, 0.0);
+        }
         return std::move(doubts_);
     }
 
   private:
+    void look_at_patient() {
+        if (lesson_.patient == "any" || lesson_.patient == "built-in") return;
+        std::error_code unknown;
+        if (!std::filesystem::exists(folder_ / lesson_.patient, unknown))
+            doubts_.push_back("The case " + (folder_ / lesson_.patient).string() +
+                              " is not there: choose the patient again.");
+    }
+
     void look_at_tools() {
         if (lesson_.tools.empty())
             doubts_.push_back("The trainee may use no tool: allow one at least.");
@@ -129,52 +167,110 @@ class Doubter {
 
     void look_at_places() {
         if (lesson_.patient != "any") return;
-        const auto of_one_patient = [](const ScriptPlace& place) {
-            return place.point_mm.has_value();
-        };
-        for (const LessonMark& mark : lesson_.marks)
-            if (of_one_patient(mark.place))
-                doubts_.push_back(
-                    "\"" + mark.name +
-                    "\" is a point of one patient, but the lesson is for any: give it "
-                    "as a share of the longest path, or choose the patient.");
-        if (lesson_.target && of_one_patient(*lesson_.target))
-            doubts_.push_back(
-                "The target is a point of one patient, but the lesson is for any: give it as a "
-                "share of the longest path, or choose the patient.");
+        for (const auto& [name, at] : points_of(lesson_))
+            doubts_.push_back(name +
+                              " is a point of one patient, but the lesson is for any: give it as "
+                              "a share of the longest path, or choose the patient.");
     }
 
     void look_at_step(std::size_t index) {
         const LessonStep& step = lesson_.steps[index];
-        const std::string where = "step " + std::to_string(index + 1);
-        for (const Predicate& bound : step.goal) look_at(bound, where);
+        const std::string where = step_in_words(lesson_, index);
+        for (const Predicate& bound : step.goal) {
+            look_at(bound, where + ", goal");
+            look_at_goal(bound, where + ", goal");
+        }
+        const double until_its_end_s = least_time_s(lesson_, index + 1);
         for (const Predicate& bound : step.limits) {
-            look_at(bound, where);
-            if (bound.quantity == Quantity::step_time_s && !bound.at_least &&
-                bound.bound <= step.hold_s)
-                doubts_.push_back("In " + where +
-                                  " the goal is to be held for longer than the step may take.");
+            look_at(bound, where + ", limits");
+            look_at_limit(bound, where + ", limits", index == 0);
+            look_at_time(bound, where + ", limits", until_its_end_s, least_time_s(step));
         }
     }
 
+    void doubt(const Predicate& bound, const std::string& where, const std::string& what) {
+        doubts_.push_back(where + ": \"" + to_words(bound, marks_) + "\" " + what);
+    }
+
     void look_at(const Predicate& bound, const std::string& where) {
-        const std::string asked = "\"" + to_words(bound, marks_) + "\" (" + where + ")";
         if (const auto part = part_of(bound.quantity); part && !has(lesson_.scene, *part))
-            doubts_.push_back(asked + " is never measured: the scene has no " + name_of(*part) +
-                              ".");
+            doubt(bound, where, "is never measured: the scene has no " + name_of(*part) + ".");
         if (asks_for_target(bound.quantity) && !lesson_.target)
-            doubts_.push_back(asked + " needs a target: say where it begins.");
+            doubt(bound, where, "needs a target: say where it begins.");
+        if (above_one(bound))
+            doubt(bound, where, "is never decided: it is 1 at most. Give a bound from 0 to 1.");
+    }
+
+    // One doubt of a goal is enough: where its part is missing so is the tool.
+    void look_at_goal(const Predicate& goal, const std::string& where) {
+        const auto part = part_of(goal.quantity);
+        if ((part && !has(lesson_.scene, *part)) || lesson_.tools.empty()) return;
+        if (tool_is_missing(lesson_, goal))
+            doubt(goal, where, "is out of reach: no tool that is allowed can do that.");
+    }
+
+    void look_at_limit(const Predicate& limit, const std::string& where, bool first) {
+        if (breaks_at_once(lesson_, limit, first))
+            doubt(limit, where, "is broken at once, before anything is done.");
+    }
+
+    // The goals cannot be reached in less than `least_s` from the beginning, `step_s` of the step.
+    void look_at_time(const Predicate& bound, const std::string& where, double least_s,
+                      double step_s) {
+        const bool of_step = bound.quantity == Quantity::step_time_s;
+        const double needed_s = of_step ? step_s : least_s;
+        if (bound.at_least || (!of_step && bound.quantity != Quantity::time_s)) return;
+        if (needed_s > 0.0 && bound.bound > 0.0 && bound.bound <= needed_s)
+            doubt(bound, where,
+                  "is too short: what is to be held and waited for takes " +
+                      to_words(Quantity::time_s, needed_s) + " or more.");
+    }
+
+    double longest_step_s() const {
+        double longest_s = 0.0;
+        for (const LessonStep& step : lesson_.steps)
+            longest_s = std::max(longest_s, least_time_s(step));
+        return longest_s;
     }
 
     const Lesson& lesson_;
+    const std::filesystem::path& folder_;
     std::vector<std::string> marks_;
     std::vector<std::string> doubts_;
 };
 
 }  // namespace
 
-std::vector<std::string> doubts_about(const Lesson& lesson) {
-    return Doubter(lesson).all();
+std::vector<std::string> doubts_about(const Lesson& lesson, const std::filesystem::path& folder) {
+    return Doubter(lesson, folder).all();
+}
+
+std::vector<std::string> doubts_about_places(const Lesson& lesson, const VesselTree& tree) {
+    constexpr double beside_mm = 1.0;  // the wall is not where the radius says to the hair
+    std::vector<std::string> doubts;
+    for (const auto& [name, at] : points_of(lesson)) {
+        const TreePoint nearest = nearest_point(tree, at);
+        const Station station = station_at(tree.segments[static_cast<std::size_t>(nearest.segment)],
+                                           nearest.arclength_mm);
+        if (nearest.distance_mm <= station.radius_mm + beside_mm) continue;
+        char away[32];
+        std::snprintf(away, sizeof away, "%.0f mm", nearest.distance_mm - station.radius_mm);
+        doubts.push_back(name + " lies " + away +
+                         " beside the vessels of this patient, as if it was clicked on another "
+                         "one: click on it again.");
+    }
+    return doubts;
+}
+
+std::vector<std::string> doubts_about_another(const Lesson& lesson, const VesselTree& shown) {
+    constexpr double rounding_mm = 0.1;  // places are kept to a tenth in each direction
+    std::vector<std::string> doubts;
+    for (const auto& [name, at] : points_of(lesson))
+        if (nearest_point(shown, at).distance_mm <= rounding_mm)
+            doubts.push_back(name +
+                             " is a point of the patient who is shown, but the lesson is for "
+                             "another one: choose him, or click on it there.");
+    return doubts;
 }
 
 }  // namespace hepatica

@@ -7,14 +7,12 @@ namespace hepatica {
 
 namespace {
 
-Predicate some_time() {
-    return {Quantity::step_time_s, -1, true, 5.0};
-}
-
 void forget(std::vector<Predicate>& bounds, int mark) {
-    std::erase_if(bounds, [&](const Predicate& bound) { return bound.mark == mark; });
     for (Predicate& bound : bounds)
-        if (bound.mark > mark) --bound.mark;
+        if (bound.mark == mark)
+            bound.mark = -1;
+        else if (bound.mark > mark)
+            --bound.mark;
 }
 
 }  // namespace
@@ -22,7 +20,7 @@ void forget(std::vector<Predicate>& bounds, int mark) {
 LessonStep new_step() {
     LessonStep step;
     step.text = "What the trainee is to do.";
-    step.goal = {some_time()};
+    step.goal = {{Quantity::step_time_s, -1, true, 5.0}};
     return step;
 }
 
@@ -50,7 +48,6 @@ void remove_mark(Lesson& lesson, int mark) {
     for (LessonStep& step : lesson.steps) {
         forget(step.goal, mark);
         forget(step.limits, mark);
-        if (step.goal.empty()) step.goal = {some_time()};
     }
     forget(lesson.limits, mark);
     forget(lesson.pass, mark);

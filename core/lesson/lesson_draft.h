@@ -12,8 +12,8 @@ Lesson new_lesson();
 // A step that can be reached.
 LessonStep new_step();
 
-// Without this mark, and without the bounds that name it. A goal that had no other gets one of
-// time, so that the step can still be read.
+// Without this mark. The bounds that name it stay, with no mark (-1): gaps_in() names them until
+// another mark is chosen for each, or they are removed.
 void remove_mark(Lesson& lesson, int mark);
 
 // A name that no mark of the lesson has: "mark 1", "mark 2", ...

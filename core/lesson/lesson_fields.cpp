@@ -19,7 +19,7 @@ bool LessonFields::has(const char* key) const {
 
 LessonFields LessonFields::need(const char* key) const {
     if (!has(key)) refuse("has no \"" + std::string(key) + "\"", "Add it: see docs/lessons.md");
-    return {json_[key], file_, where_.empty() ? key : where_ + "." + key};
+    return {json_[key], file_, where_.empty() ? key : where_ + "." + key, unfinished_};
 }
 
 std::vector<std::pair<std::string, LessonFields>> LessonFields::entries() const {
@@ -51,12 +51,12 @@ std::vector<LessonFields> LessonFields::list() const {
     if (!json_.is_array()) refuse("is " + dump() + ", not a list", "Write it as [...]");
     std::vector<LessonFields> found;
     for (std::size_t i = 0; i < json_.size(); ++i)
-        found.emplace_back(json_[i], file_, where_ + "[" + std::to_string(i) + "]");
+        found.emplace_back(json_[i], file_, where_ + "[" + std::to_string(i) + "]", unfinished_);
     return found;
 }
 
 std::string LessonFields::text() const {
-    if (!json_.is_string() || json_.get<std::string>().empty())
+    if (!json_.is_string() || (json_.get<std::string>().empty() && !unfinished_))
         refuse("is " + dump() + ", not a text", "Write it as \"...\"");
     return json_.get<std::string>();
 }

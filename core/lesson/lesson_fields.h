@@ -19,9 +19,11 @@ class LessonFields {
   public:
     using Json = nlohmann::ordered_json;
 
-    // `where`: the value's place in the file; empty: the file itself.
-    LessonFields(const Json& json, std::string file, std::string where)
-        : json_(json), file_(std::move(file)), where_(std::move(where)) {}
+    // `where`: the value's place in the file; empty: the file itself. `unfinished`: of a lesson
+    // that is being made, in which texts may be empty.
+    LessonFields(const Json& json, std::string file, std::string where, bool unfinished = false)
+        : json_(json), file_(std::move(file)), where_(std::move(where)), unfinished_(unfinished) {}
+    bool unfinished() const { return unfinished_; }
 
     // --- of an object
     bool has(const char* key) const;
@@ -36,7 +38,7 @@ class LessonFields {
     std::vector<LessonFields> list() const;
 
     // --- of a value
-    std::string text() const;  // not empty
+    std::string text() const;  // not empty, see `unfinished`
     double number() const;     // finite
     Vec3 vector() const;
     std::string dump() const { return json_.dump(); }
@@ -49,6 +51,7 @@ class LessonFields {
     const Json& json_;
     std::string file_;
     std::string where_;
+    bool unfinished_;
 };
 
 }  // namespace hepatica

@@ -52,7 +52,9 @@ Predicate predicate_from(const LessonFields& fields, const std::vector<std::stri
     if (predicate.at_least == fields.has("at_most"))
         fields.refuse("needs either at_least or at_most", remedy);
     predicate.bound = fields.need(predicate.at_least ? "at_least" : "at_most").number();
-    if (words_of(predicate.quantity).of_mark != fields.has("mark"))
+    const bool of_mark = words_of(predicate.quantity).of_mark;
+    if (of_mark && !fields.has("mark") && fields.unfinished()) return predicate;
+    if (of_mark != fields.has("mark"))
         fields.refuse(fields.has("mark") ? "names a mark that it does not need"
                                          : "does not say which mark is meant",
                       "Of the quantities " + std::string("distance_mm, moved_mm and touch_mm") +
@@ -99,7 +101,8 @@ LessonStep step_from(const LessonFields& fields, const std::vector<std::string>&
     step.text = fields.need("text").text();
     if (fields.has("hint")) step.hint = fields.need("hint").text();
     step.goal = predicates_from(fields, "goal", marks);
-    if (step.goal.empty()) fields.refuse("has no goal", "Give \"goal\" at least one bound");
+    if (step.goal.empty() && !fields.unfinished())
+        fields.refuse("has no goal", "Give \"goal\" at least one bound");
     if (fields.has("hold_s")) {
         const LessonFields hold = fields.need("hold_s");
         step.hold_s = hold.number();
@@ -121,6 +124,16 @@ Script setup_from(const LessonFields& fields) {
     return setup;
 }
 
+SceneSpec scene_of(const LessonFields& fields) {
+    if (!fields.unfinished() || fields.has("deform") || fields.has("flow"))
+        return scene_from_json(fields.json());
+    Json with_flow = fields.json();  // for no scene is of nothing
+    with_flow["flow"] = Json::object();
+    SceneSpec scene = scene_from_json(with_flow);
+    scene.flow.reset();
+    return scene;
+}
+
 Lesson lesson_from(const LessonFields& fields) {
     fields.require_format("hepatica-lesson", remedy);
     fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "tools",
@@ -129,7 +142,7 @@ Lesson lesson_from(const LessonFields& fields) {
     lesson.name = fields.need("name").text();
     if (fields.has("about")) lesson.about = fields.need("about").text();
     if (fields.has("patient")) lesson.patient = fields.need("patient").text();
-    lesson.scene = scene_from_json(fields.need("scene").json());
+    lesson.scene = scene_of(fields.need("scene"));
     if (fields.has("setup")) {
         lesson.setup = setup_from(fields.need("setup"));
         lesson.setup_json = fields.need("setup").dump();
@@ -165,11 +178,12 @@ Course course_from(const LessonFields& fields) {
 
 // Reads a text by `from`; what other rooms refuse gets the file's name.
 template <class From>
-auto parsed(const std::string& text, const std::string& place, const From& from) {
+auto parsed(const std::string& text, const std::string& place, const From& from,
+            bool unfinished = false) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError("is not JSON", place, remedy);
     try {
-        return from(LessonFields(json, place, ""));
+        return from(LessonFields(json, place, "", unfinished));
     } catch (const InputError& error) {
         if (error.place().starts_with(place)) throw;
         throw InputError(error.problem(), place + ": " + error.place(), error.remedy());
@@ -192,6 +206,10 @@ std::vector<std::string> Lesson::mark_names() const {
 
 Lesson lesson_of(const std::string& text, const std::string& place) {
     return parsed(text, place, lesson_from);
+}
+
+Lesson unfinished_lesson_of(const std::string& text, const std::string& place) {
+    return parsed(text, place, lesson_from, true);
 }
 
 Lesson read_lesson(const std::filesystem::path& file) {

@@ -21,6 +21,9 @@ namespace hepatica {
 Lesson read_lesson(const std::filesystem::path& file);
 // The same of a text, called `place` in errors.
 Lesson lesson_of(const std::string& text, const std::string& place);
+// The same of a lesson that is being made: texts may be empty, steps without a goal, bounds without
+// their mark (-1), and the scene of nothing, as text_of() writes them.
+Lesson unfinished_lesson_of(const std::string& text, const std::string& place);
 
 // A lesson of a course, with pass marks beside its own.
 struct CourseEntry {

@@ -83,9 +83,7 @@ void LessonRun::check_limits() {
         if (now != now) continue;  // a share of nothing breaks no limit
         limit.value = limit.value == limit.value ? limit.predicate.worse(limit.value, now) : now;
         limit.kept = limit.predicate.holds(limit.value);
-        if (!limit.kept)
-            fail("limit broken: " + to_words(limit.predicate, marks) + ", but it was " +
-                 to_words_beside(limit.predicate, limit.value));
+        if (!limit.kept) fail(reason_of_limit(limit, marks));
     }
 }
 
@@ -121,9 +119,7 @@ void LessonRun::finish() {
     for (BoundStanding& mark : standing_.pass) {
         mark.value = value_of(mark.predicate);
         mark.kept = mark.predicate.holds(mark.value);
-        if (!mark.kept)
-            fail("pass mark missed: " + to_words(mark.predicate, marks) + ", but it is " +
-                 to_words(mark.predicate.quantity, mark.value));
+        if (!mark.kept) fail(reason_of_pass_mark(mark, marks));
     }
 }
 
@@ -154,6 +150,17 @@ void LessonRun::end() {
     fail("step " + std::to_string(standing_.step + 1) + " of " +
          std::to_string(lesson_.steps.size()) +
          " was not reached: " + lesson_.steps[standing_.step].text);
+}
+
+std::string reason_of_limit(const BoundStanding& limit, std::span<const std::string> mark_names) {
+    return "limit broken: " + to_words(limit.predicate, mark_names) + ", but it was " +
+           to_words_beside(limit.predicate, limit.value);
+}
+
+std::string reason_of_pass_mark(const BoundStanding& mark,
+                                std::span<const std::string> mark_names) {
+    return "pass mark missed: " + to_words(mark.predicate, mark_names) + ", but it is " +
+           to_words(mark.predicate.quantity, mark.value);
 }
 
 nlohmann::ordered_json to_json(const LessonStanding& standing, const Lesson& lesson) {

@@ -97,6 +97,10 @@ class LessonRun {
     std::vector<LessonSample> samples_;
 };
 
+// Why an attempt fails: the limit that it broke, or the pass mark that it missed.
+std::string reason_of_limit(const BoundStanding& limit, std::span<const std::string> mark_names);
+std::string reason_of_pass_mark(const BoundStanding& mark, std::span<const std::string> mark_names);
+
 // {"lesson", "passed", "reasons", "steps", "limits", "pass_marks", "metrics"}: nothing of wall
 // time, so that a live play and its replay give the same text.
 nlohmann::ordered_json to_json(const LessonStanding& standing, const Lesson& lesson);

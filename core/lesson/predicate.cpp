@@ -77,7 +77,8 @@ std::string to_words_beside(const Predicate& predicate, double value) {
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names) {
     const QuantityWords& words = words_of(predicate.quantity);
     std::string text = words.words;
-    if (words.of_mark) text += " " + mark_names[static_cast<std::size_t>(predicate.mark)];
+    const auto mark = static_cast<std::size_t>(predicate.mark);
+    if (words.of_mark) text += " " + (mark < mark_names.size() ? mark_names[mark] : "no mark");
     return text + (predicate.at_least ? " at least " : " at most ") +
            to_words(predicate.quantity, predicate.bound);
 }

@@ -69,7 +69,8 @@ struct Predicate {
     bool operator==(const Predicate&) const = default;
 };
 
-// "force at most 600 mN", "distance of the tip to the first mark at most 5 mm".
+// "force at most 600 mN", "distance of the tip to the first mark at most 5 mm"; of a bound whose
+// mark is gone (-1) "... to no mark ...".
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names);
 // "12.5 mN".
 std::string to_words(Quantity quantity, double value, int digits = 4);

@@ -101,12 +101,13 @@ Outcome report(std::vector<std::string> arguments) {
 
 TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     play(3.0);
-    const Outcome run = report({"--report", path("play.hrec"), "--out", path("report"), "--lesson",
-                                path("lesson.json"), "--name", "Trainee 7", "--json"});
+    const Outcome run =
+        report({"--report", path("play.hrec"), "--out", path("report"), "--lesson",
+                path("lesson.json"), "--name", "Trainee 7", "--units", "clinic", "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ(Json::parse(run.output)["passed"], true);
     const std::string page = contents_of(path("report/report.html"));
-    for (const char* text : {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force",
+    for (const char* text : {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force", "0 mL<",
                              "picture_1.png", "plot_1.png"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
@@ -123,6 +124,10 @@ TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
     EXPECT_NE(run.errors.find("nothing.hrec"), std::string::npos) << run.errors;
     EXPECT_FALSE(fs::exists(path("no report")));
     EXPECT_EQ(report({"--report", path("nothing.hrec")}).exit_code, 2);
+    const Outcome units =
+        report({"--report", path("nothing.hrec"), "--out", path("no report"), "--units", "ounces"});
+    EXPECT_EQ(units.exit_code, 2);
+    EXPECT_NE(units.errors.find("--units is computed or clinic"), std::string::npos);
 }
 #endif
 

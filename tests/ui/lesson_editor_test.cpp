@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <algorithm>
 #include <fstream>
@@ -20,12 +21,14 @@
 #include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
 #include "core/lesson/attempts.h"
+#include "core/lesson/draft_file.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/draft_slot.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -106,10 +109,11 @@ TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
     document.change("", [](Lesson& lesson) { lesson.name = "Mine"; });
     document.keep_copy();
     document.change("", [](Lesson& lesson) { lesson.steps[0].goal.clear(); });
-    document.keep_copy();  // cannot be read so: the copy before stays
+    document.keep_copy();  // half of a change, too
+    EXPECT_TRUE(document.kept());
     {
         const LessonDocument after_a_crash(copy);
-        EXPECT_EQ(after_a_crash.lesson().name, "Mine");
+        EXPECT_EQ(text_of(after_a_crash.lesson()), text_of(document.lesson()));
         EXPECT_TRUE(after_a_crash.left_behind());
         EXPECT_TRUE(after_a_crash.dirty()) << "or the next start would throw it away";
     }
@@ -124,6 +128,43 @@ TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
     EXPECT_EQ(read_text_file(copy.string() + ".unreadable", ""), "{half");
 }
 
+TEST(LessonDocument, KnowsAfterACrashWhereItsLessonLies) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "course" / "lesson.json";
+    const std::filesystem::path copy = folder.path() / "unsaved.json";
+    std::filesystem::create_directories(file.parent_path());
+    Lesson lesson = new_lesson();
+    lesson.patient = "../cases/a.hep";
+    write_lesson(file, lesson);
+    LessonDocument document(copy);
+    document.open(file);
+    document.change("", [](Lesson& changed) { changed.name = "Other"; });
+    document.keep_copy();
+    LessonDocument after_a_crash(copy);
+    EXPECT_EQ(after_a_crash.file(), file);
+    EXPECT_TRUE(after_a_crash.dirty());
+    after_a_crash.save(after_a_crash.file());
+    EXPECT_EQ(read_lesson(file).name, "Other");
+    EXPECT_EQ(read_lesson(file).patient, "../cases/a.hep") << "named as before";
+}
+
+TEST(DraftSlot, IsOfOneProgramAndFindsWhatOneLeft) {
+    const TemporaryFolder folder;
+    const std::filesystem::path first = folder.path() / "data" / "unsaved.json";
+    const std::filesystem::path second = folder.path() / "data" / "unsaved-2.json";
+    {
+        const DraftSlot one(first), two(first);
+        EXPECT_EQ(one.file(), first);
+        EXPECT_EQ(two.file(), second);
+        std::ofstream(two.file()) << "left behind";
+    }
+    const DraftSlot three(first);
+    EXPECT_EQ(three.file(), second) << "what was left behind comes first";
+    const DraftSlot four(first);
+    EXPECT_EQ(four.file(), first);
+    EXPECT_TRUE(DraftSlot({}).file().empty());
+}
+
 class LessonEditorTest : public ::testing::Test {
   protected:
     LessonEditorTest() : editor_(ways(), folder_.path() / "unsaved.json", nullptr) {
@@ -132,8 +173,9 @@ class LessonEditorTest : public ::testing::Test {
     LessonEditor::Ways ways() {
         LessonEditor::Ways ways;
         ways.patient = [this] { return patient_; };
-        ways.shown_case = [] { return QString("/cases/shown.hep"); };
+        ways.shown_patient = [this] { return shown_; };
         ways.ask_for_place = [this] { ++asked_for_place_; };
+        ways.ask_no_more = [this] { ++asked_no_more_; };
         ways.places_changed = [this] { drawn_ = editor_.places(); };
         ways.try_out = [this](const Lesson& lesson) {
             tried_ = lesson;
@@ -146,6 +188,16 @@ class LessonEditorTest : public ::testing::Test {
         return ways;
     }
     const Lesson& lesson() { return editor_.document().lesson(); }
+    // The case that is shown lies in a folder, else the editor doubts that it is there.
+    QString folder_of(const char* name) {
+        std::filesystem::create_directory(folder_.path() / name);
+        return to_text(folder_.path() / name);
+    }
+    // On the centreline of the patient who is shown, to a tenth.
+    Vec3 on_vessel(std::size_t segment) {
+        const Vec3& at = patient_->tree.segments.at(segment).points_mm.at(1);
+        return (10.0 * at).array().round() / 10.0;
+    }
     template <class T>
     T& field(const QString& name) {
         T* found = editor_.findChild<T*>(name);
@@ -159,6 +211,10 @@ class LessonEditorTest : public ::testing::Test {
         box.setCurrentIndex(item);
         emit box.activated(item);
     }
+    // What is on disk of it.
+    Lesson kept() {
+        return draft_of(read_text_file(folder_.path() / "unsaved.json", ""), "copy").lesson;
+    }
     QString doubts() {
         auto& label = field<QLabel>("lessonDoubts");
         return label.isVisible() ? label.text() : "";
@@ -170,7 +226,8 @@ class LessonEditorTest : public ::testing::Test {
     std::optional<Lesson> tried_;
     bool may_discard_ = false;
     bool can_try_ = true;
-    int asked_for_place_ = 0, failures_ = 0;
+    QString shown_ = folder_of("shown.hep");
+    int asked_for_place_ = 0, asked_no_more_ = 0, failures_ = 0;
     std::vector<Vec3> drawn_;
     LessonEditor editor_;
 };
@@ -241,7 +298,7 @@ TEST_F(LessonEditorTest, what_needs_moving_vessels_goes_with_them) {
     field<QCheckBox>("lessonMoves").click();
     EXPECT_FALSE(lesson().scene.deform || lesson().scene.contact || lesson().scene.tear);
     EXPECT_FALSE(field<QCheckBox>("lessonTears").isEnabled());
-    EXPECT_TRUE(doubts().contains("names no part")) << "a scene of nothing";
+    EXPECT_TRUE(doubts().contains("is of nothing")) << "a scene of nothing";
     field<QCheckBox>("lessonFlows").click();
     EXPECT_NO_THROW(lesson_of(text_of(lesson()), "lesson"));
 }
@@ -253,23 +310,128 @@ TEST_F(LessonEditorTest, a_place_that_is_clicked_on_is_a_mark_or_the_target) {
     EXPECT_TRUE(lesson().marks[0].place.share_of_longest_path) << "nobody asked";
     click("mark0click");
     EXPECT_EQ(asked_for_place_, 1);
-    editor_.place_clicked(Vec3(1.234, -2.0, 3.0));
-    EXPECT_EQ(lesson().marks[0].place.point_mm, Vec3(1.2, -2.0, 3.0));
+    editor_.place_clicked(on_vessel(0) + Vec3(0.03, 0, 0));
+    EXPECT_EQ(lesson().marks[0].place.point_mm, on_vessel(0)) << "to a tenth";
+    EXPECT_EQ(asked_no_more_, 0) << "the click itself has ended the asking";
     EXPECT_TRUE(doubts().contains("any")) << "a point is of one patient";
     turn_to(0);
     choose("lessonPatient", 2);
-    EXPECT_EQ(lesson().patient, "/cases/shown.hep");
+    EXPECT_EQ(lesson().patient, shown_.toStdString());
     EXPECT_EQ(doubts(), "");
     turn_to(1);
     click("lessonAddTarget");
     click("targetclick");
-    editor_.place_clicked(Vec3(4, 5, 6));
-    EXPECT_EQ(lesson().target->point_mm, Vec3(4, 5, 6));
-    EXPECT_EQ(drawn_, (std::vector<Vec3>{Vec3(1.2, -2, 3), Vec3(4, 5, 6)}));
+    editor_.place_clicked(on_vessel(1));
+    EXPECT_EQ(lesson().target->point_mm, on_vessel(1));
+    EXPECT_EQ(drawn_, (std::vector<Vec3>{on_vessel(0), on_vessel(1)}));
     click("targetremove");
     EXPECT_FALSE(lesson().target);
     editor_.hide();
     EXPECT_TRUE(drawn_.empty());
+}
+
+TEST_F(LessonEditorTest, doubts_a_place_of_another_patient) {
+    turn_to(1);
+    click("mark0click");
+    editor_.place_clicked(on_vessel(0));
+    turn_to(0);
+    choose("lessonPatient", 1);
+    EXPECT_TRUE(doubts().contains("the lesson is for another one")) << doubts().toStdString();
+    choose("lessonPatient", 2);
+    EXPECT_EQ(doubts(), "");
+    turn_to(1);
+    click("mark0click");
+    editor_.place_clicked(on_vessel(0) + Vec3(0, 0, 300));
+    EXPECT_TRUE(doubts().contains("beside the vessels of this patient"));
+}
+
+TEST_F(LessonEditorTest, offers_the_patient_who_comes_while_it_is_open) {
+    auto& patients = field<QComboBox>("lessonPatient");
+    shown_ = folder_of("other.hep");
+    editor_.patient_shown();
+    EXPECT_GE(patients.findData(shown_), 0);
+    EXPECT_LT(patients.findData(to_text(folder_.path() / "shown.hep")), 0);
+    shown_ = "built-in";
+    editor_.patient_shown();
+    EXPECT_EQ(patients.count(), 2) << "he is there already";
+}
+
+// The steps keep what they asked for, and say that they miss the mark, until it is back.
+TEST_F(LessonEditorTest, a_mark_that_is_removed_changes_no_step_unasked) {
+    field<QLineEdit>("lessonName").setText("Mine");
+    const Lesson before = lesson();
+    turn_to(1);
+    click("mark0remove");
+    ASSERT_EQ(lesson().steps[0].goal.size(), 1u);
+    EXPECT_EQ(lesson().steps[0].goal[0].quantity, Quantity::moved_mm);
+    EXPECT_EQ(lesson().steps[0].goal[0].bound, before.steps[0].goal[0].bound);
+    EXPECT_TRUE(doubts().contains("Step 1 \"Pull the vessel")) << doubts().toStdString();
+    EXPECT_TRUE(doubts().contains("no mark"));
+    EXPECT_FALSE(doubts().contains("[0]")) << "that is how files speak";
+    click("lessonTry");
+    click("lessonSave");
+    EXPECT_EQ(failures_, 2);
+    EXPECT_FALSE(tried_);
+    EXPECT_FALSE(std::filesystem::exists(*file_));
+    click("lessonAddMark");
+    turn_to(2);
+    EXPECT_EQ(field<QComboBox>("goal0mark").currentIndex(), -1);
+    choose("goal0mark", 0);
+    EXPECT_EQ(doubts(), "");
+    for (int i = 0; i < 3; ++i) click("lessonUndo");
+    EXPECT_EQ(text_of(lesson()), text_of(before));
+}
+
+TEST_F(LessonEditorTest, asks_for_no_place_of_a_row_that_is_gone) {
+    turn_to(1);
+    click("mark0remove");
+    EXPECT_EQ(asked_no_more_, 0) << "nobody asked";
+    click("lessonUndo");
+    click("mark0click");
+    click("mark0remove");
+    EXPECT_EQ(asked_no_more_, 1);
+    click("lessonUndo");
+    click("mark0click");
+    turn_to(2);
+    EXPECT_EQ(asked_no_more_, 2);
+    turn_to(1);
+    click("mark0click");
+    editor_.hide();
+    EXPECT_EQ(asked_no_more_, 3);
+}
+
+TEST_F(LessonEditorTest, settings_that_no_page_shows_outlive_their_tick) {
+    may_discard_ = true;
+    field<QAction>("beginWith_probe_free").trigger();
+    const Lesson before = lesson();
+    for (const char* tick :
+         {"lessonMoves", "lessonTouches", "lessonSelf", "lessonTears", "lessonFlows"}) {
+        field<QCheckBox>(tick).click();
+        EXPECT_NE(text_of(lesson()), text_of(before)) << tick;
+        field<QCheckBox>(tick).click();
+        EXPECT_EQ(text_of(lesson()), text_of(before)) << tick;
+    }
+    field<QCheckBox>("lessonMoves").click();
+    field<QAction>("beginWith_selective_injection").trigger();
+    const bool moves = lesson().scene.deform.has_value();
+    if (!moves) field<QCheckBox>("lessonMoves").click();
+    EXPECT_FALSE(lesson().scene.tear) << "that was of the lesson before";
+}
+
+TEST_F(LessonEditorTest, fits_on_a_small_screen) {
+    turn_to(1);
+    for (int i = 0; i < 14; ++i) click("lessonAddMark");
+    turn_to(3);
+    for (int i = 0; i < 14; ++i) click("limitAdd");
+    QApplication::processEvents();
+    for (int page = 0; page < 4; ++page) {
+        turn_to(page);
+        QWidget* shown = field<QTabWidget>("lessonPages").currentWidget();
+        EXPECT_TRUE(qobject_cast<QScrollArea*>(shown) || shown->findChild<QScrollArea*>()) << page;
+        const QSize least = editor_.minimumSizeHint().expandedTo(editor_.minimumSize());
+        EXPECT_LE(least.width(), 1024) << page;
+        EXPECT_LE(least.height(), 700) << page << ": 768 without the desktop's and its own title";
+    }
 }
 
 TEST_F(LessonEditorTest, a_place_that_was_asked_for_is_forgotten_with_its_mark) {
@@ -366,10 +528,16 @@ TEST_F(LessonEditorTest, the_program_ends_unasked_only_where_all_is_kept) {
     EXPECT_TRUE(editor_.may_end()) << "nothing is unsaved";
     field<QLineEdit>("lessonName").setText("Mine");
     EXPECT_TRUE(editor_.may_end()) << "a copy is on disk";
-    EXPECT_EQ(read_lesson(folder_.path() / "unsaved.json").name, "Mine");
+    EXPECT_EQ(kept().name, "Mine");
     turn_to(2);
     click("goal0remove");
-    EXPECT_FALSE(editor_.may_end()) << "this cannot be read back";
+    EXPECT_TRUE(editor_.may_end()) << "what is not finished is kept, too";
+    EXPECT_TRUE(kept().steps[0].goal.empty());
+    field<QLineEdit>("lessonName").setText("Yours");
+    std::filesystem::remove(folder_.path() / "unsaved.json");
+    std::filesystem::create_directory(folder_.path() / "unsaved.json");  // nothing can be written
+    EXPECT_FALSE(editor_.may_end());
+    EXPECT_GT(failures_, 0);
     may_discard_ = true;
     EXPECT_TRUE(editor_.may_end());
 }
@@ -423,7 +591,7 @@ TEST_F(LessonEditorTest, begins_with_a_copy_unless_something_would_be_lost) {
 TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
     field<QLineEdit>("lessonName").setText("Mine");
     EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
-    EXPECT_EQ(read_lesson(folder_.path() / "unsaved.json").name, "Mine");
+    EXPECT_EQ(kept().name, "Mine");
 }
 
 class LessonEditorWindowTest : public testing::WindowTest {
@@ -453,8 +621,16 @@ TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
     EXPECT_LT((*place.point_mm - aim).norm(), 8.0);
     const TreePoint on_tree = nearest_point(test::small_patient()->tree, *place.point_mm);
     EXPECT_LT(on_tree.distance_mm, 0.1) << "on the centreline, to the rounding";
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(aim) + QPoint(0, 3));
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "one click, one place";
+    const Vec3 set = *place.point_mm;
+    const Vec3 elsewhere = test::small_patient()->tree.segments.back().points_mm.back();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(elsewhere));
+    editor().place_clicked(elsewhere);
+    EXPECT_EQ(*editor().document().lesson().marks[0].place.point_mm, set);
+    click("mark0click");
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::place);
+    click("mark0remove");
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "nobody waits for it";
 }
 
 TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {

@@ -2,6 +2,7 @@
 // A lesson in the window: what the panel says, and a lesson from the menu to its recording, which
 // has the score that the window showed.
 #include <QAction>
+#include <QComboBox>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -13,13 +14,16 @@
 #include <nlohmann/json.hpp>
 
 #include "core/lesson/attempts.h"
+#include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/lesson/score.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/attempts_dialog.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_panel.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -69,6 +73,31 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     EXPECT_TRUE(button("lessonReport")->isHidden());
 }
 
+TEST_F(LessonPanelTest, says_whether_it_fits_the_patient) {
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+    panel_.begin(new_lesson(), {"\"mark 1\" lies beside"});
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+    EXPECT_TRUE(text("lessonPlaceDoubts").contains("\"mark 1\" lies beside"));
+    panel_.begin(new_lesson());
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+}
+
+TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
+    const BoundStanding bleeding{{Quantity::leak_g_s, -1, false, 0.53}, 1.06, false};
+    standing_.limits = {bleeding};
+    panel_.set_units(FlowUnits::clinic);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30 mL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("60 mL/min"));
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {reason_of_limit(bleeding, {})};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 60 mL/min"));
+    panel_.set_units(FlowUnits::computed);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06 g/s"));
+}
+
 TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
     panel_.show_standing(standing_);
     auto* hint = panel_.findChild<QLabel*>("lessonHint");
@@ -106,7 +135,11 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
 class LessonWindowTest : public testing::WindowTest {
   protected:
     LessonWindowTest()
-        : WindowTest({[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+        : WindowTest({[](const OpenRequest& request, Job& job) {
+                          LoadedPatient loaded = play(test::small_patient(), job);
+                          if (!request.built_in) loaded.folder = request.reconstruct.ct;
+                          return loaded;
+                      },
                       [](const std::filesystem::path&, const PatientCase&) {}}) {}
 
     std::string lesson_file(const std::string& goal) {
@@ -220,6 +253,36 @@ TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_i
     EXPECT_EQ(window_.lessons().standing().pass[0].predicate.bound, 5.0);
     window_.lessons().show_course(folder_.filePath("none.json").toStdString());
     EXPECT_TRUE(window_.messages().text().contains("none.json"));
+}
+
+// Someone opens another patient while the lesson's own is on his way.
+TEST_F(LessonWindowTest, a_lesson_for_one_case_begins_on_no_other) {
+    Lesson lesson = new_lesson();
+    lesson.patient = folder_.filePath("own.hep").toStdString();
+    lesson.marks[0].place = {Vec3(0, 0, 500), std::nullopt};
+    const std::string file = folder_.filePath("lesson.json").toStdString();
+    write_lesson(file, lesson);
+    window_.lessons().start(file);
+    window_.open(folder_.filePath("other.hep"));
+    wait();
+    QTest::qWait(50);  // a lesson begins a turn of the loop later
+    EXPECT_FALSE(window_.lessons().playing());
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_TRUE(shown("lessonPlaceDoubts").contains("beside the vessels"));
+    window_.lessons().start_on(file, folder_.filePath("third.hep"));
+    ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
+    EXPECT_TRUE(wait_for([&] { return window_.lessons().playing(); })) << "whom it was begun on";
+}
+
+TEST_F(LessonWindowTest, the_editor_offers_the_patient_who_is_opened) {
+    LessonEditor& editor = window_.lesson_editor();
+    editor.show_editor();
+    auto* patients = editor.findChild<QComboBox*>("lessonPatient");
+    EXPECT_EQ(patients->count(), 2);
+    window_.open(folder_.filePath("other.hep"));
+    wait();
+    EXPECT_GE(patients->findData(folder_.filePath("other.hep")), 0);
 }
 
 TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {

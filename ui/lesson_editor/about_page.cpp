@@ -39,9 +39,9 @@ void allow(Lesson& lesson, LessonTool tool, bool allowed) {
 
 }  // namespace
 
-AboutPage::AboutPage(Changes changes, std::function<QString()> shown_case)
+AboutPage::AboutPage(Changes changes, std::function<QString()> shown_patient)
     : LessonPage(std::move(changes)),
-      shown_case_(std::move(shown_case)),
+      shown_patient_(std::move(shown_patient)),
       name_(new QLineEdit),
       about_(new QPlainTextEdit),
       patient_(new QComboBox) {
@@ -75,12 +75,13 @@ AboutPage::AboutPage(Changes changes, std::function<QString()> shown_case)
 }
 
 QCheckBox* AboutPage::add_part(QGroupBox& box, const QString& text, const char* name,
-                               const std::function<void(SceneSpec&, bool)>& set) {
+                               void (SceneParts::*set)(SceneSpec&, bool)) {
     auto* check = new QCheckBox(text);
     check->setObjectName(name);
     box.layout()->addWidget(check);
-    connect(check, &QCheckBox::toggled, this,
-            [this, set](bool on) { change_shape([&](Lesson& lesson) { set(lesson.scene, on); }); });
+    connect(check, &QCheckBox::toggled, this, [this, set](bool on) {
+        change_shape([&](Lesson& lesson) { (parts_.*set)(lesson.scene, on); });
+    });
     return check;
 }
 
@@ -88,15 +89,7 @@ QCheckBox* AboutPage::add_part(QGroupBox& box, const QString& text, const char* 
 QGroupBox* AboutPage::make_scene() {
     auto* box = new QGroupBox("The scene");
     auto* column = new QVBoxLayout(box);
-    moves_ = add_part(*box, "The vessels &move", "lessonMoves", [](SceneSpec& scene, bool on) {
-        if (on) {
-            scene.deform.emplace();
-        } else {
-            scene.deform.reset();  // and what needs it
-            scene.contact.reset();
-            scene.tear.reset();
-        }
-    });
+    moves_ = add_part(*box, "The vessels &move", "lessonMoves", &SceneParts::set_moves);
     auto* form = new QFormLayout;
     form->setContentsMargins(24, 0, 0, 0);
     material_ = new QComboBox;
@@ -110,22 +103,10 @@ QGroupBox* AboutPage::make_scene() {
     });
     form->addRow("Material", material_);
     column->addLayout(form);
-    touches_ = add_part(*box, "&Tools touch them", "lessonTouches", [](SceneSpec& scene, bool on) {
-        if (!scene.contact) scene.contact = ContactSpec{false, false};
-        scene.contact->tools = on;
-        if (!on && !scene.contact->self) scene.contact.reset();
-    });
-    self_ = add_part(*box, "They touch &each other", "lessonSelf", [](SceneSpec& scene, bool on) {
-        if (!scene.contact) scene.contact = ContactSpec{false, false};
-        scene.contact->self = on;
-        if (!on && !scene.contact->tools) scene.contact.reset();
-    });
-    tears_ = add_part(*box, "They te&ar and bleed", "lessonTears", [](SceneSpec& scene, bool on) {
-        on ? void(scene.tear.emplace()) : scene.tear.reset();
-    });
-    flows_ = add_part(
-        *box, "A &drug can be injected", "lessonFlows",
-        [](SceneSpec& scene, bool on) { on ? void(scene.flow.emplace()) : scene.flow.reset(); });
+    touches_ = add_part(*box, "&Tools touch them", "lessonTouches", &SceneParts::set_touches);
+    self_ = add_part(*box, "They touch &each other", "lessonSelf", &SceneParts::set_self);
+    tears_ = add_part(*box, "They te&ar and bleed", "lessonTears", &SceneParts::set_tears);
+    flows_ = add_part(*box, "A &drug can be injected", "lessonFlows", &SceneParts::set_flows);
     drug_speed_ = new DecimalSpinBox(0.1, 100.0, 1.0, 1, "times as fast as it flows");
     drug_speed_->setObjectName("lessonDrugSpeed");
     connect(drug_speed_, &DecimalSpinBox::valueChanged, this, [this](double speed) {
@@ -160,8 +141,8 @@ void AboutPage::fill_patients(const std::string& patient) {
     patient_->clear();
     patient_->addItem("Any patient", "any");
     patient_->addItem("The built-in patient", "built-in");
-    const QString shown = shown_case_();
-    if (!shown.isEmpty())
+    const QString shown = shown_patient_();
+    if (!shown.isEmpty() && shown != "built-in")
         patient_->addItem("The one that is shown: " + QFileInfo(shown).fileName(), shown);
     const QString chosen = QString::fromStdString(patient);
     if (patient_->findData(chosen) < 0)

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/lesson/scene_parts.h"
 #include "ui/lesson_editor/lesson_page.h"
 
 class QCheckBox;
@@ -20,8 +21,11 @@ class DecimalSpinBox;
 
 class AboutPage : public LessonPage {
   public:
-    // `shown_case`: the folder of the case that is shown; empty where it lies nowhere.
-    AboutPage(Changes changes, std::function<QString()> shown_case);
+    // `shown_patient`: as a lesson names him; empty where he lies nowhere.
+    AboutPage(Changes changes, std::function<QString()> shown_patient);
+
+    // Another lesson is edited from now on: its scene has other settings.
+    void forget() { parts_.forget(); }
 
   protected:
     void fill(const Lesson& lesson) override;
@@ -30,11 +34,12 @@ class AboutPage : public LessonPage {
     QGroupBox* make_scene();
     QGroupBox* make_tools();
     QCheckBox* add_part(QGroupBox& box, const QString& text, const char* name,
-                        const std::function<void(SceneSpec&, bool)>& set);
+                        void (SceneParts::*set)(SceneSpec&, bool));
     void fill_patients(const std::string& patient);
     void fill_scene(const SceneSpec& scene);
 
-    std::function<QString()> shown_case_;
+    std::function<QString()> shown_patient_;
+    SceneParts parts_;
     QLineEdit* name_;
     QPlainTextEdit* about_;
     QComboBox* patient_;

@@ -37,6 +37,7 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
 QComboBox* mark_choice(const std::vector<std::string>& marks, int chosen) {
     auto* choice = new QComboBox;
     for (const std::string& mark : marks) choice->addItem(QString::fromStdString(mark));
+    choice->setPlaceholderText("which mark?");  // of a bound that lost its own
     choice->setCurrentIndex(chosen);
     return choice;
 }

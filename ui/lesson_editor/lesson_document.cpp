@@ -5,6 +5,8 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/text_file.h"
+#include "core/lesson/draft_file.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
@@ -30,7 +32,12 @@ std::string beside(const std::string& patient, const fs::path& file) {
 LessonDocument::LessonDocument(fs::path kept_copy) : kept_copy_(std::move(kept_copy)) {
     if (!kept_copy_.empty() && fs::exists(kept_copy_)) {
         try {
-            forget_states(read_lesson(kept_copy_));
+            LessonDraft draft =
+                draft_of(read_text_file(kept_copy_, "Begin anew"), kept_copy_.string());
+            forget_states(std::move(draft.lesson));
+            file_ = std::move(draft.file);
+            patient_in_file_ = std::move(draft.patient_in_file);
+            patient_path_ = std::move(draft.patient_path);
             left_behind_ = true;
             return;
         } catch (const InputError&) {
@@ -53,6 +60,7 @@ void LessonDocument::begin(Lesson lesson) {
     saved_text_ = text_of(lesson);
     forget_states(std::move(lesson));
     file_.clear();
+    patient_in_file_.clear();
     patient_path_.clear();
 }
 
@@ -120,13 +128,9 @@ void LessonDocument::keep_copy() {
         fs::remove(kept_copy_, ignored);
         return;
     }
-    try {
-        lesson_of(text_of(lesson()), "");
-    } catch (const InputError&) {
-        return;  // half of a change: the copy before stays
-    }
     fs::create_directories(kept_copy_.parent_path(), ignored);
-    write_text_atomically(kept_copy_, text_of(lesson()));
+    write_text_atomically(kept_copy_,
+                          text_of(LessonDraft{lesson(), file_, patient_in_file_, patient_path_}));
     kept_text_ = text_of(lesson());
 }
 

@@ -16,7 +16,7 @@ namespace hepatica {
 class LessonDocument {
   public:
     // `kept_copy`: the file of the unsaved copy; empty: none is kept. Begins with what an earlier
-    // run left there, else with a new lesson.
+    // run left there, which knows its file, else with a new lesson.
     explicit LessonDocument(std::filesystem::path kept_copy);
 
     const Lesson& lesson() const { return states_[now_]; }
@@ -40,10 +40,10 @@ class LessonDocument {
 
     // Throws as write_lesson() does. A patient beside the file or below it is named relative to it.
     void save(const std::filesystem::path& file);
-    // Writes the copy where something is unsaved and whole, and removes it where all is saved.
+    // Writes the copy where something is unsaved, and removes it where all is saved.
     // Throws InputError where that cannot be done.
     void keep_copy();
-    // The copy is the lesson as it is now. Not so while it cannot be read back: half of a change.
+    // The copy is the lesson as it is now.
     bool kept() const { return kept_text_ == text_of(lesson()); }
 
   private:

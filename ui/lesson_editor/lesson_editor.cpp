@@ -6,18 +6,22 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/lesson_editor/about_page.h"
+#include "ui/lesson_editor/doubts_in_words.h"
 #include "ui/lesson_editor/places_page.h"
 #include "ui/lesson_editor/rules_page.h"
 #include "ui/lesson_editor/steps_page.h"
@@ -27,21 +31,9 @@
 namespace hepatica {
 namespace {
 
-// What keeps it from being played, else what can hardly be meant; empty: nothing.
-QString doubts_in_words(const Lesson& lesson) {
-    try {
-        lesson_of(text_of(lesson), "This lesson");
-    } catch (const InputError& error) {
-        return QString::fromStdString(error.place() + " " + error.problem() + ". " +
-                                      error.remedy() + ".");
-    }
-    QStringList lines;
-    for (const std::string& doubt : doubts_about(lesson))
-        lines << "• " + QString::fromStdString(doubt);
-    constexpr qsizetype most = 4;
-    if (lines.size() > most)
-        lines = lines.mid(0, most - 1) << QString("• and %1 more").arg(lines.size() - most + 1);
-    return lines.join("\n");
+void refuse_gaps(const Lesson& lesson, const char* what) {
+    const std::vector<std::string> gaps = gaps_in(lesson);
+    if (!gaps.empty()) throw InputError(gaps.front(), what, "What is missing stands at its foot");
 }
 
 }  // namespace
@@ -72,12 +64,16 @@ void LessonEditor::build() {
             document_.change("", change);
             changed(true);
         }};
-    places_ = new PlacesPage(changes, ways_.ask_for_place);
+    about_ = new AboutPage(changes, ways_.shown_patient);
+    places_ = new PlacesPage(changes, ways_.ask_for_place, ways_.ask_no_more);
+    auto* steps = new StepsPage(changes);
+    auto* rules = new RulesPage(changes);
+    shown_pages_ = {about_, places_, steps, rules};
     pages_->setObjectName("lessonPages");
-    pages_->addTab(new AboutPage(changes, ways_.shown_case), "&Lesson");
-    pages_->addTab(places_, "&Places");
-    pages_->addTab(new StepsPage(changes), "&Steps");
-    pages_->addTab(new RulesPage(changes), "Limits and pass &marks");
+    pages_->addTab(scrolled(about_), "&Lesson");
+    pages_->addTab(scrolled(places_), "&Places");
+    pages_->addTab(steps, "&Steps");  // scrolls what is below its list
+    pages_->addTab(scrolled(rules), "Limits and pass &marks");
     connect(pages_, &QTabWidget::currentChanged, this, [this] { show_page(); });
     doubts_->setObjectName("lessonDoubts");
     doubts_->setWordWrap(true);
@@ -89,6 +85,15 @@ void LessonEditor::build() {
     column->addWidget(pages_, 1);
     column->addWidget(doubts_);
     column->addWidget(foot);
+}
+
+// However much it holds, the window fits on a small screen.
+QWidget* LessonEditor::scrolled(LessonPage* page) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(page);
+    return scroll;
 }
 
 void LessonEditor::build_buttons(QWidget& foot) {
@@ -125,8 +130,14 @@ void LessonEditor::build_buttons(QWidget& foot) {
 
 void LessonEditor::show_editor() {
     // Over the panels at the right: the vessels stay to be seen and clicked on.
-    if (const QWidget* window = parentWidget(); window && !isVisible())
-        move(window->mapToGlobal(QPoint(window->width() - width(), 40)));
+    if (const QWidget* window = parentWidget(); window && !isVisible()) {
+        constexpr int frame = 40;  // of the window's title
+        const QRect room = screen()->availableGeometry().adjusted(0, frame, 0, 0);
+        resize(size().boundedTo(room.size()));
+        const QPoint wanted = window->mapToGlobal(QPoint(window->width() - width(), frame));
+        move(std::clamp(wanted.x(), room.left(), room.right() + 1 - width()),
+             std::clamp(wanted.y(), room.top(), room.bottom() + 1 - height()));
+    }
     show();
     changed(true);
     raise();
@@ -136,7 +147,7 @@ void LessonEditor::show_editor() {
 // Whose place is waited for belonged to what was shown before.
 void LessonEditor::show_page() {
     places_->wait_no_more();
-    static_cast<LessonPage*>(pages_->currentWidget())->show_lesson(document_.lesson());
+    shown_pages_[static_cast<std::size_t>(pages_->currentIndex())]->show_lesson(document_.lesson());
 }
 
 void LessonEditor::changed(bool shape) {
@@ -155,11 +166,17 @@ void LessonEditor::show_state() {
     const QString left = document_.left_behind()
                              ? "This lesson was left unsaved by an earlier run of the program.\n"
                              : "";
-    const QString doubts = doubts_in_words(document_.lesson());
-    doubts_->setText(left + doubts);
+    doubts_->setText(
+        left + doubts_in_words(document_.lesson(), ways_.patient().get(), ways_.shown_patient()));
     doubts_->setVisible(!doubts_->text().isEmpty());
     undo_->setEnabled(document_.can_undo());
     redo_->setEnabled(document_.can_redo());
+}
+
+void LessonEditor::patient_shown() {
+    if (!isVisible()) return;
+    show_page();  // offers him
+    show_state();
 }
 
 void LessonEditor::keep_now() {
@@ -191,6 +208,7 @@ void LessonEditor::begin_with(const std::string& id) {
     take_what_is_typed();
     if (document_.dirty() && !ways_.may_discard()) return;
     document_.begin(id.empty() ? new_lesson() : find_lesson(id));
+    about_->forget();
     changed(true);
 }
 
@@ -199,7 +217,10 @@ void LessonEditor::open() {
     if (document_.dirty() && !ways_.may_discard()) return;
     const auto file = ways_.which_file();
     if (!file) return;
-    attempt("Open lesson", [&] { document_.open(*file); });
+    attempt("Open lesson", [&] {
+        document_.open(*file);
+        about_->forget();
+    });
     changed(true);
 }
 
@@ -209,7 +230,10 @@ void LessonEditor::save(bool ask) {
     if (ask || file->empty())
         file = ways_.where_to_save(QString::fromStdString(document_.lesson().name));
     if (!file) return;
-    attempt("Save lesson", [&] { document_.save(*file); });
+    attempt("Save lesson", [&] {
+        refuse_gaps(document_.lesson(), "This lesson cannot be saved yet");
+        document_.save(*file);
+    });
     show_state();
 }
 
@@ -218,6 +242,7 @@ void LessonEditor::try_out() {
     keep_now();
     bool whole = false;
     attempt("Try the lesson", [&] {
+        refuse_gaps(document_.lesson(), "This lesson cannot be tried yet");
         lesson_of(text_of(document_.lesson()), "This lesson");
         whole = true;
     });

@@ -18,6 +18,7 @@ class QTimer;
 
 namespace hepatica {
 
+class AboutPage;
 class LessonPage;
 class PlacesPage;
 
@@ -25,11 +26,12 @@ class PlacesPage;
 class LessonEditor : public QWidget {
   public:
     struct Ways {
-        // The patient that is shown, null: none; and the folder of his case, empty: none.
+        // The patient that is shown, null: none; and as a lesson names him: "built-in" or the
+        // folder of his case, empty: he lies nowhere.
         std::function<std::shared_ptr<const PatientCase>()> patient;
-        std::function<QString()> shown_case;
-        // The next click on a vessel is for place_clicked().
-        std::function<void()> ask_for_place;
+        std::function<QString()> shown_patient;
+        // The next click on a vessel is for place_clicked(), or is not any more.
+        std::function<void()> ask_for_place, ask_no_more;
         // places() are others now.
         std::function<void()> places_changed;
         // Plays it, or opens its patient to do so; the editor comes back by back_from_trying().
@@ -53,6 +55,8 @@ class LessonEditor : public QWidget {
     // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
     std::vector<Vec3> places() const;
     void back_from_trying();
+    // There is another patient now, or there are other vessels of his.
+    void patient_shown();
     // Before the program ends: what cannot be kept (see LessonDocument) is asked about.
     bool may_end();
     const LessonDocument& document() const { return document_; }
@@ -72,12 +76,15 @@ class LessonEditor : public QWidget {
     void save(bool ask);
     void try_out();
     void take_what_is_typed();
+    QWidget* scrolled(LessonPage* page);
     void attempt(const std::string& doing, const std::function<void()>& task);
 
     Ways ways_;
     LessonDocument document_;
     QTabWidget* pages_;
+    AboutPage* about_ = nullptr;
     PlacesPage* places_ = nullptr;
+    std::vector<LessonPage*> shown_pages_;  // in the order of the tabs
     QLabel* doubts_;
     QPushButton *undo_ = nullptr, *redo_ = nullptr;
     QTimer* keep_;

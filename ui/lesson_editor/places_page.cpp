@@ -34,9 +34,11 @@ QLabel* quiet(const QString& text) {
 
 }  // namespace
 
-PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place)
+PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
+                       std::function<void()> ask_no_more)
     : LessonPage(std::move(changes)),
       ask_for_place_(std::move(ask_for_place)),
+      ask_no_more_(std::move(ask_no_more)),
       marks_(new QVBoxLayout),
       target_(new QVBoxLayout),
       add_target_(new QPushButton("&Give it a target")) {
@@ -129,7 +131,7 @@ void PlacesPage::ask(int place) {
 }
 
 void PlacesPage::wait_no_more() {
-    waits_for_ = nobody;
+    if (std::exchange(waits_for_, nobody) != nobody) ask_no_more_();
 }
 
 void PlacesPage::place_clicked(const Vec3& place_mm) {

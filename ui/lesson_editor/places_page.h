@@ -13,8 +13,10 @@ namespace hepatica {
 
 class PlacesPage : public LessonPage {
   public:
-    // `ask_for_place`: the next click on a vessel is told to place_clicked().
-    PlacesPage(Changes changes, std::function<void()> ask_for_place);
+    // `ask_for_place`: the next click on a vessel is told to place_clicked(). `ask_no_more`: not
+    // after all.
+    PlacesPage(Changes changes, std::function<void()> ask_for_place,
+               std::function<void()> ask_no_more);
 
     // On the centreline, undeformed. Nothing where no place was asked for.
     void place_clicked(const Vec3& place_mm);
@@ -33,7 +35,7 @@ class PlacesPage : public LessonPage {
     void set_place(int place, const ScriptPlace& at, bool same_row);
     void remove(int place);
 
-    std::function<void()> ask_for_place_;
+    std::function<void()> ask_for_place_, ask_no_more_;
     int waits_for_ = nobody;
     std::vector<std::string> names_;  // of the marks
     QVBoxLayout* marks_;
