@@ -108,7 +108,12 @@ TreeEdit seed_in(const std::string& text) {
     edit.kind = TreeEditKind::seed_system;
     const auto numbers = parse_triple("--seed", text.substr(0, comma));
     edit.at_mm = Vec3(numbers[0], numbers[1], numbers[2]);
-    edit.system = parse_system("--seed", text.substr(comma + 1));
+    const std::string name = text.substr(comma + 1);
+    const auto system = system_named(name);
+    if (!system)
+        throw UsageError("there is no vascular system " + name, "--seed",
+                         "Name one of these: " + list_of_systems());
+    edit.system = *system;
     return edit;
 }
 
