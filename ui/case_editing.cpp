@@ -23,6 +23,8 @@ QString text_of(const TreeEdit& edit) {
             return "Root set";
         case TreeEditKind::draw_vessel:
             return "Vessel drawn";
+        case TreeEditKind::seed_system:
+            return "Seed: " + QString::fromStdString(title_of(edit.system));
         case TreeEditKind::reassign_system:
             break;
     }
@@ -102,7 +104,8 @@ void CaseEditing::click(const TreePoint& point) {
         station_at(workspace_.patient()->tree.segments[static_cast<std::size_t>(point.segment)],
                    point.arclength_mm)
             .position_mm;
-    if (edit.kind == TreeEditKind::reassign_system) edit.system = panel_.system();
+    if (edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system)
+        edit.system = panel_.system();
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             link_from_mm_ = edit.at_mm;

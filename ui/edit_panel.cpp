@@ -21,13 +21,15 @@ struct EditTool {
     const char* tip;
 };
 
-constexpr std::array<EditTool, 5> tools{{
+constexpr std::array<EditTool, 6> tools{{
     {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
     {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
     {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
     {TreeEditKind::set_root, "Set the root", "Click near the end where blood comes in"},
     {TreeEditKind::reassign_system, "Give to a system",
      "Click a branch; all that hangs on it goes with it"},
+    {TreeEditKind::seed_system, "Say what a vessel is",
+     "Click a vessel; all that belongs with it takes the system below, however far it reaches"},
 }};
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
@@ -77,7 +79,8 @@ QWidget* EditPanel::make_tools() {
     form->addRow("System", system_);
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
         tip->setText(tools.at(static_cast<std::size_t>(index)).tip);
-        system_->setEnabled(tool() == TreeEditKind::reassign_system);
+        system_->setEnabled(tool() == TreeEditKind::reassign_system ||
+                            tool() == TreeEditKind::seed_system);
         if (callbacks_.tool_changed) callbacks_.tool_changed();
     });
     return box;

@@ -33,7 +33,7 @@ class EditPanel : public QWidget {
     void set_callbacks(Callbacks callbacks) { callbacks_ = std::move(callbacks); }
 
     TreeEditKind tool() const;
-    VascularSystem system() const;  // for reassign_system
+    VascularSystem system() const;  // for reassign_system and seed_system
 
     void show_bridges(const QStringList& lines);
     void show_edits(const QStringList& lines, bool can_undo, bool can_redo);

@@ -26,6 +26,7 @@ struct EditChoices {
     fs::path out;
     std::vector<double> places;  // of a vessel to draw, three numbers each
     fs::path ct;
+    std::vector<std::string> seeds;  // X,Y,Z,SYSTEM
     double accept = std::numeric_limits<double>::infinity();
     double refuse_below = -1.0;
     std::vector<int> accepted, refused, offered;  // numbers of bridges, from 1
@@ -98,6 +99,24 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
     return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree)));
 }
 
+// X,Y,Z,SYSTEM
+TreeEdit seed_in(const std::string& text) {
+    const auto comma = text.find_last_of(',');
+    if (comma == std::string::npos)
+        throw UsageError("\"" + text + "\" is no seed", "--seed", "Write X,Y,Z,SYSTEM in mm");
+    TreeEdit edit;
+    edit.kind = TreeEditKind::seed_system;
+    const auto numbers = parse_triple("--seed", text.substr(0, comma));
+    edit.at_mm = Vec3(numbers[0], numbers[1], numbers[2]);
+    const std::string name = text.substr(comma + 1);
+    const auto system = system_named(name);
+    if (!system)
+        throw UsageError("there is no vascular system " + name, "--seed",
+                         "Name one of these: " + list_of_systems());
+    edit.system = *system;
+    return edit;
+}
+
 // What the case's edits become: some of the last taken back, then the file's, then bridges.
 PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
     std::vector<TreeEdit> edits = patient.corrections.edits;
@@ -113,6 +132,7 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
         const PatientCase now = with_edited_tree(patient, edits);
         edits.push_back(drawn_vessel(options, now, job));
     }
+    for (const std::string& seed : options.seeds) edits.push_back(seed_in(seed));
     decide_bridges(options, patient, edits);
     if (options.accept <= 1.0) {
         const std::vector<TreeEdit> links =
@@ -171,6 +191,9 @@ void add_edit(CommandLine& line) {
             ->delimiter(',');
     verb.add_option("--ct", options->ct, "CT of the case, for --draw: a folder or a file")
         ->needs(draw);
+    verb.add_option("--seed", options->seeds,
+                    "X,Y,Z,SYSTEM: the vessel at this place is of SYSTEM, with all that goes with "
+                    "it; once for each");
     verb.add_option("--undo", options->undo, "Take back so many of the last edits first")
         ->check(CLI::NonNegativeNumber);
     verb.add_option("--accept-bridges", options->accept,

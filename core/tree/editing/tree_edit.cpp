@@ -9,6 +9,7 @@
 #include "core/base/patient_space.h"
 #include "core/tree/editing/cut_gap.h"
 #include "core/tree/editing/drawn_vessel.h"
+#include "core/tree/editing/system_seed.h"
 #include "core/tree/extraction/bridged_points.h"
 #include "core/tree/extraction/centreline.h"
 #include "core/tree/extraction/vessel_graph.h"
@@ -139,6 +140,16 @@ class Edit {
         wishes_.push_back({graph_.links[first].from, edit.system});
     }
 
+    void seed(const TreeEdit& edit) {
+        const TreePoint at = locate(tree_, edit.at_mm);
+        merge_touching_nodes(graph_, wishes_);
+        SeededGraph seeded = seeded_graph(tree_, graph_, {edit.at_mm, at, edit.system});
+        keep_roots();
+        // What touches nothing of its new system begins where it was attached before.
+        root_places_.emplace_back(seeded.begin_mm, edit.system);
+        graph_ = std::move(seeded.graph);
+    }
+
     void draw(const TreeEdit& edit) {
         const DrawnVessel drawn =
             add_drawn_vessel(graph_, {edit.path_mm, edit.radii_mm}, edit.system);
@@ -147,13 +158,10 @@ class Edit {
     }
 
     VesselTree result() {
-        // Joining renumbers the nodes: roots are found again by their place.
-        std::vector<std::pair<Vec3, VascularSystem>> places;
-        for (const RootWish& wish : wishes_)
-            places.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
+        keep_roots();
         join_passing_nodes(graph_);
         std::vector<RootWish> wishes;
-        for (const auto& [place, system] : places)
+        for (const auto& [place, system] : root_places_)
             for (std::size_t n = 0; n < graph_.nodes.size(); ++n)
                 if (graph_.nodes[n].position_mm == place)
                     wishes.push_back({static_cast<int>(n), system});
@@ -163,6 +171,13 @@ class Edit {
     }
 
   private:
+    // Whatever renumbers the nodes, roots are found again by their place.
+    void keep_roots() {
+        for (const RootWish& wish : wishes_)
+            root_places_.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
+        wishes_.clear();
+    }
+
     void add_path(int from, int to, VascularSystem system, const std::vector<Vec3>& between_mm) {
         const VesselNode& start = graph_.nodes[from];
         const VesselNode& end = graph_.nodes[to];
@@ -201,6 +216,7 @@ class Edit {
     const VesselTree& tree_;
     VesselGraph graph_;
     std::vector<RootWish> wishes_;
+    std::vector<std::pair<Vec3, VascularSystem>> root_places_;
     BridgedPoints bridged_;
 };
 
@@ -223,6 +239,9 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
             break;
         case TreeEditKind::reassign_system:
             work.reassign(edit);
+            break;
+        case TreeEditKind::seed_system:
+            work.seed(edit);
             break;
         case TreeEditKind::draw_vessel:
             work.draw(edit);

@@ -19,6 +19,8 @@ enum class TreeEditKind {
     delete_branch,    // removes the segment at `at_mm` and all that hangs on it
     set_root,         // makes the end nearest to `at_mm` the root of its component
     reassign_system,  // gives the segment at `at_mm` and all that hangs on it to `system`
+    seed_system,      // says that the vessel at `at_mm` is of `system`: what hangs on it goes with
+                      // it, and upstream as much as a minimal cut gives (seeded_spread.h)
     draw_vessel,      // adds the vessel along `path_mm` (drawn_vessel.h), which begins at `at_mm`;
                       // one that touches no other has its root there
 };
@@ -30,7 +32,7 @@ struct TreeEdit {
     // add_link: points between the two vessels; empty: straight. draw_vessel: its centreline, two
     // points or more.
     std::vector<Vec3> path_mm;
-    // reassign_system; draw_vessel: where it touches no vessel that has one.
+    // reassign_system, seed_system; draw_vessel: where it touches no vessel that has one.
     VascularSystem system = VascularSystem::unknown;
     std::vector<double> radii_mm;  // draw_vessel: one per point of the path, above 0
 

@@ -17,6 +17,7 @@ constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::delete_branch, "delete_branch"},
     {TreeEditKind::set_root, "set_root"},
     {TreeEditKind::reassign_system, "reassign_system"},
+    {TreeEditKind::seed_system, "seed_system"},
     {TreeEditKind::draw_vessel, "draw_vessel"},
 };
 
@@ -69,7 +70,7 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     require_in_patient_space(edit.at_mm, "an edit", place);
     require_in_patient_space(edit.to_mm, "the end of a link", place);
     for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a vessel", place);
-    if (edit.kind == TreeEditKind::reassign_system)
+    if (edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system)
         edit.system = system_from(value.at("system"), place);
     return edit;
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/systems/seeded_spread.h"
+
+#include <Eigen/Geometry>
+
+#include "core/base/disjoint_sets.h"
+#include "core/tree/systems/anatomical_anchors.h"
+#include "core/tree/systems/potts_labelling.h"
+#include "core/tree/systems/system_evidence.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double never = 1e4;  // log odds of what must not be
+constexpr int stays = 0, changes = 1;
+
+std::vector<Tie> ties_between(const PieceGraph& graph) {
+    std::vector<Tie> ties;
+    for (const auto& [a, b] : graph.passages)
+        ties.push_back({a, b, tie_of_passage(graph.pieces[a], graph.pieces[b])});
+    for (const std::vector<ForkArm>& arms : graph.forks) {
+        const std::vector<double> strengths = ties_of_fork(arms);
+        std::size_t next = 0;
+        for (std::size_t i = 1; i < arms.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j, ++next)
+                if (arms[i].piece != arms[j].piece)
+                    ties.push_back({arms[i].piece, arms[j].piece, strengths[next]});
+    }
+    return ties;
+}
+
+// For each piece, log odds of a vein's present system over that of the seed; 0 for other systems,
+// of which anatomy says nothing.
+std::vector<double> evidence_to_stay(const PieceGraph& graph, VascularSystem from,
+                                     VascularSystem to) {
+    const bool veins = (from == VascularSystem::portal && to == VascularSystem::hepatic) ||
+                       (from == VascularSystem::hepatic && to == VascularSystem::portal);
+    if (!veins) return std::vector<double>(graph.pieces.size(), 0.0);
+    Eigen::AlignedBox3d box;
+    for (const VesselPiece& piece : graph.pieces) box.extend(piece.centre_mm);
+    std::vector<double> odds = evidence_for_hepatic(graph, find_anchors(graph.pieces, box));
+    if (from == VascularSystem::portal)
+        for (double& value : odds) value = -value;
+    return odds;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> spread_of_seed(const PieceGraph& graph,
+                                         const std::vector<PieceSystem>& now,
+                                         const SeededVessel& seed) {
+    const VascularSystem from = now[seed.piece].system;
+    const std::vector<double> evidence = evidence_to_stay(graph, from, seed.system);
+    PottsProblem problem;
+    problem.ties = ties_between(graph);
+    for (int i = 0; i < std::ssize(graph.pieces); ++i) {
+        std::vector<double> cost{0.0, 0.0};
+        if (i == seed.piece || now[i].system == seed.system)
+            cost[stays] = never;
+        else if (now[i].system != from || seed.fixed[i] != 0)
+            cost[changes] = never;
+        else if (seed.downstream[i] == 0)
+            cost[changes] = evidence[i];
+        problem.costs.push_back(std::move(cost));
+    }
+    const std::vector<int> labels = least_energy_labels(problem);
+    // Only what the click has reached changes, through vessels of the system it had.
+    const auto free = [&](int i) { return labels[i] == changes && now[i].system == from; };
+    DisjointSets parts(labels.size());
+    for (const Tie& tie : problem.ties)
+        if (free(tie.a) && free(tie.b))
+            parts.unite(static_cast<std::uint32_t>(tie.a), static_cast<std::uint32_t>(tie.b));
+    const auto seeded = parts.root(static_cast<std::uint32_t>(seed.piece));
+    std::vector<std::uint8_t> changed(labels.size(), 0);
+    for (std::uint32_t i = 0; i < labels.size(); ++i)
+        changed[i] = free(static_cast<int>(i)) && parts.root(i) == seeded ? 1 : 0;
+    return changed;
+}
+
+}  // namespace hepatica
