@@ -7,11 +7,11 @@
 
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
-#include "core/tree/editing/cut_gap.h"
 #include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/editing/system_seed.h"
 #include "core/tree/extraction/bridged_points.h"
 #include "core/tree/extraction/centreline.h"
+#include "core/tree/extraction/cut_gap.h"
 #include "core/tree/extraction/vessel_graph.h"
 
 namespace hepatica {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tree/editing/cut_gap.h"
 #include "core/tree/extraction/centreline.h"
+#include "core/tree/extraction/cut_gap.h"
 
 namespace hepatica {
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double radius_mm = 3.0;
 constexpr double voxel_mm = 0.5;
-constexpr double length_mm = 20.0;
+constexpr double straight_mm = 20.0;
 const Vec3 fork(10, -4, 7);
 const std::vector<Vec3> axes{Vec3(0, -1, 0.1).normalized(), Vec3(0.6, 1, 0).normalized(),
                              Vec3(-0.7, 0.8, 0.3).normalized()};
@@ -27,9 +27,9 @@ Sample forked_at(const Vec3& node_mm) {
     sample.graph.nodes.push_back({node_mm, radius_mm});
     for (const Vec3& axis : axes) {
         const int end = static_cast<int>(sample.graph.nodes.size());
-        sample.graph.nodes.push_back({fork + length_mm * axis, radius_mm});
+        sample.graph.nodes.push_back({fork + straight_mm * axis, radius_mm});
         VesselLink link{0, end, VascularSystem::unknown, 0.0, {}, {}};
-        for (double along = 0.0; along <= length_mm + 1e-9; along += voxel_mm) {
+        for (double along = 0.0; along <= straight_mm + 1e-9; along += voxel_mm) {
             const double share = std::min(1.0, along / (1.5 * radius_mm));
             link.points_mm.push_back(fork + along * axis + (1.0 - share) * (node_mm - fork));
             link.radii_mm.push_back(radius_mm);
@@ -63,7 +63,7 @@ TEST(ForkPlacement, AForkGoesToWhereTheAxesOfItsBranchesMeet) {
                 EXPECT_LT((p - fork).cross(axes[i]).norm(), 0.05 * off.norm());
         }
         for (int end = 1; end <= 3; ++end)
-            EXPECT_EQ(sample.graph.nodes[end].position_mm, fork + length_mm * axes[end - 1]);
+            EXPECT_EQ(sample.graph.nodes[end].position_mm, fork + straight_mm * axes[end - 1]);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tree/editing/cut_gap.h"
+#include "core/tree/extraction/cut_gap.h"
 
 #include <algorithm>
 #include <limits>
