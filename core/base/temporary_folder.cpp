@@ -12,7 +12,14 @@ namespace hepatica {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "hepatica-XXXXXX").string();
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) {
+        const char* wanted = std::getenv("TMPDIR");
+        throw InputError("is no folder for temporary files", wanted ? wanted : "/tmp",
+                         "Make that folder, or let TMPDIR name one that is there");
+    }
+    std::string name = (parent / "hepatica-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
         throw InputError("no temporary folder can be made", name, "Free some space there");
     path_ = name;

@@ -84,10 +84,10 @@ TEST(MeasuredDial, OffersNothingThatMissesMoreThanHalfTheMotion) {
 
 TEST(MeasuredDial, RefusesADamagedOneByName) {
     PatientCase patient = *small_patient();
-    for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 2}",
-                                "{\"format\": \"hepatica-dial\", \"version\": 3}",
+    for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 3}",
+                                "{\"format\": \"hepatica-dial\", \"version\": 4}",
                                 "{\"format\": \"hepatica-dial\", \"version\": \"two\"}",
-                                "{\"format\": \"other\", \"version\": 2}"}) {
+                                "{\"format\": \"other\", \"version\": 3}"}) {
         patient.dial_json = damaged;
         EXPECT_THROW(static_cast<void>(dial_of(patient)), InputError) << damaged;
     }

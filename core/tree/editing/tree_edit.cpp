@@ -153,8 +153,16 @@ class Edit {
     void draw(const TreeEdit& edit) {
         const DrawnVessel drawn =
             add_drawn_vessel(graph_, {edit.path_mm, edit.radii_mm}, edit.system);
-        if (drawn.grows_out && drawn.leads_in && drawn.system_at_to != drawn.system)
-            adopt(drawn.to, drawn.system, drawn.system_at_to);
+        if (!drawn.grows_out || !drawn.leads_in || drawn.system_at_to == drawn.system) return;
+        // A click that only comes near another vessel must not turn its whole system over.
+        if (drawn.system != VascularSystem::unknown &&
+            drawn.system_at_to != VascularSystem::unknown)
+            throw InputError("the vessel would join two systems: " + title_of(drawn.system) +
+                                 " and " + title_of(drawn.system_at_to),
+                             place_text(edit.path_mm.back()),
+                             "End it before the other vessel's wall, or say first of which system "
+                             "that vessel is");
+        adopt(drawn.to, drawn.system, drawn.system_at_to);
     }
 
     VesselTree result() {

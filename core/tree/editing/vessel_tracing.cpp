@@ -27,10 +27,13 @@ constexpr double longest_step_mm = 50.0;
 constexpr double same_place_mm = 0.5;
 constexpr double wide_voxels = 3.0;  // radius from which the middle of a lumen is not blurred
 
+// The voxel of a position that lies inside: on the very face of the grid the outermost one.
 Index3 voxel_at(const Grid& grid, const Vec3& position_mm) {
     const Vec3 index = grid.to_index(position_mm);
-    return {static_cast<int>(std::lround(index[0])), static_cast<int>(std::lround(index[1])),
-            static_cast<int>(std::lround(index[2]))};
+    Index3 voxel{};
+    for (int a = 0; a < 3; ++a)
+        voxel[a] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid.dims[a] - 1);
+    return voxel;
 }
 
 std::size_t offset_of(const Grid& grid, const Index3& voxel) {

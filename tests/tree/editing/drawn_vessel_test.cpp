@@ -99,14 +99,26 @@ TEST(DrawnVessel, StandsAloneWhereItTouchesNothing) {
     EXPECT_EQ(drawn.system, VascularSystem::hepatic);
 }
 
-TEST(DrawnVessel, JoinsTwoTreesAndTheSecondTakesTheSystemOfTheFirst) {
+// A portal tree, and beside it a vessel of another system.
+VesselTree portal_tree_beside(VascularSystem system) {
     VesselGraph graph = forked_graph();
     for (VesselLink& link : graph.links) link.system = VascularSystem::portal;
     const int far = static_cast<int>(graph.nodes.size());
     graph.nodes.push_back({Vec3(40, 0, 0), 2.0});
     graph.nodes.push_back({Vec3(40, 30, 0), 2.0});
-    graph.links.push_back(straight_link(graph, far, far + 1, 2.0, 2.0, VascularSystem::hepatic));
-    const VesselTree before = directed(std::move(graph));
+    graph.links.push_back(straight_link(graph, far, far + 1, 2.0, 2.0, system));
+    return directed(std::move(graph));
+}
+
+TEST(DrawnVessel, FromOneKnownSystemIntoAnotherIsRefusedWithBothNames) {
+    const Centreline across = straight(in_trunk, Vec3(39, 10, 0), 1.0);
+    const std::string problem = problem_of(portal_tree_beside(VascularSystem::hepatic), across);
+    EXPECT_NE(problem.find(title_of(VascularSystem::portal)), std::string::npos) << problem;
+    EXPECT_NE(problem.find(title_of(VascularSystem::hepatic)), std::string::npos) << problem;
+}
+
+TEST(DrawnVessel, JoinsTwoTreesAndTheSecondTakesTheSystemOfTheFirst) {
+    const VesselTree before = portal_tree_beside(VascularSystem::unknown);
     const VesselTree after = edited(before, drawing_of(straight(in_trunk, Vec3(39, 10, 0), 1.0)));
     validate(after);
     EXPECT_EQ(roots(after).size(), 1u);
