@@ -34,7 +34,7 @@ void SeriesThumbnails::begin(std::size_t series) {
     job_ = std::make_unique<BackgroundJob>(
         [this, series, file = slices_[series], side = side_](Job& job) -> std::function<void()> {
             job.throw_if_cancelled();
-            const QImage image = as_image(thumbnail_of(file, side));
+            const QImage image = as_image(thumbnail_of(file, side, job));
             return [this, series, image] { show_(series, image); };
         },
         std::move(callbacks));

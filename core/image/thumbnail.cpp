@@ -56,11 +56,10 @@ Thumbnail thumbnail_of(const SlicePixels& slice, const GreyWindow& window, int s
     return picture;
 }
 
-Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side) {
+Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side, Job& job) {
     const std::optional<DicomSlice> slice = read_dicom_slice(dicom_file);
     if (!slice)
         throw InputError("holds no DICOM image", dicom_file.string(), "Choose another series");
-    Job job;
     SplitFrames split;  // holds the frames until they are read
     const std::vector<DicomSlice> frames = split.split({*slice}, job);
     const DicomSlice& middle = frames[frames.size() / 2];

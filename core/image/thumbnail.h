@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/job.h"
 #include "core/image/slice.h"
 
 namespace hepatica {
@@ -35,7 +36,7 @@ struct SlicePixels {
 Thumbnail thumbnail_of(const SlicePixels& slice, const GreyWindow& window, int side);
 
 // Of a DICOM file, as its pixels are stored; they count as square where it does not say how large
-// they are. Throws InputError where it cannot be decoded.
-Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side);
+// they are. Throws InputError where it cannot be decoded, and Cancelled.
+Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side, Job& job);
 
 }  // namespace hepatica

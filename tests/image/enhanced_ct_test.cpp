@@ -101,8 +101,11 @@ TEST(EnhancedCt, IsListedWithItsFramesAndReadByItsName) {
     EXPECT_EQ(series[0].slices, 9u);
     for (const std::string& warning : series[0].warnings)
         EXPECT_EQ(warning.find("cannot be read"), std::string::npos) << warning;
-    const Thumbnail middle = thumbnail_of(series[0].middle_slice, 96);
+    const Thumbnail middle = thumbnail_of(series[0].middle_slice, 96, job);
     EXPECT_EQ(std::max(middle.width, middle.height), 96);
+    Job unwanted;
+    unwanted.cancel();
+    EXPECT_THROW(thumbnail_of(series[0].middle_slice, 96, unwanted), Cancelled);
     EXPECT_EQ(read_volume(file.path(), job).voxels, ct.volume.voxels);
 }
 

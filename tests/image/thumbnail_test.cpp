@@ -66,6 +66,7 @@ TEST(Thumbnail, EnlargesASmallSliceWithoutLosingAPixel) {
 
 // Against the volume that was written, voxel by voxel.
 TEST(Thumbnail, OfAFileShowsItsSlice) {
+    Job job;
     Grid grid = small_grid();
     grid.spacing_mm = Vec3(2.0, 2.0, 1.5);
     Volume ct(grid);
@@ -76,7 +77,7 @@ TEST(Thumbnail, OfAFileShowsItsSlice) {
                     static_cast<std::int16_t>(20 * x - 12 * y + 5 * z);
     const DicomFolder folder(ct);
     const int side = static_cast<int>(std::max(grid.dims[0], grid.dims[1]));
-    const Thumbnail picture = thumbnail_of(folder.slice(4), side);
+    const Thumbnail picture = thumbnail_of(folder.slice(4), side, job);
     ASSERT_EQ(picture.width, grid.dims[0]);
     ASSERT_EQ(picture.height, grid.dims[1]);
     for (int y = 0; y < picture.height; ++y)
@@ -88,36 +89,39 @@ TEST(Thumbnail, OfAFileShowsItsSlice) {
 }
 
 TEST(Thumbnail, OfPixelsWithoutASizeIsDrawnAsIfTheyWereSquare) {
+    Job job;
     const DicomFolder folder;
     const Grid& grid = folder.volume().grid;
     folder.edit(4, pixel_spacing, "");
-    const Thumbnail picture = thumbnail_of(folder.slice(4), 90);
+    const Thumbnail picture = thumbnail_of(folder.slice(4), 90, job);
     const double wide = static_cast<double>(grid.dims[0]), high = static_cast<double>(grid.dims[1]);
     EXPECT_EQ(picture.width, std::lround(90.0 * wide / std::max(wide, high)));
     EXPECT_EQ(picture.height, std::lround(90.0 * high / std::max(wide, high)));
 }
 
 TEST(Thumbnail, IsRefusedWhereNothingCanBeDecoded) {
+    Job job;
     const DicomFolder folder;
     fs::resize_file(folder.slice(1), fs::file_size(folder.slice(1)) - 7);
-    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(1), 96); }), "");
+    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(1), 96, job); }), "");
     folder.edit(2, frames, "3");
-    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(2), 96); }).find("frames"),
+    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(2), 96, job); }).find("frames"),
               std::string::npos);
     folder.edit(3, slope, "two");
-    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(3), 96); }).find("slope"), std::string::npos);
-    std::ofstream(folder.slice(4)) << "a letter";
-    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(4), 96); }).find("no DICOM image"),
+    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(3), 96, job); }).find("slope"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { thumbnail_of(folder.path() / "gone", 96); }), "");
+    std::ofstream(folder.slice(4)) << "a letter";
+    EXPECT_NE(refusal([&] { thumbnail_of(folder.slice(4), 96, job); }).find("no DICOM image"),
+              std::string::npos);
+    EXPECT_NE(refusal([&] { thumbnail_of(folder.path() / "gone", 96, job); }), "");
 }
 
 // Names of files say nothing about where slices lie.
 TEST(Thumbnail, StandsForASeriesByItsMiddleSlice) {
+    Job job;
     const DicomFolder folder;  // nine slices
     fs::rename(folder.slice(5), folder.path() / "zzz.dcm");
     fs::rename(folder.slice(9), folder.path() / "aaa.dcm");
-    Job job;
     const std::vector<SeriesDescription> series = list_series(folder.path(), job);
     ASSERT_EQ(series.size(), 1u);
     EXPECT_EQ(series[0].middle_slice, folder.path() / "zzz.dcm");
