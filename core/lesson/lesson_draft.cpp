@@ -56,7 +56,7 @@ void remove_mark(Lesson& lesson, int mark) {
 std::string free_mark_name(const Lesson& lesson) {
     const std::vector<std::string> names = lesson.mark_names();
     for (int number = 1;; ++number) {
-        const std::string name = "mark " + std::to_string(number);
+        std::string name = "mark " + std::to_string(number);
         if (std::ranges::find(names, name) == names.end()) return name;
     }
 }

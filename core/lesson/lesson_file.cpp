@@ -116,7 +116,7 @@ LessonStep step_from(const LessonFields& fields, const std::vector<std::string>&
 // What is done before the lesson begins: in one step, so that a recording shows that it was done.
 Script setup_from(const LessonFields& fields) {
     const Json script{{"name", "setup"}, {"actions", fields.json()}};
-    const Script setup = script_of(script.dump(), fields.place());
+    Script setup = script_of(script.dump(), fields.place());
     for (const ScriptAction& action : setup.actions)
         if (action.at_s != 0.0 || action.over_s != 0.0)
             fields.refuse("does something over time",

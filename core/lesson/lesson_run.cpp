@@ -18,7 +18,7 @@ std::vector<Command> setup_of(const Lesson& lesson, const PatientCase& patient) 
 
 }  // namespace
 
-LessonRun::LessonRun(Lesson lesson, std::shared_ptr<const PatientCase> patient,
+LessonRun::LessonRun(Lesson lesson, const std::shared_ptr<const PatientCase>& patient,
                      std::vector<Predicate> more_pass)
     : lesson_(std::move(lesson)),
       setup_(setup_of(lesson_, *patient)),

@@ -58,7 +58,7 @@ class LessonRun {
   public:
     // `more_pass`: pass marks beside the lesson's own, of a course. Throws InputError where the
     // lesson names a place that the patient has not.
-    LessonRun(Lesson lesson, std::shared_ptr<const PatientCase> patient,
+    LessonRun(Lesson lesson, const std::shared_ptr<const PatientCase>& patient,
               std::vector<Predicate> more_pass = {});
 
     const Lesson& lesson() const { return lesson_; }
