@@ -17,6 +17,7 @@ struct SegmentDoubts {
     double unsure_share = 0.0;        // of the liver: nearest to branches less than 80 % sure
     std::vector<int> without_branch;  // segments 1 to 8 to which no branch was found
     int veins_known = 0;              // 0 to 3 hepatic veins that say where the sectors part
+    bool liver_found = false;         // by the program; else its mask was given
 };
 
 struct Doubts {

@@ -12,7 +12,8 @@ namespace {
 Json json_of(const SegmentDoubts& doubts) {
     return {{"unsure_share", doubts.unsure_share},
             {"without_branch", doubts.without_branch},
-            {"veins_known", doubts.veins_known}};
+            {"veins_known", doubts.veins_known},
+            {"liver_found", doubts.liver_found}};
 }
 
 SegmentDoubts segment_doubts_from(const Json& json) {
@@ -21,6 +22,7 @@ SegmentDoubts segment_doubts_from(const Json& json) {
     for (const Json& number : json.at("without_branch"))
         doubts.without_branch.push_back(whole_number<int>(number));
     doubts.veins_known = whole_number<int>(json.at("veins_known"));
+    doubts.liver_found = json.value("liver_found", false);  // cases of before do not say it
     return doubts;
 }
 

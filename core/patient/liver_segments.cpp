@@ -8,6 +8,15 @@
 
 namespace hepatica {
 
+namespace {
+
+bool liver_was_found(const CaseSource& source) {
+    const auto parameters = nlohmann::json::parse(source.parameters_json, nullptr, false);
+    return parameters.is_object() && !parameters.value("liver_mask_given", true);
+}
+
+}  // namespace
+
 Mask liver_of(const Mask& organs) {
     Mask liver = organs;
     for (std::uint8_t& voxel : liver.voxels)
@@ -29,6 +38,7 @@ void label_segments(PatientCase& patient, Job& job) {
     for (int k = 0; k < couinaud_count; ++k)
         if (volumes[k] == 0.0) doubts.without_branch.push_back(k + 1);
     doubts.veins_known = static_cast<int>(std::ranges::count(found->frame.vein_known, true));
+    doubts.liver_found = liver_was_found(patient.source);
     patient.doubts->segments = std::move(doubts);
 }
 

@@ -105,5 +105,24 @@ TEST(LiverSegments, WhatIsUnsureIsSaidInWords) {
     EXPECT_NE(told[2].find("25 % of the liver"), std::string::npos);
 }
 
+// Segments of a liver that nobody drew may reach into its neighbours.
+TEST(LiverSegments, OfALiverThatTheProgramFoundAreDoubted) {
+    for (const bool given : {true, false}) {
+        PatientCase patient = patient_with_liver();
+        patient.source.parameters_json =
+            given ? R"({"liver_mask_given":true})" : R"({"liver_mask_given":false})";
+        Job job;
+        label_segments(patient, job);
+        ASSERT_TRUE(patient.doubts->segments.has_value());
+        EXPECT_EQ(patient.doubts->segments->liver_found, !given);
+        const auto told = sentences(*patient.doubts);
+        const auto names_it = [](const std::string& sentence) {
+            return sentence.find("give a mask of the liver") != std::string::npos;
+        };
+        EXPECT_EQ(std::ranges::count_if(told, names_it), given ? 0 : 1);
+        EXPECT_EQ(json_of(doubts_from(json_of(*patient.doubts))), json_of(*patient.doubts));
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

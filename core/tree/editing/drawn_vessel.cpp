@@ -48,23 +48,61 @@ class Walls {
     std::vector<VesselSegment> segments_;
 };
 
-}  // namespace
+// The part of a drawn curve that lies in no vessel that was there.
+struct FreePart {
+    std::size_t first = 0;
+    std::size_t last = 0;          // one behind
+    std::vector<double> radii_mm;  // of the whole curve
+};
 
-DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system) {
-    const std::size_t count = drawn.points_mm.size();
-    std::vector<std::uint8_t> inside;
+// A section that is measured nearer to a wall than its own radius takes in blood of the vessel
+// behind that wall. Where the curve touches a vessel, sections up to the first that keeps clear of
+// it are no wider than that one; where none does, no wider than the narrowest.
+void narrow_to_clear_section(FreePart& part, const std::vector<double>& beyond_wall_mm,
+                             bool at_begin) {
+    const auto at = [&](std::size_t step) {
+        return at_begin ? part.first + step : part.last - 1 - step;
+    };
+    const std::size_t count = part.last - part.first;
+    std::size_t clear = 0;
+    while (clear < count && beyond_wall_mm[at(clear)] < part.radii_mm[at(clear)]) ++clear;
+    double widest = std::numeric_limits<double>::infinity();
+    if (clear < count)
+        widest = part.radii_mm[at(clear)];
+    else
+        for (std::size_t step = 0; step < count; ++step)
+            widest = std::min(widest, part.radii_mm[at(step)]);
+    for (std::size_t step = 0; step < clear; ++step)
+        part.radii_mm[at(step)] = std::min(part.radii_mm[at(step)], widest);
+}
+
+// From the last point of the beginning within a lumen to the first at the end. Throws InputError
+// where more than half of the curve lies in vessels that are there.
+FreePart free_part(const VesselGraph& graph, const Centreline& drawn) {
+    std::vector<double> beyond_wall_mm;
     const Walls walls(graph);
     for (const Vec3& point : drawn.points_mm)
-        inside.push_back(walls.nearest(point).beyond_wall_mm < 0.0 ? 1 : 0);
-    if (2 * std::ranges::count(inside, 1) > std::ssize(inside))
+        beyond_wall_mm.push_back(walls.nearest(point).beyond_wall_mm);
+    const auto inside = [](double beyond) { return beyond < 0.0; };
+    if (2 * std::ranges::count_if(beyond_wall_mm, inside) > std::ssize(beyond_wall_mm))
         throw InputError("more than half of it lies in vessels that are there already",
                          place_text(drawn.points_mm.front()),
                          "Begin at the wall of the vessel and draw what is missing, or delete the "
                          "branch first");
-    // The free part: from the last point of the beginning within a lumen to the first at the end.
-    std::size_t first = 0, last = count;
-    while (inside[first] != 0) ++first;
-    while (inside[last - 1] != 0) --last;
+    FreePart part{0, drawn.points_mm.size(), drawn.radii_mm};
+    while (inside(beyond_wall_mm[part.first])) ++part.first;
+    while (inside(beyond_wall_mm[part.last - 1])) --part.last;
+    if (beyond_wall_mm.front() <= touch_mm) narrow_to_clear_section(part, beyond_wall_mm, true);
+    if (beyond_wall_mm.back() <= touch_mm) narrow_to_clear_section(part, beyond_wall_mm, false);
+    return part;
+}
+
+}  // namespace
+
+DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system) {
+    const FreePart part = free_part(graph, drawn);
+    const double radius_at_from = part.radii_mm[part.first];
+    const double radius_at_to = part.radii_mm[part.last - 1];
 
     DrawnVessel result;
     result.system = system;
@@ -80,10 +118,8 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
         return split_link(graph, beside.link, beside.along_mm, radius_mm);
     };
     VascularSystem at_from = system;
-    result.from =
-        node_at(drawn.points_mm.front(), drawn.radii_mm[first], result.grows_out, at_from);
-    result.to = node_at(drawn.points_mm.back(), drawn.radii_mm[last - 1], result.leads_in,
-                        result.system_at_to);
+    result.from = node_at(drawn.points_mm.front(), radius_at_from, result.grows_out, at_from);
+    result.to = node_at(drawn.points_mm.back(), radius_at_to, result.leads_in, result.system_at_to);
     if (result.from == result.to)
         throw InputError("both ends of the vessel lie at one point",
                          place_text(drawn.points_mm.front()), "Draw it from one place to another");
@@ -101,9 +137,9 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     const auto node_mm = [&](int node) {
         return graph.nodes[static_cast<std::size_t>(node)].position_mm;
     };
-    add(node_mm(result.from), drawn.radii_mm[first]);
-    for (std::size_t i = first; i < last; ++i) add(drawn.points_mm[i], drawn.radii_mm[i]);
-    add(node_mm(result.to), drawn.radii_mm[last - 1]);
+    add(node_mm(result.from), radius_at_from);
+    for (std::size_t i = part.first; i < part.last; ++i) add(drawn.points_mm[i], part.radii_mm[i]);
+    add(node_mm(result.to), radius_at_to);
     const double narrowest = *std::ranges::min_element(curve.radii_mm);
     curve = resampled(curve, std::max(0.5 * narrowest, 0.5));
     graph.links.push_back({result.from, result.to, result.system,

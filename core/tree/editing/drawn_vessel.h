@@ -20,9 +20,10 @@ struct DrawnVessel {
 };
 
 // Adds the link. Its part within the vessels that it grows out of becomes a straight way to their
-// centrelines. It has the system of the vessel at its beginning, else of that at its end, else
-// `system`. Throws InputError, which names its first point, where more than half of it lies in
-// vessels that are there, or where both ends are one place.
+// centrelines, and it is no wider beside their walls than where it is first clear of them. It has
+// the system of the vessel at its beginning, else of that at its end, else `system`. Throws
+// InputError, which names its first point, where more than half of it lies in vessels that are
+// there, or where both ends are one place.
 DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system);
 
 }  // namespace hepatica

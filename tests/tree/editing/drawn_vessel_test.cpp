@@ -64,6 +64,31 @@ TEST(DrawnVessel, GrowsOutOfTheVesselItBeginsIn) {
     for (const double radius : drawn.radii_mm) EXPECT_NEAR(radius, 1.2, 1e-9);
 }
 
+// The lumens of trunk and branch are one bright region where they meet: sections there are measured
+// as wide as both. Slanting branches stay beside the trunk for longer.
+TEST(DrawnVessel, IsNoFunnelBesideTheTrunkWhicheverWayItIsDrawn) {
+    const VesselTree before = tree_of(VascularSystem::portal);
+    for (const double slant_mm : {0.0, 8.0, 16.0})
+        for (const bool outwards : {true, false}) {
+            const Vec3 tip(24, 10 + slant_mm, 1.5);
+            Centreline line = straight(in_trunk, tip, 1.2);
+            for (std::size_t i = 0; i < line.points_mm.size(); ++i) {
+                const double beyond_wall = line.points_mm[i].x() - 3.6;
+                line.radii_mm[i] = std::max(1.2, 3.5 - 0.8 * std::max(0.0, beyond_wall));
+            }
+            if (!outwards) {
+                std::ranges::reverse(line.points_mm);
+                std::ranges::reverse(line.radii_mm);
+            }
+            const VesselTree after = edited(before, drawing_of(line));
+            const TreePoint end = nearest_point(after, tip);
+            const VesselSegment& drawn = after.segments[static_cast<std::size_t>(end.segment)];
+            // 2.0 is where the funnel is as wide as it is far from the wall.
+            for (const double radius : drawn.radii_mm) EXPECT_LT(radius, 2.1) << slant_mm;
+            EXPECT_NEAR(drawn.radii_mm.back(), 1.2, 1e-9);
+        }
+}
+
 TEST(DrawnVessel, DrawnTowardsTheTreeItHangsOnItAsWell) {
     const VesselTree before = tree_of(VascularSystem::hepatic);
     const VesselTree after = edited(before, drawing_of(straight(free_place, in_trunk, 1.2)));
