@@ -2,6 +2,7 @@
 #include "ui/case_editing.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "core/base/error.h"
@@ -122,21 +123,41 @@ void CaseEditing::accept(int bridge) {
     callbacks_.add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
 }
 
-VesselPen::Answer CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm) {
-    if (!workspace_.has_patient()) return {};
-    const VesselTree& tree = workspace_.patient()->tree;
+void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
+                       VesselPen::Answered answered) {
+    if (!workspace_.has_patient()) return answered({});
+    const std::shared_ptr<const PatientCase> patient = workspace_.patient();
+    const auto refuse = [answered, tell = callbacks_.not_drawn](const Failure& failure) {
+        tell(failure);
+        answered({false, "Not drawn: " + failure.problem + ". " + failure.remedy});
+    };
+    // The worker has its own part of the CT: another one may be shown while it ends.
+    Volume part;
     try {
-        const Centreline traced = traced_vessel(ct, places_mm, blood_contrast_hu(ct, tree));
-        const TreeEdit edit = drawing_of(traced);
-        edited(tree, edit);  // refused now, while its places can still be changed
-        callbacks_.add(edit);
-        return {true, QString("A vessel of %1 mm, radius %2 mm")
-                          .arg(arclengths_mm(traced.points_mm).back(), 0, 'f', 0)
-                          .arg(traced.radii_mm[traced.radii_mm.size() / 2], 0, 'f', 1)
-                          .toStdString()};
-    } catch (const InputError& error) {
-        return {false, "Not drawn: " + error.problem() + ". " + error.remedy()};
+        part = traced_part(ct, places_mm);
+    } catch (const InputError&) {
+        return refuse(failure_of(std::current_exception()));
     }
+    const double contrast_hu = blood_contrast_hu(ct, patient->tree);
+    BackgroundJob::Callbacks callbacks;
+    callbacks.failed = refuse;
+    callbacks.ended = [] {};
+    drawing_ = std::make_unique<BackgroundJob>(
+        [this, patient, part = std::move(part), places_mm, contrast_hu,
+         answered](Job& job) -> std::function<void()> {
+            const TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
+            edited(patient->tree, edit);  // refused now, while its places can still be changed
+            return [this, edit, answered] { add_drawn(edit, answered); };
+        },
+        std::move(callbacks));
+}
+
+void CaseEditing::add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered) {
+    callbacks_.add(edit);
+    answered({true, QString("A vessel of %1 mm, radius %2 mm")
+                        .arg(arclengths_mm(edit.path_mm).back(), 0, 'f', 0)
+                        .arg(edit.radii_mm[edit.radii_mm.size() / 2], 0, 'f', 1)
+                        .toStdString()});
 }
 
 }  // namespace hepatica

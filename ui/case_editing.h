@@ -5,11 +5,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/patient/corrections.h"
 #include "render/bridge_actor.h"
+#include "ui/background_job.h"
 #include "ui/edit_panel.h"
 #include "ui/slices/vessel_pen.h"
 #include "ui/workspace.h"
@@ -25,6 +27,7 @@ class CaseEditing {
         std::function<void()> redo;
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
+        std::function<void(const Failure&)> not_drawn;
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -36,10 +39,13 @@ class CaseEditing {
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);
     void accept(int bridge);
-    // A vessel was drawn through these places of the patient's CT.
-    VesselPen::Answer draw(const Volume& ct, const std::vector<Vec3>& places_mm);
+    // A vessel was drawn through these places of the patient's CT: it is followed beside the
+    // window. What was being drawn before ends unanswered.
+    void draw(const Volume& ct, const std::vector<Vec3>& places_mm, VesselPen::Answered answered);
+    void stop_drawing() { drawing_.reset(); }
 
   private:
+    void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
     void accept_all();
     // Lists and draws the gaps that are still to be decided and of enough confidence.
@@ -51,6 +57,7 @@ class CaseEditing {
     std::vector<Bridge> bridges_;  // that are shown, best first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
+    std::unique_ptr<BackgroundJob> drawing_;
 };
 
 }  // namespace hepatica

@@ -181,11 +181,12 @@ void MainWindow::build_slices(QWidget* parent) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };
     callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
-    callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places) {
-        if (review_->reviewing())
-            return VesselPen::Answer{false, "Not drawn: end the review first"};
-        return editing_->draw(ct, places);
+    callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,
+                            VesselPen::Answered answered) {
+        if (review_->reviewing()) return answered({false, "Not drawn: end the review first"});
+        editing_->draw(ct, places, std::move(answered));
     };
+    callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
 }
 
@@ -286,7 +287,8 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();
             },
-            [this](const QString& text) { statusBar()->showMessage(text, 8000); }});
+            [this](const QString& text) { statusBar()->showMessage(text, 8000); },
+            [this](const Failure& failure) { fail("Drawing a vessel", failure); }});
 }
 
 void MainWindow::build_tool_bar() {

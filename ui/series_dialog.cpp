@@ -23,14 +23,12 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
     const QString why = series.why_not_chosen.empty()
                             ? "the best for the liver's vessels"
                             : "of the best, " + QString::fromStdString(series.why_not_chosen);
-    QStringList warnings;
-    for (const std::string& warning : series.warnings) warnings << QString::fromStdString(warning);
-    auto* row = new QTreeWidgetItem(
-        {QString::number(number), QString::fromStdString(series.description),
-         QString::number(series.slices), spacing, QString::fromStdString(series.kernel),
-         QString::fromStdString(series.phase), why, warnings.join("; ")});
-    row->setToolTip(7, warnings.join("\n").toHtmlEscaped());
-    return row;
+    const auto warnings = series.warnings.size();
+    return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
+                                QString::number(series.slices), spacing,
+                                QString::fromStdString(series.kernel),
+                                QString::fromStdString(series.phase),
+                                warnings > 0 ? QString::number(warnings) : QString(), why});
 }
 
 constexpr int picture_points = 96;
@@ -70,7 +68,7 @@ class WithoutFocusFrame : public QStyledItemDelegate {
 }  // namespace
 
 SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget* parent)
-    : QDialog(parent), list_(new QTreeWidget(this)) {
+    : QDialog(parent), list_(new QTreeWidget(this)), warnings_(new QLabel(this)) {
     setWindowTitle("Choose a series");
     setMinimumSize(760, 280);
     resize(960, 460);
@@ -82,16 +80,19 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     list_->setWordWrap(true);
     list_->setIconSize(QSize(picture_points, picture_points));
     list_->setHeaderLabels(
-        {"", "Series", "Images", "Apart", "Kernel", "Phase", "Why", tr("Warnings")});
+        {"", "Series", "Images", "Apart", "Kernel", "Phase", tr("Warnings"), "Why"});
     for (const SeriesDescription& one : series)
         list_->addTopLevelItem(row_of(one, list_->topLevelItemCount() + 1));
     begin_pictures(series);
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
-    list_->setColumnWidth(7, 150);  // and wrapped
+    for (const auto& [index, widest] : {std::pair{1, 240}, std::pair{4, 90}, std::pair{5, 110}})
+        list_->setColumnWidth(index, std::min(list_->columnWidth(index), widest));  // and wrapped
+    show_warnings_of(series);
     list_->setCurrentItem(list_->topLevelItem(0));
     connect(list_, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
     column->addWidget(list_);
+    column->addWidget(warnings_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton("Open", QDialogButtonBox::AcceptRole)->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -101,6 +102,22 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
 }
 
 SeriesDialog::~SeriesDialog() = default;
+
+// In full: a column would be cut off where the window is narrow.
+void SeriesDialog::show_warnings_of(const std::vector<SeriesDescription>& series) {
+    warnings_->setObjectName("seriesWarnings");
+    warnings_->setTextFormat(Qt::PlainText);
+    warnings_->setWordWrap(true);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this, series](QTreeWidgetItem* item) {
+        QStringList lines;
+        const int row = list_->indexOfTopLevelItem(item);
+        if (row >= 0)
+            for (const std::string& warning : series[static_cast<std::size_t>(row)].warnings)
+                lines << QString::fromUtf8("\u26A0 ") + QString::fromStdString(warning);
+        warnings_->setText(lines.join("\n"));
+        warnings_->setVisible(!lines.empty());
+    });
+}
 
 void SeriesDialog::begin_pictures(const std::vector<SeriesDescription>& series) {
     std::vector<std::filesystem::path> slices;

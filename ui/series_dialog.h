@@ -9,6 +9,7 @@
 
 #include "core/image/volume_reader.h"
 
+class QLabel;
 class QTreeWidget;
 
 namespace hepatica {
@@ -27,9 +28,11 @@ class SeriesDialog : public QDialog {
 
   private:
     void begin_pictures(const std::vector<SeriesDescription>& series);
+    void show_warnings_of(const std::vector<SeriesDescription>& series);
     void show_picture(int row, const QImage& picture);
 
     QTreeWidget* list_;
+    QLabel* warnings_;  // of the series that is chosen
     std::unique_ptr<SeriesThumbnails> thumbnails_;
 };
 

@@ -96,7 +96,7 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
     for (std::size_t i = 0; i < options.places.size(); i += 3)
         places.emplace_back(options.places[i], options.places[i + 1], options.places[i + 2]);
     const Volume ct = image_of(patient, options.ct, job);
-    return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree)));
+    return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree), job));
 }
 
 // X,Y,Z,SYSTEM

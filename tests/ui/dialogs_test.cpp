@@ -163,12 +163,33 @@ TEST_F(Choosing, lists_what_tells_the_series_apart) {
         return cells.join(" | ").toStdString();
     };
     EXPECT_EQ(row(0),
-              "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase | the best for the "
-              "liver's vessels | ");
+              "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase |  | the best for the "
+              "liver's vessels");
     EXPECT_EQ(row(1),
-              "2 | 2 \"lung\" | 480 | unknown | B70f |  | of the best, its kernel is for soft "
-              "tissue | it is <odd>; it is long");
-    EXPECT_EQ(list().topLevelItem(1)->toolTip(7), "it is &lt;odd&gt;\nit is long");
+              "2 | 2 \"lung\" | 480 | unknown | B70f |  | 2 | of the best, its kernel is for soft "
+              "tissue");
+}
+
+// In full beneath the list, wherever its columns end.
+TEST_F(Choosing, says_what_is_wrong_with_the_series_that_is_chosen) {
+    const auto* warnings = dialog_.findChild<QLabel*>("seriesWarnings");
+    EXPECT_FALSE(warnings->isVisible());
+    QTest::keyClick(&list(), Qt::Key_Down);
+    EXPECT_TRUE(warnings->isVisible());
+    EXPECT_EQ(warnings->text().toStdString(), "⚠ it is <odd>\n⚠ it is long");
+    EXPECT_TRUE(warnings->wordWrap());
+    QTest::keyClick(&list(), Qt::Key_Up);
+    EXPECT_FALSE(warnings->isVisible());
+}
+
+// At the size it opens with, no column hides behind the edge.
+TEST_F(Choosing, shows_all_columns) {
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog_, testing::patience_ms));
+    int widths = 0;
+    for (int column = 0; column < list().columnCount(); ++column)
+        widths += list().columnWidth(column);
+    EXPECT_LE(widths, list().viewport()->width());
+    EXPECT_GE(list().columnWidth(list().columnCount() - 1), 150) << "the reason";
 }
 
 TEST_F(Choosing, takes_the_best_by_enter_alone) {

@@ -185,7 +185,20 @@ TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     for (const Vec3& place : {begin, Vec3(0.5 * (begin + end)), end})
         QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(place).toPoint());
     const std::size_t before = saved().tree.segments.size();
+    // It is followed beside the window; until then its places stay, and Escape stops it.
+    const VesselPen& pen = views.slices().pen();
+    QTest::mouseClick(&child<QPushButton>("drawVessel"), Qt::LeftButton);
+    EXPECT_FALSE(child<QPushButton>("drawVessel").hasFocus()) << "the keys are the slice's";
+    EXPECT_TRUE(pen.draws());
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(begin).toPoint());
+    QTest::keyClick(&axial, Qt::Key_Delete);
+    EXPECT_EQ(pen.places_mm().size(), 3u);
+    QTest::keyClick(&axial, Qt::Key_Escape);
+    EXPECT_FALSE(pen.draws());
+    EXPECT_EQ(pen.places_mm().size(), 3u);
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().startsWith("Not drawn: it was stopped"));
     child<QPushButton>("drawVessel").click();
+    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
     ASSERT_EQ(saved().corrections.edits.size(), 1u);
     EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::draw_vessel);
     EXPECT_EQ(saved_.tree.segments.size(), before + 2);  // the trunk has a fork more

@@ -3,6 +3,7 @@
 #include "core/image/volume_writer.h"
 #include "core/patient/image_digest.h"
 #include "tests/ui/fake_window_test.h"
+#include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
 #include "ui/slices/view_layout.h"
@@ -265,6 +266,7 @@ TEST_F(Slices, TakePlacesOfAVesselThatIsDrawn) {
     QTest::keyClick(&coronal, Qt::Key_Return);
     EXPECT_TRUE(said->text().startsWith("Not drawn: two places that follow each other are more"))
         << said->text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains("more than 50 mm apart")) << "in full";
     EXPECT_EQ(pen.places_mm().size(), 2u);
     // By keys alone: the arrows lead, Enter sets a place.
     QTest::keyClick(&coronal, Qt::Key_Right);

@@ -132,8 +132,9 @@ QWidget* SliceBar::draw_button() {
     draw_->setObjectName("drawVessel");
     draw_->setToolTip("Follows the vessel through the places that were clicked (Enter)");
     draw_->setVisible(false);
-    connect(draw_, &QPushButton::clicked, this,
-            [this] { say(QString::fromStdString(scene_.pen().finish())); });
+    draw_->setFocusPolicy(Qt::TabFocus);  // after a click Delete still takes back a place
+    connect(draw_, &QPushButton::clicked, this, [this] { scene_.pen().finish(); });
+    scene_.pen().on_say([this](const std::string& text) { say(QString::fromStdString(text)); });
     return draw_;
 }
 
@@ -142,7 +143,7 @@ void SliceBar::follow_click() {
     const auto kind = scene_.measurements().chosen();
     click_->setCurrentIndex(pen.taken() ? draws_vessel : kind ? 1 + static_cast<int>(*kind) : 0);
     draw_->setVisible(pen.taken());
-    draw_->setEnabled(pen.places_mm().size() >= 2);
+    draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
 }
 
 void SliceBar::say(const QString& text) {

@@ -416,7 +416,7 @@ void SliceView::draw_by_key(int key) {
     else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
         pen.remove_last();
     else if (!pen.places_mm().empty() && pen.places_mm().back() == scene_.crosshair_mm())
-        say(pen.finish());
+        pen.finish();
     else
         set_place(scene_.crosshair_mm());
 }

@@ -4,32 +4,51 @@
 namespace hepatica {
 
 void VesselPen::set_taken(bool taken) {
+    if (draws_) stop();
     taken_ = taken;
     places_mm_.clear();
     tell();
 }
 
 void VesselPen::add(const Vec3& place_mm) {
+    if (draws_) return;
     places_mm_.push_back(place_mm);
     tell();
 }
 
 void VesselPen::remove_last() {
+    if (draws_) return;
     if (!places_mm_.empty()) places_mm_.pop_back();
     tell();
 }
 
 void VesselPen::give_up() {
-    set_taken(!places_mm_.empty());
+    if (!draws_) return set_taken(!places_mm_.empty());
+    stop();
+    tell();
+    say_("Not drawn: it was stopped. Enter draws it, Escape drops its places");
 }
 
-std::string VesselPen::finish() {
-    if (places_mm_.size() < 2) return "A vessel needs two places at least: click on the next one";
-    if (!draw_) return {};
-    const Answer answer = draw_(places_mm_);
+void VesselPen::finish() {
+    if (draws_ || !drawing_.begin) return;
+    if (places_mm_.size() < 2)
+        return say_("A vessel needs two places at least: click on the next one");
+    draws_ = true;
+    tell();
+    say_("Following the vessel; Escape stops it");
+    drawing_.begin(places_mm_, [this](const Answer& answer) { take(answer); });
+}
+
+void VesselPen::take(const Answer& answer) {
+    draws_ = false;
     if (answer.drawn) places_mm_.clear();
     tell();
-    return answer.text;
+    say_(answer.text);
+}
+
+void VesselPen::stop() {
+    drawing_.stop();
+    draws_ = false;
 }
 
 void VesselPen::tell() const {

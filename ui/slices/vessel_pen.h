@@ -20,30 +20,44 @@ class VesselPen {
         bool drawn = false;
         std::string text;
     };
-    using Draw = std::function<Answer(const std::vector<Vec3>& places_mm)>;
+    using Answered = std::function<void(const Answer&)>;
+    // Draws beside the window, and answers once, at once or later; not after `stop`, which ends
+    // what is being drawn.
+    struct Drawing {
+        std::function<void(const std::vector<Vec3>& places_mm, Answered)> begin;
+        std::function<void()> stop = [] {};
+    };
 
     // Whenever anything below was changed.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
-    void on_draw(Draw draw) { draw_ = std::move(draw); }
+    void on_draw(Drawing drawing) { drawing_ = std::move(drawing); }
+    // What to tell the person.
+    void on_say(std::function<void(const std::string&)> say) { say_ = std::move(say); }
 
     // Whether places are for it. Either way what is half drawn is dropped.
     void set_taken(bool taken);
     bool taken() const { return taken_; }
 
+    // While a vessel is being drawn its places stay as they are.
     void add(const Vec3& place_mm);
     void remove_last();
-    // Drops the places; where there are none, puts the pen away.
+    // Ends what is being drawn; else drops the places; where there are none, puts the pen away.
     void give_up();
-    // Draws, from two places on; returns what to tell the person.
-    std::string finish();
+    // Draws, from two places on.
+    void finish();
+    bool draws() const { return draws_; }
 
     const std::vector<Vec3>& places_mm() const { return places_mm_; }
 
   private:
     void tell() const;
+    void stop();
+    void take(const Answer& answer);
 
-    Draw draw_;
+    Drawing drawing_;
+    std::function<void(const std::string&)> say_ = [](const std::string&) {};
     bool taken_ = false;
+    bool draws_ = false;
     std::vector<Vec3> places_mm_;
     std::vector<std::function<void()>> watchers_;
 };

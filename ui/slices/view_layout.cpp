@@ -44,8 +44,10 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       view_(view) {
     build(view);
     scene_.on_change([this] { mark_crosshair(); });
-    scene_.pen().on_draw(
-        [this](const std::vector<Vec3>& places) { return callbacks_.draw(scene_.ct(), places); });
+    scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
+                              callbacks_.draw(scene_.ct(), places, std::move(answered));
+                          },
+                          [this] { callbacks_.stop_drawing(); }});
     arrange();
 }
 

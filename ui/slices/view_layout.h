@@ -31,8 +31,9 @@ class ViewLayout : public QWidget {
         // To be marked in the three-dimensional view; none: nothing is.
         std::function<void(const std::optional<Vec3>&)> crosshair;
         std::function<void(const Failure&)> failed;
-        // A vessel was drawn through these places of the CT.
-        std::function<VesselPen::Answer(const Volume&, const std::vector<Vec3>&)> draw;
+        // A vessel was drawn through these places of the CT, which stays until it is answered.
+        std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
+        std::function<void()> stop_drawing;
     };
     // Takes over the view.
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);

@@ -25,6 +25,7 @@ constexpr double smoothing_mm = 0.5;      // against noise
 constexpr double least_contrast_hu = 15;  // as for gaps (gap_bridging.cpp)
 constexpr double longest_step_mm = 50.0;
 constexpr double same_place_mm = 0.5;
+constexpr std::size_t voxels_between_checks = 4096;
 constexpr double wide_voxels = 3.0;  // radius from which the middle of a lumen is not blurred
 
 // The voxel of a position that lies inside: on the very face of the grid the outermost one.
@@ -76,10 +77,9 @@ IndexBox box_around(const Grid& grid, const std::vector<Vec3>& places_mm) {
 
 class Tracer {
   public:
-    Tracer(Volume ct, std::vector<Vec3> places_mm)
-        : ct_(std::move(ct)), places_mm_(std::move(places_mm)), smooth_(to_float(ct_)) {
-        Job job;
-        gaussian_smooth(smooth_, Vec3::Constant(smoothing_mm), job);
+    Tracer(Volume ct, std::vector<Vec3> places_mm, Job& job)
+        : ct_(std::move(ct)), places_mm_(std::move(places_mm)), job_(job), smooth_(to_float(ct_)) {
+        gaussian_smooth(smooth_, Vec3::Constant(smoothing_mm), job_);
         background_hu_ = median(smooth_.voxels);
         std::vector<float> seen;
         for (const Vec3& place : places_mm_) seen.push_back(brightest_beside(place));
@@ -94,16 +94,18 @@ class Tracer {
     }
 
     Centreline centreline(double blood_contrast_hu) const {
-        Mask lumen = lumen_around(path([this](const Vec3& place) { return brightness(place); }));
+        Mask lumen =
+            lumen_around(path([this](const Vec3& place) { return brightness(place); }, 0.0));
         // That path cuts corners along the inner wall; the next one is cheap where the lumen is
         // deep.
-        Job job;
-        const FloatVolume outside_mm = signed_distance(lumen, job);
+        const FloatVolume outside_mm = signed_distance(lumen, job_);
         const double voxel_mm = std::cbrt(ct_.grid.spacing_mm.prod());
-        const std::vector<Index3> voxels = path([&](const Vec3& place) {
-            const double depth_mm = std::max(0.0, -interpolate(outside_mm, place));
-            return depth_mm / (depth_mm + voxel_mm);
-        });
+        const std::vector<Index3> voxels = path(
+            [&](const Vec3& place) {
+                const double depth_mm = std::max(0.0, -interpolate(outside_mm, place));
+                return depth_mm / (depth_mm + voxel_mm);
+            },
+            0.4);
         for (const Index3& voxel : voxels) lumen.voxels[offset_of(ct_.grid, voxel)] = 1;
         return measured(voxels, lumen, blood_contrast_hu);
     }
@@ -142,16 +144,21 @@ class Tracer {
         // What the clicks show is no more than what is there: thin vessels are blurred.
         const double contrast_hu = std::max(blood_contrast_hu, vessel_hu_ - background_hu_);
         measure_lumen(
-            graph, lumen, &ct_, [](double) {}, contrast_hu);
+            graph, lumen, &ct_, [this](double done) { job_.advance(0.8 + 0.2 * done); },
+            contrast_hu);
         return {graph.links[0].points_mm, graph.links[0].radii_mm};
     }
 
     using Brightness = std::function<double(const Vec3&)>;
 
-    // Voxels from click to click.
-    std::vector<Index3> path(const Brightness& bright) const {
+    // Voxels from click to click; `done` is the share of the work before.
+    std::vector<Index3> path(const Brightness& bright, double done) const {
         std::vector<Index3> voxels;
-        for (std::size_t i = 1; i < places_mm_.size(); ++i) add_path(i, bright, voxels);
+        for (std::size_t i = 1; i < places_mm_.size(); ++i) {
+            add_path(i, bright, voxels);
+            job_.advance(done +
+                         0.4 * static_cast<double>(i) / static_cast<double>(places_mm_.size() - 1));
+        }
         return voxels;
     }
 
@@ -161,16 +168,26 @@ class Tracer {
         const Index3 goal = voxel_at(ct_.grid, places_mm_[to]);
         if (voxels.empty()) voxels.push_back(start);
         if (start == goal) return;
+        // Long vessels wind through a large part of the CT, of which a step needs little.
+        const IndexBox box = box_around(ct_.grid, {places_mm_[to - 1], places_mm_[to]});
+        const Grid around = crop(ct_.grid, box);
+        const auto within = [&](const Index3& voxel) {
+            return Index3{voxel[0] - box.begin[0], voxel[1] - box.begin[1],
+                          voxel[2] - box.begin[2]};
+        };
         GapSearch search;
-        search.grid = &ct_.grid;
-        search.piece_of = [wanted = offset_of(ct_.grid, goal)](std::size_t offset) {
+        search.grid = &around;
+        search.piece_of = [wanted = offset_of(around, within(goal))](std::size_t offset) {
             return offset == wanted ? 1 : -1;
         };
         search.goal_mm = ct_.grid.to_mm(goal[0], goal[1], goal[2]);
-        search.brightness = bright;
+        search.brightness = [&](const Vec3& place) {
+            if (++asked_ % voxels_between_checks == 0) job_.throw_if_cancelled();
+            return bright(place);
+        };
         // The box is all that there is to search, and its darkest way is not refused.
         search.longest_gap_mm = search.longest_cost_mm = std::numeric_limits<double>::infinity();
-        const std::vector<GapPath> paths = gap_paths(search, 0, start);
+        const std::vector<GapPath> paths = gap_paths(search, 0, within(start));
         for (std::size_t i = 1; i < paths.front().points_mm.size(); ++i)
             voxels.push_back(voxel_at(ct_.grid, paths.front().points_mm[i]));
     }
@@ -201,7 +218,9 @@ class Tracer {
 
     Volume ct_;
     std::vector<Vec3> places_mm_;
+    Job& job_;
     FloatVolume smooth_;
+    mutable std::size_t asked_ = 0;  // voxels that were asked for their brightness
     double background_hu_ = 0.0;
     double vessel_hu_ = 0.0;
 };
@@ -228,10 +247,15 @@ double blood_contrast_hu(const Volume& ct, const VesselTree& tree) {
 }
 
 Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
-                         double blood_contrast_hu) {
+                         double blood_contrast_hu, Job& job) {
+    job.begin_stage("Following the vessel");
     std::vector<Vec3> places = checked(ct, clicks_mm);
     Volume around = crop(ct, box_around(ct.grid, places));
-    return Tracer(std::move(around), std::move(places)).centreline(blood_contrast_hu);
+    return Tracer(std::move(around), std::move(places), job).centreline(blood_contrast_hu);
+}
+
+Volume traced_part(const Volume& ct, const std::vector<Vec3>& clicks_mm) {
+    return crop(ct, box_around(ct.grid, checked(ct, clicks_mm)));
 }
 
 }  // namespace hepatica

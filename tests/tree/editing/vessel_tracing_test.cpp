@@ -51,43 +51,48 @@ double off_axis_mm(const Vec3& p) {
     return std::hypot(std::hypot(off.x(), off.y()) - arc_mm, off.z());
 }
 
+Centreline traced(const Volume& ct, const std::vector<Vec3>& clicks_mm, double contrast_hu = 0.0) {
+    Job job;
+    return traced_vessel(ct, clicks_mm, contrast_hu, job);
+}
+
 TEST(TracedVessel, FollowsABendBetweenTwoClicks) {
     // The chord leaves the tube by far: 15 - 15 cos(70 degrees) = 9.9 mm.
-    const Centreline traced = traced_vessel(bent_tube(), {on_arc(20), on_arc(160)});
-    ASSERT_EQ(traced.points_mm.size(), traced.radii_mm.size());
-    EXPECT_NEAR(arclengths_mm(traced.points_mm).back(), 140.0 / 180.0 * std::numbers::pi * arc_mm,
+    const Centreline line = traced(bent_tube(), {on_arc(20), on_arc(160)});
+    ASSERT_EQ(line.points_mm.size(), line.radii_mm.size());
+    EXPECT_NEAR(arclengths_mm(line.points_mm).back(), 140.0 / 180.0 * std::numbers::pi * arc_mm,
                 1.5);
-    EXPECT_LT((traced.points_mm.front() - on_arc(20)).norm(), 0.8);
-    EXPECT_LT((traced.points_mm.back() - on_arc(160)).norm(), 0.8);
-    for (std::size_t i = 0; i < traced.points_mm.size(); ++i) {
-        EXPECT_LT(off_axis_mm(traced.points_mm[i]), 0.7) << i;
-        EXPECT_NEAR(traced.radii_mm[i], tube_mm, 0.15 * tube_mm) << i;
+    EXPECT_LT((line.points_mm.front() - on_arc(20)).norm(), 0.8);
+    EXPECT_LT((line.points_mm.back() - on_arc(160)).norm(), 0.8);
+    for (std::size_t i = 0; i < line.points_mm.size(); ++i) {
+        EXPECT_LT(off_axis_mm(line.points_mm[i]), 0.7) << i;
+        EXPECT_NEAR(line.radii_mm[i], tube_mm, 0.15 * tube_mm) << i;
     }
 }
 
 TEST(TracedVessel, GoesThroughEveryPlace) {
     // The long way round the ring.
-    const Centreline traced =
-        traced_vessel(bent_tube(), {on_arc(20), on_arc(-60), on_arc(-120), on_arc(160)});
-    EXPECT_NEAR(arclengths_mm(traced.points_mm).back(), 220.0 / 180.0 * std::numbers::pi * arc_mm,
+    const Centreline line =
+        traced(bent_tube(), {on_arc(20), on_arc(-60), on_arc(-120), on_arc(160)});
+    EXPECT_NEAR(arclengths_mm(line.points_mm).back(), 220.0 / 180.0 * std::numbers::pi * arc_mm,
                 2.5);
-    for (std::size_t i = 0; i < traced.points_mm.size(); ++i)
-        EXPECT_LT(off_axis_mm(traced.points_mm[i]), 0.7) << i;
+    for (std::size_t i = 0; i < line.points_mm.size(); ++i)
+        EXPECT_LT(off_axis_mm(line.points_mm[i]), 0.7) << i;
 }
 
 TEST(TracedVessel, ClicksBesideTheAxisAreDrawnIntoTheLumen) {
     const Vec3 beside(0.8, 0.9, 0.9);
-    const Centreline traced =
-        traced_vessel(bent_tube(), {on_arc(30) + beside, on_arc(90) - beside, on_arc(150)});
-    for (std::size_t i = 4; i + 4 < traced.points_mm.size(); ++i)
-        EXPECT_LT(off_axis_mm(traced.points_mm[i]), 0.8) << i;
+    const Centreline line =
+        traced(bent_tube(), {on_arc(30) + beside, on_arc(90) - beside, on_arc(150)});
+    for (std::size_t i = 4; i + 4 < line.points_mm.size(); ++i)
+        EXPECT_LT(off_axis_mm(line.points_mm[i]), 0.8) << i;
 }
 
 TEST(TracedVessel, RefusesWhatItCannotFollow) {
     const Volume ct = bent_tube();
     const auto problem_of = [&](const std::vector<Vec3>& clicks) -> std::string {
         try {
-            traced_vessel(ct, clicks);
+            traced(ct, clicks);
         } catch (const InputError& error) {
             return error.problem();
         }
@@ -105,15 +110,52 @@ TEST(TracedVessel, RefusesWhatItCannotFollow) {
     EXPECT_NE(problem_of({Vec3(2, 2, -0.5), Vec3(12, 3, -0.5)}).find("15 HU"), std::string::npos);
 }
 
+TEST(TracedVessel, IsTheSameInThePartOfTheCtThatItNeeds) {
+    const Volume ct = bent_tube();
+    const std::vector<Vec3> clicks{on_arc(20), on_arc(50)};
+    const Volume part = traced_part(ct, clicks);
+    EXPECT_LT(part.voxels.size(), ct.voxels.size());
+    const Centreline of_part = traced(part, clicks), of_whole = traced(ct, clicks);
+    ASSERT_EQ(of_part.points_mm.size(), of_whole.points_mm.size());
+    for (std::size_t i = 0; i < of_part.points_mm.size(); ++i) {
+        EXPECT_LT((of_part.points_mm[i] - of_whole.points_mm[i]).norm(), 1e-9);
+        EXPECT_NEAR(of_part.radii_mm[i], of_whole.radii_mm[i], 1e-9);
+    }
+    EXPECT_THROW(traced_part(ct, {on_arc(20)}), InputError);
+}
+
+// The search itself asks, not only what comes before and after it.
+TEST(TracedVessel, EndsWhereItIsCancelled) {
+    const ThreadLimit limit(1);  // so that it asks in the same order each time
+    const Volume ct = bent_tube();
+    const std::vector<Vec3> clicks{on_arc(20), on_arc(90), on_arc(160)};
+    int asked = 0;
+    {
+        Job job;
+        job.observe([&](JobEvent) { ++asked; });
+        traced_vessel(ct, clicks, 0.0, job);
+    }
+    ASSERT_GT(asked, 6);
+    for (const int at : {1, asked / 3, asked / 2}) {
+        Job job;
+        int so_far = 0;
+        job.observe([&](JobEvent) {
+            if (++so_far == at) job.cancel();
+        });
+        EXPECT_THROW(traced_vessel(ct, clicks, 0.0, job), Cancelled) << at;
+        EXPECT_LE(so_far, at + 1);
+    }
+}
+
 TEST(TracedVessel, SameBytesForAnyNumberOfThreads) {
     const Volume ct = bent_tube();
-    std::vector<Centreline> traced;
+    std::vector<Centreline> lines;
     for (const int threads : {1, 3}) {
         const ThreadLimit limit(threads);
-        traced.push_back(traced_vessel(ct, {on_arc(20), on_arc(160)}));
+        lines.push_back(traced(ct, {on_arc(20), on_arc(160)}));
     }
-    EXPECT_EQ(traced[0].points_mm, traced[1].points_mm);
-    EXPECT_EQ(traced[0].radii_mm, traced[1].radii_mm);
+    EXPECT_EQ(lines[0].points_mm, lines[1].points_mm);
+    EXPECT_EQ(lines[0].radii_mm, lines[1].radii_mm);
 }
 
 // Every branch of a synthetic patient that is wide enough to be seen, with noise and the blur of a
@@ -143,11 +185,11 @@ TEST(TracedVessel, FindsTheBranchesOfSyntheticPatients) {
             for (const double share : {0.15, 0.5, 0.95})
                 clicks.push_back(station_at(segment, share * length).position_mm +
                                  Vec3(miss(random), miss(random), miss(random)));
-            const Centreline traced = traced_vessel(phantom.ct, clicks, contrast_hu);
-            const std::size_t middle = traced.points_mm.size() / 2;
-            bias += traced.radii_mm[middle] / radius - 1.0;
+            const Centreline line = traced(phantom.ct, clicks, contrast_hu);
+            const std::size_t middle = line.points_mm.size() / 2;
+            bias += line.radii_mm[middle] / radius - 1.0;
             double worst = 0.0;
-            for (const Vec3& point : traced.points_mm) {
+            for (const Vec3& point : line.points_mm) {
                 const double off = nearest_station(segment, point).distance_mm;
                 off_sum += off;
                 off_count += 1.0;
