@@ -24,6 +24,14 @@ constexpr int deepest_nesting = 32;
 constexpr std::uint32_t pixel_data = 0x7fe00010;
 constexpr std::uint32_t transfer_syntax_uid = 0x00020010;
 constexpr std::uint32_t modality_lut = 0x00283000;
+constexpr std::uint32_t contrast_agents = 0x00180012;
+// Functional groups (PS3.3 C.7.6.16), the sequences within them that are looked into, and what is
+// taken out of those.
+constexpr std::array<std::uint32_t, 2> functional_groups{0x52009229, 0x52009230};
+constexpr std::array<std::uint32_t, 4> described_in{0x00209113, 0x00209116, 0x00289110, 0x00189314};
+constexpr std::array<std::uint32_t, 4> group_values_kept{0x00200032, 0x00200037, 0x00280030,
+                                                         0x00181210};
+constexpr std::size_t most_group_values = 100'000;  // of one kind: no scan has as many frames
 constexpr std::uint32_t item = 0xfffee000;
 constexpr std::uint32_t item_end = 0xfffee00d;
 constexpr std::uint32_t sequence_end = 0xfffee0dd;
@@ -119,10 +127,13 @@ class Parser {
     // Keeps short values, steps over the rest.
     void take(const ElementHead& head, const DataEncoding& encoding, DicomHeader& header) {
         if (head.tag == modality_lut && head.length > 0) header.has_modality_lut = true;
-        if (head.length == undefined_length) {
-            // A sequence of unknown kind is encoded without value representations.
-            const bool unknown = head.vr[0] == 'U';
-            skip_sequence({encoding.explicit_vr && !unknown, encoding.big_endian}, 0);
+        if (head.tag == contrast_agents && head.length > 0) header.has_contrast_agents = true;
+        // A sequence of unknown kind is encoded without value representations.
+        const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
+        if (std::ranges::count(functional_groups, head.tag) > 0) {
+            look_into(head.length, within, 0, header);
+        } else if (head.length == undefined_length) {
+            skip_sequence(within, 0);
         } else if (head.length > longest_value || head.vr == std::array<char, 2>{'S', 'Q'}) {
             skip(head.length);
         } else {
@@ -130,6 +141,53 @@ class Parser {
             read(value.data(), value.size());
             header.values[head.tag] = std::move(value);
         }
+    }
+
+    // Where what begins here and has this length ends; the file's end where it does not say.
+    std::uint64_t end_of(std::uint32_t length) const {
+        if (length == undefined_length) return size_;
+        if (length > size_ - position_) throw Damaged();
+        return position_ + length;
+    }
+
+    // Calls `each` for the heads of what a sequence or an item holds, up to its end.
+    template <typename Each>
+    void for_each(std::uint32_t length, std::uint32_t last, const DataEncoding& encoding,
+                  const Each& each) {
+        const std::uint64_t end = end_of(length);
+        while (length == undefined_length || position_ < end) {
+            const ElementHead head = read_head(encoding);
+            if (head.tag == last && length == undefined_length) return;
+            each(head);
+            if (position_ > end) throw Damaged();
+        }
+    }
+
+    // A sequence of items that describe frames.
+    void look_into(std::uint32_t length, const DataEncoding& encoding, int depth,
+                   DicomHeader& header) {
+        if (depth > deepest_nesting) throw Damaged();
+        for_each(length, sequence_end, encoding, [&](const ElementHead& one) {
+            if (one.tag != item) throw Damaged();
+            for_each(one.length, item_end, encoding, [&](const ElementHead& head) {
+                take_of_group(head, encoding, depth, header);
+            });
+        });
+    }
+
+    void take_of_group(const ElementHead& head, const DataEncoding& encoding, int depth,
+                       DicomHeader& header) {
+        const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
+        if (std::ranges::count(described_in, head.tag) > 0)
+            return look_into(head.length, within, depth + 1, header);
+        if (head.length == undefined_length) return skip_sequence(within, depth + 1);
+        const bool kept = std::ranges::count(group_values_kept, head.tag) > 0 &&
+                          head.length <= longest_value &&
+                          header.group_values[head.tag].size() < most_group_values;
+        if (!kept) return skip(head.length);
+        std::string value(head.length, '\0');
+        read(value.data(), value.size());
+        header.group_values[head.tag].push_back(std::move(value));
     }
 
     void skip_sequence(const DataEncoding& encoding, int depth) {
@@ -231,6 +289,25 @@ std::optional<std::vector<double>> DicomHeader::numbers_if_sound(std::uint16_t g
 
 std::vector<double> DicomHeader::numbers(std::uint16_t group, std::uint16_t element) const {
     return numbers_if_sound(group, element).value_or(std::vector<double>{});
+}
+
+std::vector<std::vector<double>> DicomHeader::group_numbers(std::uint16_t group,
+                                                            std::uint16_t element) const {
+    std::vector<std::vector<double>> all;
+    const auto found = group_values.find(static_cast<std::uint32_t>(group) << 16 | element);
+    if (found == group_values.end()) return all;
+    for (const std::string& value : found->second) {
+        std::string list = trimmed(value);
+        std::ranges::replace(list, '\\', ' ');
+        all.push_back(hepatica::numbers(list).value_or(std::vector<double>{}));
+    }
+    return all;
+}
+
+std::string DicomHeader::group_text(std::uint16_t group, std::uint16_t element) const {
+    const auto found = group_values.find(static_cast<std::uint32_t>(group) << 16 | element);
+    return found == group_values.end() || found->second.empty() ? ""
+                                                                : trimmed(found->second.front());
 }
 
 int DicomHeader::unsigned_short(std::uint16_t group, std::uint16_t element, int otherwise) const {

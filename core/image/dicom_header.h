@@ -28,6 +28,10 @@ struct DicomHeader {
     bool big_endian = false;
     bool has_pixels = false;
     bool has_modality_lut = false;     // a Modality LUT Sequence (0028,3000) that is not empty
+    bool has_contrast_agents = false;  // a Contrast/Bolus Agent Sequence (0018,0012), likewise
+    // Of an enhanced file: what its functional groups (5200,9229 and 5200,9230) say of position,
+    // orientation, pixel spacing and kernel, in their order; keyed as above.
+    std::map<std::uint32_t, std::vector<std::string>> group_values;
     bool compressed = false;           // the pixels are in fragments of a JPEG, RLE ... stream
     std::uint64_t pixel_offset = 0;    // of the first pixel, where they are not compressed
     std::uint64_t pixel_bytes = 0;     // length as the file states it; 0 where compressed
@@ -44,6 +48,11 @@ struct DicomHeader {
     // The same, or nothing where one of them is none; empty where the value is missing or blank.
     std::optional<std::vector<double>> numbers_if_sound(std::uint16_t group,
                                                         std::uint16_t element) const;
+    // The same of the functional groups, for each time that the value stands there.
+    std::vector<std::vector<double>> group_numbers(std::uint16_t group,
+                                                   std::uint16_t element) const;
+    // Trimmed, of the first; "" where there is none.
+    std::string group_text(std::uint16_t group, std::uint16_t element) const;
     // A 16-bit value, or `otherwise` where it is missing.
     int unsigned_short(std::uint16_t group, std::uint16_t element, int otherwise = 0) const;
 };

@@ -20,10 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void read_geometry(const DicomHeader& header, DicomSlice& slice) {
-    const std::vector<double> position = header.numbers(0x0020, 0x0032);
-    const std::vector<double> axes = header.numbers(0x0020, 0x0037);
-    const std::vector<double> spacing = header.numbers(0x0028, 0x0030);
+// `position`, `axes`, `spacing`: values of (0020,0032), (0020,0037) and (0028,0030).
+void set_geometry(const std::vector<double>& position, const std::vector<double>& axes,
+                  const std::vector<double>& spacing, DicomSlice& slice) {
     if (position.size() != 3 || axes.size() != 6 || spacing.size() != 2) return;
     slice.position_mm = Vec3(position[0], position[1], position[2]);
     slice.row_axis = Vec3(axes[0], axes[1], axes[2]);
@@ -33,6 +32,31 @@ void read_geometry(const DicomHeader& header, DicomSlice& slice) {
     slice.has_geometry = slice.position_mm.allFinite() && slice.row_axis.allFinite() &&
                          slice.column_axis.allFinite() && std::isfinite(spacing[0]) &&
                          std::isfinite(spacing[1]);
+}
+
+void read_geometry(const DicomHeader& header, DicomSlice& slice) {
+    set_geometry(header.numbers(0x0020, 0x0032), header.numbers(0x0020, 0x0037),
+                 header.numbers(0x0028, 0x0030), slice);
+}
+
+// An enhanced file says of its frames in functional groups what a classic slice says of itself.
+// What frames share and what is the first one's stands for all; they are ordered once they are
+// split.
+void read_functional_groups(const DicomHeader& header, DicomSlice& slice) {
+    if (slice.kernel.empty()) slice.kernel = header.group_text(0x0018, 0x1210);
+    slice.contrast_agent = slice.contrast_agent || header.has_contrast_agents;
+    const auto positions = header.group_numbers(0x0020, 0x0032);
+    const auto axes = header.group_numbers(0x0020, 0x0037);
+    const auto spacings = header.group_numbers(0x0028, 0x0030);
+    if (positions.empty() || axes.empty() || spacings.empty()) return;
+    set_geometry(positions.front(), axes.front(), spacings.front(), slice);
+    if (!slice.has_geometry || positions.size() != static_cast<std::size_t>(slice.frames)) return;
+    for (const std::vector<double>& position : positions) {
+        const bool sound = position.size() == 3 && std::isfinite(position[0]) &&
+                           std::isfinite(position[1]) && std::isfinite(position[2]);
+        if (!sound) return slice.frame_positions_mm.clear();
+        slice.frame_positions_mm.emplace_back(position[0], position[1], position[2]);
+    }
 }
 
 // A number that changes every Hounsfield unit: absent, or sound, or the slice cannot be read.
@@ -159,6 +183,7 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     slice.stated_tilt_degrees = one_number(header, 0x0018, 0x1120);
     slice.stated_spacing_mm = std::abs(one_number(header, 0x0018, 0x0088));
     read_geometry(header, slice);
+    if (slice.enhanced) read_functional_groups(header, slice);
     read_pixel_format(header, slice);
     return slice;
 }

@@ -24,7 +24,7 @@ struct DicomSlice {
     std::string modality;              // "CT", "MR" ...; may be blank
     std::string kernel;           // of the CT's reconstruction, as its maker calls it; may be blank
     std::string image_type;       // ORIGINAL\\PRIMARY\\AXIAL ...
-    bool contrast_agent = false;  // one is named
+    bool contrast_agent = false;  // one is named, or told of
     std::string acquisition;      // its number; may be blank
     // Why the slice's values cannot be read as Hounsfield units ("" where they can): found in the
     // header, told only where the slice belongs to the series that is read.
@@ -36,7 +36,9 @@ struct DicomSlice {
     int rows = 0;
     int columns = 0;
     bool has_geometry = false;  // position, orientation and pixel spacing are there and are numbers
-    Vec3 position_mm = Vec3::Zero();   // centre of the first pixel, LPS
+    Vec3 position_mm = Vec3::Zero();  // centre of the first pixel, LPS
+    // Of each frame of an enhanced file; empty where it does not give one for each.
+    std::vector<Vec3> frame_positions_mm;
     Vec3 row_axis = Vec3::Zero();      // along a row, towards the next column
     Vec3 column_axis = Vec3::Zero();   // down a column, towards the next row
     double row_spacing_mm = 0.0;       // between rows

@@ -95,8 +95,12 @@ struct Series {
         for (const DicomSlice& slice : slices) count += static_cast<std::size_t>(slice.frames);
         return count;
     }
-    // Its extent and spacing are not known until its file is split into frames.
-    bool is_enhanced() const { return first().enhanced; }
+    // A file of many frames that does not say where all of them lie.
+    bool hides_extent() const {
+        return std::ranges::any_of(slices, [](const DicomSlice& slice) {
+            return slice.enhanced && slice.frame_positions_mm.empty();
+        });
+    }
     bool is_ct() const { return first().modality == "CT" || first().modality.empty(); }
     bool is_axial() const {
         return !first().has_geometry || std::abs(first().normal().z()) > least_axial_cosine;
@@ -144,8 +148,13 @@ std::string reason(const Series& better, const Series& worse) {
 
 void measure_extent(Series& series) {
     std::vector<double> places;
-    for (const DicomSlice& slice : series.slices)
-        if (slice.has_geometry) places.push_back(slice.position_mm.dot(series.first().normal()));
+    if (series.hides_extent()) return;
+    const Vec3 normal = series.first().normal();
+    for (const DicomSlice& slice : series.slices) {
+        for (const Vec3& frame : slice.frame_positions_mm) places.push_back(frame.dot(normal));
+        if (slice.has_geometry && slice.frame_positions_mm.empty())
+            places.push_back(slice.position_mm.dot(normal));
+    }
     std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end(),
                              [](double x, double y) { return std::abs(x - y) < 1e-3; }),
@@ -188,7 +197,7 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
         if (series.is_ct()) longest_mm = std::max(longest_mm, series.extent_mm);
     }
     for (Series& series : all)
-        series.covers = series.is_enhanced() || series.extent_mm >= enough_of_longest * longest_mm;
+        series.covers = series.hides_extent() || series.extent_mm >= enough_of_longest * longest_mm;
     std::ranges::stable_sort(
         all, [](const Series& a, const Series& b) { return rank_of(a) > rank_of(b); });
     return all;

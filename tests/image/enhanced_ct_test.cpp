@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "core/image/dicom_frames.h"
+#include "core/image/dicom_slices.h"
 #include "core/image/thumbnail.h"
 #include "core/image/volume_reader.h"
 #include "tests/image/dicom_folder.h"
@@ -109,7 +112,86 @@ TEST(EnhancedCt, IsListedWithItsFramesAndReadByItsName) {
     EXPECT_EQ(read_volume(file.path(), job).voxels, ct.volume.voxels);
 }
 
-// Its extent is not in its header: that must not make it lose against any other series.
+// The description of the series that is called so.
+SeriesDescription called(const std::string& name, const std::vector<SeriesDescription>& all) {
+    const auto found = std::ranges::find_if(all, [&](const SeriesDescription& one) {
+        return one.description.find(name) != std::string::npos;
+    });
+    if (found == all.end()) throw std::runtime_error(name + " is not listed");
+    return *found;
+}
+
+// Frames with what tells a series: a kernel in each, a contrast agent for all.
+EnhancedCt described(Volume volume, const std::string& kernel) {
+    EnhancedCt ct(std::move(volume));
+    ct.edit_group = [kernel](gdcm::DataSet& group, int) {
+        gdcm::DataSet reconstruction, other;
+        put(reconstruction, gdcm::Tag(0x0018, 0x1210), gdcm::VR::SH, kernel);
+        put_sequence(group, gdcm::Tag(0x0018, 0x9314), {reconstruction});
+        // The same tag within what is not looked into means something else.
+        put(other, gdcm::Tag(0x0018, 0x1210), gdcm::VR::SH, "WRONG");
+        put_sequence(group, gdcm::Tag(0x0018, 0x9306), {other});
+    };
+    ct.edit_data = [](gdcm::DataSet& data) {
+        gdcm::DataSet agent;
+        put(agent, gdcm::Tag(0x0008, 0x0104), gdcm::VR::LO, "Iohexol");
+        put_sequence(data, gdcm::Tag(0x0018, 0x0012), {agent});
+    };
+    return ct;
+}
+
+TEST(EnhancedCt, SaysOfItselfWhatAClassicSeriesSays) {
+    for (const auto syntax : {gdcm::TransferSyntax::ExplicitVRLittleEndian,
+                              gdcm::TransferSyntax::ImplicitVRLittleEndian}) {
+        const TemporaryFolder folder;
+        const EnhancedCt ct = described(patterned_volume(small_grid()), "B30f");
+        ct.write(folder / "enhanced", syntax);
+        const auto slice = read_dicom_slice(folder / "enhanced");
+        ASSERT_TRUE(slice.has_value());
+        EXPECT_EQ(slice->kernel, "B30f");
+        EXPECT_TRUE(slice->contrast_agent);
+        ASSERT_EQ(slice->frame_positions_mm.size(), 9u);
+        for (int frame = 0; frame < 9; ++frame)
+            EXPECT_LT((slice->frame_positions_mm[static_cast<std::size_t>(frame)] -
+                       small_grid().to_mm(0, 0, ct.slice_of(frame)))
+                          .norm(),
+                      1e-6);
+        EXPECT_NEAR(std::abs(slice->normal().dot(small_grid().direction.col(2))), 1.0, 1e-6);
+        Job job;
+        EXPECT_NEAR(list_series(folder.path(), job)[0].spacing_mm, small_grid().spacing_mm[2],
+                    1e-6);
+    }
+}
+
+// Beside a classic series of nine slices it is judged by the same measures, in both directions.
+TEST(EnhancedCt, IsChosenForTheReasonsOfClassicSeries) {
+    const auto why_not = [](const EnhancedCt& ct, int classic_slices, const char* kind) {
+        const TemporaryFolder folder;
+        ct.write(folder / "enhanced");
+        Grid grid = small_grid();
+        grid.dims[2] = classic_slices;
+        DicomSeriesInfo info;
+        info.series_description = std::string("portal venous, classic, ") + kind;
+        Job job;
+        write_dicom_series(folder / "classic", patterned_volume(grid), info, job);
+        const auto all = list_series(folder.path(), job);
+        return std::pair{called("enhanced", all).why_not_chosen,
+                         called("classic", all).why_not_chosen};
+    };
+    const Volume whole = patterned_volume(small_grid());
+    EXPECT_EQ(why_not(described(whole, "B70f"), 9, "soft"),
+              std::pair(std::string("its kernel is for soft tissue"), std::string()));
+    EXPECT_EQ(why_not(described(whole, "B30f"), 9, "lung"),
+              std::pair(std::string(), std::string("its kernel is for soft tissue")));
+    EXPECT_EQ(why_not(described(whole, "B30f"), 3, "soft"),
+              std::pair(std::string(), std::string("it covers more of the body")));
+    Grid few = small_grid();
+    few.dims[2] = 3;
+    EXPECT_EQ(why_not(described(patterned_volume(few), "B30f"), 9, "soft"),
+              std::pair(std::string("it covers more of the body"), std::string()));
+}
+
+// Its extent may be unknown: that must not make it lose against any other series.
 TEST(EnhancedCt, IsPreferredToAShortClassicSeriesBesideIt) {
     const EnhancedCt ct = patterned();
     const EnhancedFile file(ct);
