@@ -129,7 +129,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
     const std::shared_ptr<const PatientCase> patient = workspace_.patient();
     const auto refuse = [answered, tell = callbacks_.not_drawn](const Failure& failure) {
         tell(failure);
-        answered({false, "Not drawn: " + failure.problem + ". " + failure.remedy});
+        answered({false, "Not drawn: why stands above"});
     };
     // The worker has its own part of the CT: another one may be shown while it ends.
     Volume part;

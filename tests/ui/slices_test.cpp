@@ -264,7 +264,7 @@ TEST_F(Slices, TakePlacesOfAVesselThatIsDrawn) {
     EXPECT_TRUE(button->isEnabled());
     // What cannot be drawn stays to be changed.
     QTest::keyClick(&coronal, Qt::Key_Return);
-    EXPECT_TRUE(said->text().startsWith("Not drawn: two places that follow each other are more"))
+    EXPECT_TRUE(said->text().startsWith("Not drawn: why stands above"))
         << said->text().toStdString();
     EXPECT_TRUE(window_.messages().text().contains("more than 50 mm apart")) << "in full";
     EXPECT_EQ(pen.places_mm().size(), 2u);
