@@ -70,6 +70,10 @@ QWidget* EditPanel::make_tools() {
     tip->setObjectName("quiet");
     tip->setWordWrap(true);
     form->addRow(tip);
+    auto* drawing = new QLabel("A vessel that is missing is drawn in the slices (F7)", box);
+    drawing->setObjectName("quiet");
+    drawing->setWordWrap(true);
+    form->addRow(drawing);
     system_ = new QComboBox(box);
     system_->setAccessibleName("System that a branch is given to");
     system_->setObjectName("EditSystem");

@@ -35,14 +35,15 @@ Json run_review(const ReviewChoices& options, Job& job) {
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(
         recorded_patient(recording, options.recording, options.patient, &no_cache, job));
+    // Before the replay, which takes long: notes that cannot be read are told at once.
+    const std::vector<PlayNote> read = read_notes(options.recording);
     ReviewTape tape(0);  // the events alone
     const Review found =
         review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);
     if (found.diverged_at) spdlog::warn("diverged at step {}", *found.diverged_at);
     Json events = Json::array(), notes = Json::array();
     for (const PlayEvent& event : tape.events()) events.push_back(to_json(event));
-    for (const PlayNote& note : read_notes(options.recording))
-        notes.push_back({{"at_s", note.at_s}, {"text", note.text}});
+    for (const PlayNote& note : read) notes.push_back({{"at_s", note.at_s}, {"text", note.text}});
     return {{"lesson", lesson ? Json(lesson->name) : Json()},
             {"time_s", tape.end_s()},
             {"events", events},
