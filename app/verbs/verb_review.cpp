@@ -28,6 +28,8 @@ struct ReviewChoices {
 
 Json run_review(const ReviewChoices& options, Job& job) {
     const Recording recording = read_recording(options.recording);
+    // Before the replay, which takes long: notes that cannot be read are told at once.
+    const std::vector<PlayNote> read = read_notes(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     const auto lesson = options.lesson.empty() ? built_in_lesson_of(recording)
                                                : std::optional(find_lesson(options.lesson));
@@ -35,8 +37,6 @@ Json run_review(const ReviewChoices& options, Job& job) {
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(
         recorded_patient(recording, options.recording, options.patient, &no_cache, job));
-    // Before the replay, which takes long: notes that cannot be read are told at once.
-    const std::vector<PlayNote> read = read_notes(options.recording);
     ReviewTape tape(0);  // the events alone
     const Review found =
         review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);
