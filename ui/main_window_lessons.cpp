@@ -124,7 +124,12 @@ void MainWindow::build_review() {
     ReviewDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open = [this](const OpenRequest& request) { open(request); };
-    ways.use = [this](std::unique_ptr<Simulation> simulation) { use(std::move(simulation)); };
+    ways.use = [this](std::unique_ptr<Simulation> simulation) {
+        // A vessel that is still being drawn would change the patient under the review.
+        VesselPen& pen = view_layout_->slices().pen();
+        if (simulation != nullptr && pen.draws()) pen.give_up();
+        use(std::move(simulation));
+    };
     ways.lesson_runs = [this] {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
     };

@@ -126,14 +126,14 @@ class Parser {
 
     // Keeps short values, steps over the rest.
     void take(const ElementHead& head, const DataEncoding& encoding, DicomHeader& header) {
-        if (head.tag == modality_lut && head.length > 0) header.has_modality_lut = true;
-        if (head.tag == contrast_agents && head.length > 0) header.has_contrast_agents = true;
         // A sequence of unknown kind is encoded without value representations.
         const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
         if (std::ranges::count(functional_groups, head.tag) > 0) {
-            look_into(head.length, within, 0, header);
-        } else if (head.length == undefined_length) {
-            skip_sequence(within, 0);
+            return look_into(head.length, within, 0, header);
+        }
+        bool empty = head.length == 0;
+        if (head.length == undefined_length) {
+            empty = skip_sequence(within, 0) == 0;
         } else if (head.length > longest_value || head.vr == std::array<char, 2>{'S', 'Q'}) {
             skip(head.length);
         } else {
@@ -141,6 +141,8 @@ class Parser {
             read(value.data(), value.size());
             header.values[head.tag] = std::move(value);
         }
+        if (head.tag == modality_lut && !empty) header.has_modality_lut = true;
+        if (head.tag == contrast_agents && !empty) header.has_contrast_agents = true;
     }
 
     // Where what begins here and has this length ends; the file's end where it does not say.
@@ -180,7 +182,10 @@ class Parser {
         const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
         if (std::ranges::count(described_in, head.tag) > 0)
             return look_into(head.length, within, depth + 1, header);
-        if (head.length == undefined_length) return skip_sequence(within, depth + 1);
+        if (head.length == undefined_length) {
+            skip_sequence(within, depth + 1);
+            return;
+        }
         const bool kept = std::ranges::count(group_values_kept, head.tag) > 0 &&
                           head.length <= longest_value &&
                           header.group_values[head.tag].size() < most_group_values;
@@ -190,11 +195,12 @@ class Parser {
         header.group_values[head.tag].push_back(std::move(value));
     }
 
-    void skip_sequence(const DataEncoding& encoding, int depth) {
+    // One of undefined length; returns how many items it holds.
+    std::size_t skip_sequence(const DataEncoding& encoding, int depth) {
         if (depth > deepest_nesting) throw Damaged();
-        for (;;) {
+        for (std::size_t items = 0;; ++items) {
             const ElementHead head = read_head(encoding);
-            if (head.tag == sequence_end) return;
+            if (head.tag == sequence_end) return items;
             if (head.tag != item) throw Damaged();
             if (head.length == undefined_length)
                 skip_item(encoding, depth);

@@ -147,8 +147,8 @@ std::string reason(const Series& better, const Series& worse) {
 }
 
 void measure_extent(Series& series) {
-    std::vector<double> places;
     if (series.hides_extent()) return;
+    std::vector<double> places;
     const Vec3 normal = series.first().normal();
     for (const DicomSlice& slice : series.slices) {
         for (const Vec3& frame : slice.frame_positions_mm) places.push_back(frame.dot(normal));

@@ -31,11 +31,10 @@ std::string listed(const std::vector<int>& numbers) {
 void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {
     if (doubts.liver_found)
         list.push_back(
-            "The liver was found by its brightness, and its mask may take in neighbours as bright "
-            "as "
-            "it, such as the spleen or the stomach: segments there, mostly 2 and 3, may lie "
-            "largely "
-            "outside of the liver. Where their volumes matter, give a mask of the liver.");
+            "The liver was found by its brightness, and its mask may take in neighbours as "
+            "bright as it, such as the spleen or the stomach: segments there, mostly 2 and 3, "
+            "may lie largely outside of the liver. Where their volumes matter, give a mask of the "
+            "liver.");
     if (doubts.veins_known < 3)
         list.push_back(
             std::string(doubts.veins_known == 0 ? "No hepatic vein is"

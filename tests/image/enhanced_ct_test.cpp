@@ -163,6 +163,17 @@ TEST(EnhancedCt, SaysOfItselfWhatAClassicSeriesSays) {
     }
 }
 
+// A sequence may stand there and name nothing.
+TEST(EnhancedCt, WithoutAnyAgentHasNoContrast) {
+    EnhancedCt ct = described(patterned_volume(small_grid()), "B30f");
+    ct.edit_data = [](gdcm::DataSet& data) { put_sequence(data, gdcm::Tag(0x0018, 0x0012), {}); };
+    const EnhancedFile file(ct);
+    const auto slice = read_dicom_slice(file.path());
+    ASSERT_TRUE(slice.has_value());
+    EXPECT_FALSE(slice->contrast_agent);
+    EXPECT_EQ(slice->kernel, "B30f");
+}
+
 // Beside a classic series of nine slices it is judged by the same measures, in both directions.
 TEST(EnhancedCt, IsChosenForTheReasonsOfClassicSeries) {
     const auto why_not = [](const EnhancedCt& ct, int classic_slices, const char* kind) {

@@ -184,12 +184,18 @@ TEST_F(Choosing, says_what_is_wrong_with_the_series_that_is_chosen) {
 
 // At the size it opens with, no column hides behind the edge.
 TEST_F(Choosing, shows_all_columns) {
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog_, testing::patience_ms));
+    const std::string name = "4 \"Abdomen portal venous thin, multiplanar, iterative 3\"";
+    SeriesDialog dialog(
+        {{name, "CT", 240, 1.25, "Br38f/3 medium smooth", "portal venous phase", ""},
+         {name, "CT", 480, 5.0, "B70f", "arterial phase", "it has more slices"}});
+    dialog.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog, testing::patience_ms));
+    const auto* columns = dialog.findChild<QTreeWidget*>("series");
     int widths = 0;
-    for (int column = 0; column < list().columnCount(); ++column)
-        widths += list().columnWidth(column);
-    EXPECT_LE(widths, list().viewport()->width());
-    EXPECT_GE(list().columnWidth(list().columnCount() - 1), 150) << "the reason";
+    for (int column = 0; column < columns->columnCount(); ++column)
+        widths += columns->columnWidth(column);
+    EXPECT_LE(widths, columns->viewport()->width());
+    EXPECT_GE(columns->columnWidth(columns->columnCount() - 1), 150) << "the reason";
 }
 
 TEST_F(Choosing, takes_the_best_by_enter_alone) {

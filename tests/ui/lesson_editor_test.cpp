@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making a lesson as an instructor does: the fields, places clicked on in the view, a play to try
+// Making a lesson as an instructor does: the fields, its places, doubts and undo.
 // it, its file, and what a crash leaves behind.
 #include "ui/lesson_editor/lesson_editor.h"
 
@@ -15,155 +15,22 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <algorithm>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
-#include "core/lesson/attempts.h"
 #include "core/lesson/draft_file.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
-#include "ui/lesson_dock.h"
-#include "ui/lesson_editor/draft_slot.h"
 #include "ui/paths.h"
 
 namespace hepatica {
 namespace {
 
 using testing::wait_for;
-
-TEST(LessonDocument, UndoesWhatWasTypedInOneFieldAtOnce) {
-    LessonDocument document({});
-    EXPECT_FALSE(document.dirty() || document.can_undo());
-    for (const char* name : {"P", "Pu", "Pull"})
-        document.change("name", [&](Lesson& lesson) { lesson.name = name; });
-    document.change("about", [](Lesson& lesson) { lesson.about = "why"; });
-    document.change("", [](Lesson& lesson) { lesson.tools.clear(); });
-    document.change("", [](Lesson& lesson) { lesson.tools = {LessonTool::hook}; });
-    EXPECT_FALSE(document.change("", [](Lesson& lesson) { lesson.about = "why"; }));
-    document.undo();
-    EXPECT_TRUE(document.lesson().tools.empty()) << "two changes without a field are two";
-    document.undo();
-    document.undo();
-    EXPECT_EQ(document.lesson().about, "");
-    EXPECT_EQ(document.lesson().name, "Pull");
-    document.undo();
-    EXPECT_EQ(document.lesson().name, "A new lesson");
-    EXPECT_FALSE(document.can_undo() || document.dirty());
-    document.redo();
-    EXPECT_EQ(document.lesson().name, "Pull");
-    document.change("name", [](Lesson& lesson) { lesson.name = "Push"; });
-    EXPECT_FALSE(document.can_redo());
-    document.undo();
-    EXPECT_EQ(document.lesson().name, "Pull") << "typing after a redo is a change of its own";
-}
-
-TEST(LessonDocument, NamesAPatientBelowTheFileRelativeToIt) {
-    const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "lesson.json";
-    const std::string inside = (folder.path() / "cases" / "a.hep").string();
-    for (const auto& [patient, written] :
-         {std::pair(inside, std::string("cases/a.hep")),
-          std::pair(std::string("any"), std::string("any")),
-          std::pair(std::string("/elsewhere/b.hep"), std::string("/elsewhere/b.hep"))}) {
-        LessonDocument document({});
-        document.change("", [&](Lesson& lesson) { lesson.patient = patient; });
-        document.save(file);
-        EXPECT_FALSE(patient != "any" && document.dirty());
-        EXPECT_EQ(read_lesson(file).patient, written);
-        LessonDocument again({});
-        again.open(file);
-        EXPECT_EQ(again.lesson().patient, patient);
-        EXPECT_EQ(again.file(), file);
-        EXPECT_FALSE(again.dirty());
-    }
-}
-
-TEST(LessonDocument, NamesAPatientAboveTheFileAsItDidBefore) {
-    const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "course" / "lesson.json";
-    std::filesystem::create_directories(file.parent_path());
-    Lesson lesson = new_lesson();
-    lesson.patient = "../cases/a.hep";
-    write_lesson(file, lesson);
-    LessonDocument document({});
-    document.open(file);
-    EXPECT_EQ(document.lesson().patient, (folder.path() / "cases" / "a.hep").string());
-    document.change("", [](Lesson& changed) { changed.name = "Other"; });
-    document.save(file);
-    EXPECT_EQ(read_lesson(file).patient, "../cases/a.hep");
-    document.save(folder.path() / "lesson.json");  // from there the path would be another
-    EXPECT_EQ(read_lesson(folder.path() / "lesson.json").patient, "cases/a.hep");
-}
-
-TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
-    const TemporaryFolder folder;
-    const std::filesystem::path copy = folder.path() / "data" / "unsaved.json";
-    LessonDocument document(copy);
-    document.keep_copy();
-    EXPECT_FALSE(std::filesystem::exists(copy)) << "nothing is unsaved";
-    document.change("", [](Lesson& lesson) { lesson.name = "Mine"; });
-    document.keep_copy();
-    document.change("", [](Lesson& lesson) { lesson.steps[0].goal.clear(); });
-    document.keep_copy();  // half of a change, too
-    EXPECT_TRUE(document.kept());
-    {
-        const LessonDocument after_a_crash(copy);
-        EXPECT_EQ(text_of(after_a_crash.lesson()), text_of(document.lesson()));
-        EXPECT_TRUE(after_a_crash.left_behind());
-        EXPECT_TRUE(after_a_crash.dirty()) << "or the next start would throw it away";
-    }
-    EXPECT_THROW(document.save(folder.path() / "lesson.json"), InputError);
-    EXPECT_TRUE(document.dirty());
-    document.undo();
-    document.save(folder.path() / "lesson.json");
-    EXPECT_FALSE(std::filesystem::exists(copy));
-    EXPECT_FALSE(LessonDocument(copy).left_behind());
-    std::ofstream(copy) << "{half";
-    EXPECT_EQ(LessonDocument(copy).lesson().name, new_lesson().name);
-    EXPECT_EQ(read_text_file(copy.string() + ".unreadable", ""), "{half");
-}
-
-TEST(LessonDocument, KnowsAfterACrashWhereItsLessonLies) {
-    const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "course" / "lesson.json";
-    const std::filesystem::path copy = folder.path() / "unsaved.json";
-    std::filesystem::create_directories(file.parent_path());
-    Lesson lesson = new_lesson();
-    lesson.patient = "../cases/a.hep";
-    write_lesson(file, lesson);
-    LessonDocument document(copy);
-    document.open(file);
-    document.change("", [](Lesson& changed) { changed.name = "Other"; });
-    document.keep_copy();
-    LessonDocument after_a_crash(copy);
-    EXPECT_EQ(after_a_crash.file(), file);
-    EXPECT_TRUE(after_a_crash.dirty());
-    after_a_crash.save(after_a_crash.file());
-    EXPECT_EQ(read_lesson(file).name, "Other");
-    EXPECT_EQ(read_lesson(file).patient, "../cases/a.hep") << "named as before";
-}
-
-TEST(DraftSlot, IsOfOneProgramAndFindsWhatOneLeft) {
-    const TemporaryFolder folder;
-    const std::filesystem::path first = folder.path() / "data" / "unsaved.json";
-    const std::filesystem::path second = folder.path() / "data" / "unsaved-2.json";
-    {
-        const DraftSlot one(first), two(first);
-        EXPECT_EQ(one.file(), first);
-        EXPECT_EQ(two.file(), second);
-        std::ofstream(two.file()) << "left behind";
-    }
-    const DraftSlot three(first);
-    EXPECT_EQ(three.file(), second) << "what was left behind comes first";
-    const DraftSlot four(first);
-    EXPECT_EQ(four.file(), first);
-    EXPECT_TRUE(DraftSlot({}).file().empty());
-}
 
 class LessonEditorTest : public ::testing::Test {
   protected:
@@ -592,70 +459,6 @@ TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
     field<QLineEdit>("lessonName").setText("Mine");
     EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
     EXPECT_EQ(kept().name, "Mine");
-}
-
-class LessonEditorWindowTest : public testing::WindowTest {
-  protected:
-    LessonEditorWindowTest()
-        : WindowTest({[](const OpenRequest& request, Job& job) {
-                          if (!request.built_in)
-                              throw InputError("is not there", "nowhere", "Give another");
-                          return play(test::small_patient(), job);
-                      },
-                      [](const std::filesystem::path&, const PatientCase&) {}}) {
-        open_built_in();
-    }
-    LessonEditor& editor() { return window_.lesson_editor(); }
-    void click(const char* name) { editor().findChild<QPushButton*>(name)->click(); }
-};
-
-TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
-    editor().show_editor();
-    editor().findChild<QTabWidget*>("lessonPages")->setCurrentIndex(1);
-    click("mark0click");
-    const Vec3 aim = editor().places().at(0);
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(aim));
-    const auto& place = editor().document().lesson().marks[0].place;
-    ASSERT_TRUE(place.point_mm);
-    // The nearest vertex of the wall decides: within a few millimetres along the vessel.
-    EXPECT_LT((*place.point_mm - aim).norm(), 8.0);
-    const TreePoint on_tree = nearest_point(test::small_patient()->tree, *place.point_mm);
-    EXPECT_LT(on_tree.distance_mm, 0.1) << "on the centreline, to the rounding";
-    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "one click, one place";
-    const Vec3 set = *place.point_mm;
-    const Vec3 elsewhere = test::small_patient()->tree.segments.back().points_mm.back();
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(elsewhere));
-    editor().place_clicked(elsewhere);
-    EXPECT_EQ(*editor().document().lesson().marks[0].place.point_mm, set);
-    click("mark0click");
-    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::place);
-    click("mark0remove");
-    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "nobody waits for it";
-}
-
-TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
-    editor().show_editor();
-    editor().findChild<QLineEdit*>("lessonName")->setText("Tried");
-    click("lessonTry");
-    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
-    EXPECT_TRUE(editor().isHidden());
-    // Another opening that comes to nothing does not end the try.
-    window_.open(QString("/nowhere/at/all.hep"));
-    ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
-    EXPECT_TRUE(editor().isHidden());
-    EXPECT_EQ(window_.lessons().findChild<QLabel*>("lessonTitle")->text(), "<b>Tried</b>");
-    // A tool that it does not allow ends it, so that its recording is whole.
-    window_.actions()[ActionId::reset].trigger();
-    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
-    wait_for_figures();
-    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
-    EXPECT_TRUE(editor().isVisible());
-    const Attempts attempts = all_attempts(to_path(settings_.recordings_folder()));
-    EXPECT_TRUE(attempts.list.empty());
-    const std::filesystem::path tried = to_path(settings_.recordings_folder()) / "tried";
-    for (const auto& entry : std::filesystem::directory_iterator(tried))
-        EXPECT_EQ(entry.path().string().find(".result."), std::string::npos) << entry.path();
-    EXPECT_EQ(editor().places().size(), 1u);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "ui/paths.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
+#include "ui/slices/view_layout.h"
 #include "ui/time_line.h"
 
 namespace hepatica {
@@ -192,6 +193,24 @@ TEST_F(ReviewWindowTest, nothing_can_be_done_to_it_and_leaving_gives_back_the_fr
     EXPECT_TRUE(dock().isHidden());
     paint();
     EXPECT_TRUE(wait_for([this] { return window_.frame().statistics.resting; }));
+}
+
+// It would change the patient under the review.
+TEST_F(ReviewWindowTest, stops_a_vessel_that_is_being_drawn) {
+    open_built_in();
+    VesselPen& pen = window_.view_layout().slices().pen();
+    bool stopped = false;
+    pen.on_draw({[](const std::vector<Vec3>&, const VesselPen::Answered&) {},
+                 [&stopped] { stopped = true; }});
+    pen.set_taken(true);
+    pen.add(Vec3(0, 0, 0));
+    pen.add(Vec3(10, 0, 0));
+    pen.finish();
+    ASSERT_TRUE(pen.draws());
+    look_back();
+    EXPECT_TRUE(stopped);
+    EXPECT_FALSE(pen.draws());
+    EXPECT_EQ(pen.places_mm().size(), 2u) << "they can be drawn after it";
 }
 
 TEST_F(ReviewWindowTest, its_patient_is_opened_where_none_is_shown) {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Making a lesson with the whole window: a place that is clicked on in the view, and a play to try.
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabWidget>
+
+#include "core/base/error.h"
+#include "core/lesson/attempts.h"
+#include "tests/session/small_patient.h"
+#include "tests/ui/window_test.h"
+#include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+using testing::wait_for;
+
+class LessonEditorWindowTest : public testing::WindowTest {
+  protected:
+    LessonEditorWindowTest()
+        : WindowTest({[](const OpenRequest& request, Job& job) {
+                          if (!request.built_in)
+                              throw InputError("is not there", "nowhere", "Give another");
+                          return play(test::small_patient(), job);
+                      },
+                      [](const std::filesystem::path&, const PatientCase&) {}}) {
+        open_built_in();
+    }
+    LessonEditor& editor() { return window_.lesson_editor(); }
+    void click(const char* name) { editor().findChild<QPushButton*>(name)->click(); }
+};
+
+TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
+    editor().show_editor();
+    editor().findChild<QTabWidget*>("lessonPages")->setCurrentIndex(1);
+    click("mark0click");
+    const Vec3 aim = editor().places().at(0);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(aim));
+    const auto& place = editor().document().lesson().marks[0].place;
+    ASSERT_TRUE(place.point_mm);
+    // The nearest vertex of the wall decides: within a few millimetres along the vessel.
+    EXPECT_LT((*place.point_mm - aim).norm(), 8.0);
+    const TreePoint on_tree = nearest_point(test::small_patient()->tree, *place.point_mm);
+    EXPECT_LT(on_tree.distance_mm, 0.1) << "on the centreline, to the rounding";
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "one click, one place";
+    const Vec3 set = *place.point_mm;
+    const Vec3 elsewhere = test::small_patient()->tree.segments.back().points_mm.back();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(elsewhere));
+    editor().place_clicked(elsewhere);
+    EXPECT_EQ(*editor().document().lesson().marks[0].place.point_mm, set);
+    click("mark0click");
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::place);
+    click("mark0remove");
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "nobody waits for it";
+}
+
+TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
+    editor().show_editor();
+    editor().findChild<QLineEdit*>("lessonName")->setText("Tried");
+    click("lessonTry");
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_TRUE(editor().isHidden());
+    // Another opening that comes to nothing does not end the try.
+    window_.open(QString("/nowhere/at/all.hep"));
+    ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
+    EXPECT_TRUE(editor().isHidden());
+    EXPECT_EQ(window_.lessons().findChild<QLabel*>("lessonTitle")->text(), "<b>Tried</b>");
+    // A tool that it does not allow ends it, so that its recording is whole.
+    window_.actions()[ActionId::reset].trigger();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(editor().isVisible());
+    const Attempts attempts = all_attempts(to_path(settings_.recordings_folder()));
+    EXPECT_TRUE(attempts.list.empty());
+    const std::filesystem::path tried = to_path(settings_.recordings_folder()) / "tried";
+    for (const auto& entry : std::filesystem::directory_iterator(tried))
+        EXPECT_EQ(entry.path().string().find(".result."), std::string::npos) << entry.path();
+    EXPECT_EQ(editor().places().size(), 1u);
+}
+
+}  // namespace
+}  // namespace hepatica
