@@ -30,4 +30,11 @@ PatientCase recorded_patient(const Recording& recording, const fs::path& file,
                      file.string(), "Name the case: --patient CASE");
 }
 
+fs::path case_of_lesson(const Lesson& lesson, const std::string& lesson_file,
+                        const fs::path& given) {
+    const bool names_case = lesson.patient != "any" && lesson.patient != "built-in";
+    if (!given.empty() || !names_case) return given;
+    return fs::path(lesson_file).parent_path() / lesson.patient;
+}
+
 }  // namespace hepatica

@@ -4,7 +4,10 @@
 
 #include <filesystem>
 
+#include <string>
+
 #include "core/base/job.h"
+#include "core/lesson/lesson.h"
 #include "core/opening/built_in_cache.h"
 #include "core/patient/patient_case.h"
 #include "core/session/recording.h"
@@ -18,5 +21,10 @@ namespace hepatica {
 PatientCase recorded_patient(const Recording& recording, const std::filesystem::path& file,
                              const std::filesystem::path& given, const BuiltInCache* built_in,
                              Job& job);
+
+// The case that a lesson names, relative to its own file; `given` where that is not empty or the
+// lesson names none.
+std::filesystem::path case_of_lesson(const Lesson& lesson, const std::string& lesson_file,
+                                     const std::filesystem::path& given);
 
 }  // namespace hepatica

@@ -6,13 +6,17 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
+#include "core/tree/systems/doubtful_roots.h"
 
 namespace hepatica {
 namespace {
 
-QString text_of(const TreeEdit& edit) {
+constexpr double beside_wall_mm = 2.0;  // that still counts as a click on a vessel
+
+QString name_of(const TreeEdit& edit) {
     switch (edit.kind) {
         case TreeEditKind::cut_link:
             return "Vessel cut";
@@ -20,6 +24,8 @@ QString text_of(const TreeEdit& edit) {
             return edit.path_mm.empty() ? "Vessels linked" : "Gap bridged";
         case TreeEditKind::delete_branch:
             return "Branch deleted";
+        case TreeEditKind::delete_piece:
+            return "Tree deleted";
         case TreeEditKind::set_root:
             return "Root set";
         case TreeEditKind::draw_vessel:
@@ -30,6 +36,10 @@ QString text_of(const TreeEdit& edit) {
             break;
     }
     return "Given to: " + QString::fromStdString(title_of(edit.system));
+}
+
+QString text_of(const TreeEdit& edit) {
+    return name_of(edit) + " at " + QString::fromStdString(place_text(edit.at_mm));
 }
 
 QString text_of(const Bridge& bridge) {
@@ -53,8 +63,19 @@ CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks
 
 void CaseEditing::show_body() {
     link_from_mm_.reset();
+    warn_of_new_doubts();
     show_bridges();
     update_panel();
+}
+
+// Those of an uncorrected tree are told when it is opened.
+void CaseEditing::warn_of_new_doubts() {
+    const std::vector<std::string> before =
+        std::exchange(root_doubts_, sentences(doubtful_roots(workspace_.patient()->tree)));
+    if (workspace_.patient()->corrections.edits.empty()) return;
+    for (const std::string& doubt : root_doubts_)
+        if (std::ranges::find(before, doubt) == before.end())
+            callbacks_.warn(QString::fromStdString(doubt));
 }
 
 void CaseEditing::show_bridges() {
@@ -87,6 +108,7 @@ void CaseEditing::update_panel() {
         state << QString("%1 gaps were bridged by the reconstruction, %2 mm in all.")
                      .arg(built)
                      .arg(bridged_length_mm(patient.tree), 0, 'f', 1);
+    for (const std::string& doubt : root_doubts_) state << "⚠ " + QString::fromStdString(doubt);
     panel_.show_state(state.join("\n"));
 }
 
@@ -116,6 +138,18 @@ void CaseEditing::click(const TreePoint& point) {
         link_from_mm_.reset();
     }
     callbacks_.add(edit);
+}
+
+void CaseEditing::click_at(const Vec3& place_mm) {
+    if (!workspace_.has_patient()) return;
+    const VesselTree& tree = workspace_.patient()->tree;
+    const TreePoint point = nearest_point(tree, place_mm);
+    const double radius_mm =
+        station_at(tree.segments[static_cast<std::size_t>(point.segment)], point.arclength_mm)
+            .radius_mm;
+    if (point.distance_mm > radius_mm + beside_wall_mm)
+        return callbacks_.say("No vessel there: click on one");
+    click(point);
 }
 
 void CaseEditing::accept(int bridge) {

@@ -28,6 +28,7 @@ class CaseEditing {
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
+        std::function<void(const QString&)> warn;  // of what a correction made doubtful
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -38,6 +39,10 @@ class CaseEditing {
 
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);
+    // A click on a place of the CT, which must lie in a vessel or within 2 mm of its wall.
+    void click_at(const Vec3& place_mm);
+    // What a click does, for somebody who does not see the panel.
+    QString tool_name() const { return panel_.tool_name(); }
     void accept(int bridge);
     // A vessel was drawn through these places of the patient's CT: it is followed beside the
     // window. What was being drawn before ends unanswered.
@@ -50,6 +55,7 @@ class CaseEditing {
     void accept_all();
     // Lists and draws the gaps that are still to be decided and of enough confidence.
     void show_bridges();
+    void warn_of_new_doubts();
 
     EditPanel& panel_;
     const Workspace& workspace_;
@@ -57,6 +63,7 @@ class CaseEditing {
     std::vector<Bridge> bridges_;  // that are shown, best first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
+    std::vector<std::string> root_doubts_;  // of the body that is shown
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

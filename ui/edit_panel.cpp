@@ -21,10 +21,12 @@ struct EditTool {
     const char* tip;
 };
 
-constexpr std::array<EditTool, 6> tools{{
+constexpr std::array<EditTool, 7> tools{{
     {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
     {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
     {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
+    {TreeEditKind::delete_piece, "Delete a whole tree",
+     "Click any branch of it; all that hangs on its root goes"},
     {TreeEditKind::set_root, "Set the root", "Click near the end where blood comes in"},
     {TreeEditKind::reassign_system, "Give to a system",
      "Click a branch; all that hangs on it goes with it"},
@@ -158,6 +160,10 @@ QWidget* EditPanel::make_edits() {
 
 TreeEditKind EditPanel::tool() const {
     return tools.at(static_cast<std::size_t>(tool_->currentIndex())).kind;
+}
+
+QString EditPanel::tool_name() const {
+    return tool_->currentText();
 }
 
 VascularSystem EditPanel::system() const {

@@ -33,6 +33,7 @@ class EditPanel : public QWidget {
     void set_callbacks(Callbacks callbacks) { callbacks_ = std::move(callbacks); }
 
     TreeEditKind tool() const;
+    QString tool_name() const;
     VascularSystem system() const;  // for reassign_system and seed_system
 
     void show_bridges(const QStringList& lines);

@@ -157,7 +157,8 @@ void MainWindow::build_view() {
          },
          [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
              tear(mode, stroke);
-         }},
+         },
+         [this] { statusBar()->showMessage("No vessel there: click on one", 6000); }},
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
@@ -187,7 +188,18 @@ void MainWindow::build_slices(QWidget* parent) {
         editing_->draw(ct, places, std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
+    callbacks.correct = [this](const Vec3& place) {
+        if (review_->reviewing())
+            return messages_->show_notice("Nothing is corrected during a review: end it first");
+        editing_->click_at(place);
+    };
+    callbacks.correction = [this] { return editing_->tool_name(); };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
+    SliceScene& slices = view_layout_->slices();
+    slices.on_change([this, &slices, did = false]() mutable {
+        if (!std::exchange(did, slices.corrects()) && did)
+            show_dock(*findChild<QDockWidget*>("Corrections"), true);
+    });
 }
 
 void MainWindow::build_panels() {
@@ -266,6 +278,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
     screen.not_opened = [this] {
         lessons_->patient_not_shown();
+        before_lesson_.reset();
         if (lesson_editor_ && !lessons_->playing()) lesson_editor_->back_from_trying();
         review_->patient_not_shown();
     };
@@ -288,7 +301,11 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
                 view_->draw_again();
             },
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
-            [this](const Failure& failure) { fail("Drawing a vessel", failure); }});
+            [this](const Failure& failure) { fail("Drawing a vessel", failure); },
+            [this](const QString& text) {
+                log_->add_warning("Corrections", text);
+                messages_->show_notice(text);
+            }});
 }
 
 void MainWindow::build_tool_bar() {

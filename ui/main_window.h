@@ -108,6 +108,9 @@ class MainWindow : public QMainWindow {
     // main_window_lessons.cpp: lessons, and recordings that are looked back on.
     void build_lessons();
     void build_lesson_editor();
+    // Opens a lesson's own patient; whoever was shown before can be had back when it is left.
+    void open_for_lesson(const OpenRequest& request);
+    void offer_patient_from_before();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
 
@@ -187,6 +190,8 @@ class MainWindow : public QMainWindow {
     double picture_ms_ = 0.0;
     std::string last_message_;
     std::function<void()> first_picture_;
+    // Who was shown before a lesson brought its own patient.
+    std::optional<OpenRequest> before_lesson_;
     bool may_close_ = false;
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;

@@ -59,6 +59,7 @@ void MainWindow::open(const QString& path) {
 
 void MainWindow::open(const OpenRequest& request) {
     messages_->dismiss();
+    before_lesson_.reset();
     keeper_->open(request);
 }
 

@@ -35,8 +35,12 @@ QString as_file_name(QString name) {
 void MainWindow::build_lessons() {
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
-    ways.open_built_in = [this] { open(OpenRequest{true, {}}); };
-    ways.open_case = [this](const QString& folder) { open(folder); };
+    ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };
+    ways.open_case = [this](const QString& folder) {
+        OpenRequest request;
+        request.reconstruct.ct = to_path(folder);
+        open_for_lesson(request);
+    };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         review_->end();
         use(std::move(simulation));
@@ -54,6 +58,7 @@ void MainWindow::build_lessons() {
     ways.edit = [this] { lesson_editor().show_editor(); };
     ways.left = [this] {
         if (lesson_editor_) lesson_editor_->back_from_trying();
+        offer_patient_from_before();
     };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     lessons_->set_units(flow_units_named(settings_.flow_units()));
@@ -61,6 +66,28 @@ void MainWindow::build_lessons() {
     auto* menu = new QMenu("&Lesson", menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+void MainWindow::open_for_lesson(const OpenRequest& request) {
+    std::optional<OpenRequest> before = before_lesson_;
+    if (patient_ && !lessons_->playing()) {
+        before = OpenRequest{};
+        before->built_in = patient_->title == built_in_title;
+        before->reconstruct.ct = keeper_->workspace().folder();
+    }
+    // Nobody can open again what lies nowhere.
+    if (before && !before->built_in && before->reconstruct.ct.empty()) before.reset();
+    open(request);
+    before_lesson_ = before;
+}
+
+void MainWindow::offer_patient_from_before() {
+    const std::optional<OpenRequest> before = std::exchange(before_lesson_, std::nullopt);
+    if (!before) return;
+    const QString name =
+        before->built_in ? "the built-in patient" : to_text(before->reconstruct.ct.filename());
+    messages_->show_notice("The lesson's own patient is shown. Before it, it was " + name + ".",
+                           "Open " + name, [this, before] { open(*before); });
 }
 
 LessonEditor& MainWindow::lesson_editor() {

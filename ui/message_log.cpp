@@ -6,11 +6,30 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTime>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace hepatica {
+namespace {
+
+// A line is as high as its text is when it is wrapped to the width of its column: a tree by itself
+// asks for the height of one line.
+class WrappingDelegate : public QStyledItemDelegate {
+  public:
+    explicit WrappingDelegate(QTreeWidget* list) : QStyledItemDelegate(list), list_(list) {}
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem wrapped = option;
+        wrapped.rect = QRect(0, 0, list_->columnWidth(index.column()), QWIDGETSIZE_MAX);
+        return QStyledItemDelegate::sizeHint(wrapped, index);
+    }
+
+  private:
+    QTreeWidget* list_;
+};
+
+}  // namespace
 
 MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget(this)) {
     setWindowTitle("Messages");
@@ -23,6 +42,9 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
     for (int column = 0; column < 3; ++column)
         list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
+    list_->setItemDelegate(new WrappingDelegate(list_));
+    connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeWidget::doItemsLayout,
+            Qt::QueuedConnection);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton("Copy all", QDialogButtonBox::ActionRole);
     connect(copy, &QPushButton::clicked, this,

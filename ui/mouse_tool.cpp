@@ -38,7 +38,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     if (pressed_bridge_ >= 0) {
         action_ = Action::wait_for_click;
     } else if (pick.triangle < 0) {
-        action_ = Action::orbit;
+        action_ = left && clicks_vessels() ? Action::wait_for_click : Action::orbit;
     } else if (mode_ != MouseMode::pull || modifiers.control) {
         action_ = Action::wait_for_click;
     } else {
@@ -124,9 +124,12 @@ std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
 
 void MouseTool::click_at(const Pixel& at) {
     if (pressed_bridge_ >= 0) return callbacks_.accept_bridge(pressed_bridge_);
-    if (mode_ != MouseMode::edit && mode_ != MouseMode::place) return inject_at(at);
     const SurfacePick pick = view_.pick(at);
-    if (pick.triangle >= 0) callbacks_.edit(pick);
+    if (pick.triangle < 0) return callbacks_.missed();
+    if (mode_ == MouseMode::edit || mode_ == MouseMode::place)
+        callbacks_.edit(pick);
+    else
+        callbacks_.inject(pick);
 }
 
 void MouseTool::inject_at(const Pixel& at) {

@@ -48,6 +48,8 @@ class MouseTool {
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
         // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
+        // A click for a vessel, in inject, edit or place mode, met none.
+        std::function<void()> missed = [] {};
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
@@ -79,6 +81,10 @@ class MouseTool {
     enum class Action { none, pull, orbit, pan, wait_for_click, draw };
 
     void click_at(const Pixel& at);
+    // Whether a plain click is for a vessel.
+    bool clicks_vessels() const {
+        return mode_ == MouseMode::inject || mode_ == MouseMode::edit || mode_ == MouseMode::place;
+    }
     bool draws() const { return mode_ == MouseMode::cut || mode_ == MouseMode::weaken; }
     // Between where the line that is drawn first and last meets the vessels, at their depth.
     std::optional<std::array<Vec3, 2>> stroke_to(const Pixel& at) const;

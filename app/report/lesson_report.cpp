@@ -268,8 +268,10 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const std::optional<Lesson> played = lesson_of_play(request, recording);
     const Lesson lesson = played.value_or(free_play(recording));
     job.begin_stage("Reading the case");
-    const auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, request.recording, request.patient, &request.cache, job));
+    // Free play and the lessons that come with the program name no case.
+    const auto patient = std::make_shared<const PatientCase>(recorded_patient(
+        recording, request.recording, case_of_lesson(lesson, request.lesson, request.patient),
+        &request.cache, job));
     Moments moments;
     std::optional<LessonRun> places;
     places.emplace(lesson, patient);

@@ -27,13 +27,6 @@ struct LessonChoices {
     fs::path csv;
 };
 
-// A case that a lesson names, relative to its own file; else what the user gave.
-fs::path case_of(const Lesson& lesson, const LessonChoices& options) {
-    const bool names_case = lesson.patient != "any" && lesson.patient != "built-in";
-    if (!options.patient.empty() || !names_case) return options.patient;
-    return fs::path(options.lesson).parent_path() / lesson.patient;
-}
-
 Json run_lesson(const LessonChoices& options, Job& job) {
     if (!options.csv.empty()) require_writable(options.csv);
     const Lesson lesson = find_lesson(options.lesson);
@@ -41,9 +34,9 @@ Json run_lesson(const LessonChoices& options, Job& job) {
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     job.begin_stage("Reading the case");
     const BuiltInCache no_cache;
-    const auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, options.recording, case_of(lesson, options),
-                         lesson.patient == "built-in" ? &no_cache : nullptr, job));
+    const auto patient = std::make_shared<const PatientCase>(recorded_patient(
+        recording, options.recording, case_of_lesson(lesson, options.lesson, options.patient),
+        lesson.patient == "built-in" ? &no_cache : nullptr, job));
     const Score scored =
         score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);
     if (!options.csv.empty()) write_text_atomically(options.csv, to_csv(scored.standing.metrics));

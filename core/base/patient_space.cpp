@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/patient_space.h"
 
+#include <cmath>
+#include <iomanip>
+#include <locale>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -16,6 +19,18 @@ void require_in_patient_space(const Vec3& position_mm, const std::string& what,
             << " m from the origin of its coordinates";
     throw InputError(problem.str(), place,
                      "Check the unit of its positions and export it again in millimetres");
+}
+
+std::string place_text(const Vec3& position_mm) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(1);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const double tenths = std::round(10.0 * position_mm[axis]);
+        text << (axis == 0 ? "" : ", ") << (tenths == 0.0 ? 0.0 : 0.1 * tenths);  // no "-0.0"
+    }
+    text << " mm";
+    return text.str();
 }
 
 }  // namespace hepatica

@@ -22,9 +22,7 @@ inline bool is_in_patient_space(const Vec3& position_mm) {
 void require_in_patient_space(const Vec3& position_mm, const std::string& what,
                               const std::string& place);
 
-// "X, Y, Z", for messages.
-inline std::string place_text(const Vec3& p) {
-    return std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z());
-}
+// "X, Y, Z mm" to a tenth of a millimetre, for messages.
+std::string place_text(const Vec3& position_mm);
 
 }  // namespace hepatica

@@ -11,6 +11,7 @@
 #include "core/mesh/tetrahedralize.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "core/tree/files/tree_io.h"
+#include "core/tree/systems/doubtful_roots.h"
 
 namespace hepatica {
 namespace {
@@ -124,7 +125,10 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));
         opened.folder = path;
-        if (const auto& doubts = opened.patient->doubts) opened.warnings = sentences(*doubts);
+        opened.warnings = sentences(doubtful_roots(opened.patient->tree));
+        if (const auto& doubts = opened.patient->doubts)
+            for (std::string& sentence : sentences(*doubts))
+                opened.warnings.push_back(std::move(sentence));
     } else if (is_tree_file(path)) {
         job.begin_stage("Reading the tree");
         opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));

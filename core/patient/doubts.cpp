@@ -28,13 +28,12 @@ std::string listed(const std::vector<int>& numbers) {
     return list;
 }
 
+constexpr const char* found_liver_sentence =
+    "The liver was found by its brightness, and its mask may take in neighbours as bright as it, "
+    "such as the spleen or the stomach: segments there, mostly 2 and 3, may lie largely outside of "
+    "the liver. Where their volumes matter, give a mask of the liver.";
+
 void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {
-    if (doubts.liver_found)
-        list.push_back(
-            "The liver was found by its brightness, and its mask may take in neighbours as "
-            "bright as it, such as the spleen or the stomach: segments there, mostly 2 and 3, "
-            "may lie largely outside of the liver. Where their volumes matter, give a mask of the "
-            "liver.");
     if (doubts.veins_known < 3)
         list.push_back(
             std::string(doubts.veins_known == 0 ? "No hepatic vein is"
@@ -93,6 +92,7 @@ std::vector<std::string> sentences(const Doubts& doubts) {
             std::to_string(std::lround(doubts.noise_hu)) +
             " HU: most thin branches are missing, and some that are found may be noise. A "
             "scan in the portal venous phase, or a smoother kernel, shows more.");
+    if (doubts.segments && doubts.segments->liver_found) list.push_back(found_liver_sentence);
     if (doubts.opened_loops > 0)
         list.push_back(number_of(doubts.opened_loops, "loop") +
                        " within one system, made where branches touch in the image, " +

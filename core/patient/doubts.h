@@ -36,7 +36,8 @@ struct Doubts {
 // The part that the tree itself tells.
 Doubts doubts_of(const VesselTree& tree);
 
-// One sentence for each thing that an instructor should know; none where there is nothing to doubt.
+// One sentence for each thing that an instructor should know, what matters most first; none where
+// there is nothing to doubt.
 std::vector<std::string> sentences(const Doubts& doubts);
 
 }  // namespace hepatica

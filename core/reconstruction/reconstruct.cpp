@@ -22,6 +22,7 @@
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
+#include "core/tree/systems/doubtful_roots.h"
 #include "core/tree/tree_extraction.h"
 
 namespace hepatica {
@@ -200,6 +201,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
     label_segments(patient, job);
     std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
+    std::ranges::copy(sentences(doubtful_roots(patient.tree)), std::back_inserter(warnings));
 
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options.mesh, job, &warnings);

@@ -22,7 +22,7 @@ struct BranchRow {
     double radius_mm = 0.0;  // mean over the length
     int couinaud = 0;  // segment of the liver that it supplies, 1 to 8; 0: several, or unknown
     double couinaud_confidence = 0.0;
-    std::optional<double> flow_share;  // of the blood of its system
+    std::optional<double> flow_share;  // of the blood of its tree
     Vec3 middle_mm = Vec3::Zero();     // half way along it
 };
 

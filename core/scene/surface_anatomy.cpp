@@ -28,12 +28,15 @@ SurfaceAnatomy::SurfaceAnatomy(const VesselTree& tree, std::span<const Vec3> res
     parent_.resize(segments);
     system_.resize(segments);
     length_mm_.resize(segments);
+    root_.resize(segments);
     ends_.assign(segments, 0);
     std::vector<bool> has_child(segments, false);
     for (std::size_t s = 0; s < segments; ++s) {
         parent_[s] = tree.segments[s].parent;
         system_[s] = tree.segments[s].system;
         length_mm_[s] = length_mm(tree.segments[s]);
+        root_[s] =
+            parent_[s] < 0 ? static_cast<int>(s) : root_[static_cast<std::size_t>(parent_[s])];
         if (parent_[s] >= 0) has_child[static_cast<std::size_t>(parent_[s])] = true;
     }
     // A parent stands before its children.
@@ -84,6 +87,10 @@ int SurfaceAnatomy::ends_downstream_of(int segment) const {
     return segment < 0 ? 0 : ends_[static_cast<std::size_t>(segment)];
 }
 
+int SurfaceAnatomy::ends_in_tree_of(int segment) const {
+    return segment < 0 ? 0 : ends_downstream_of(root_[static_cast<std::size_t>(segment)]);
+}
+
 int SurfaceAnatomy::ends_in_system_of(int segment) const {
     int sum = 0;
     for (std::size_t s = 0; s < parent_.size(); ++s) {
@@ -95,18 +102,21 @@ int SurfaceAnatomy::ends_in_system_of(int segment) const {
 std::string SurfaceAnatomy::describe(const TreePoint& point,
                                      std::span<const double> flow_shares) const {
     if (point.segment < 0) return {};
+    const int elsewhere = ends_in_system_of(point.segment) - ends_in_tree_of(point.segment);
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text << std::fixed << std::setprecision(0) << "Branch " << point.segment << " ("
          << title_of(system_of(point.segment)) << "), " << point.arclength_mm << " of "
          << length_mm_[static_cast<std::size_t>(point.segment)]
          << " mm along: " << ends_downstream_of(point.segment) << " of "
-         << ends_in_system_of(point.segment) << " ends lie downstream";
+         << ends_in_tree_of(point.segment) << " ends "
+         << (elsewhere > 0 ? "of this tree lie downstream" : "lie downstream");
     if (static_cast<std::size_t>(point.segment) < flow_shares.size()) {
         const double percent = 100.0 * flow_shares[static_cast<std::size_t>(point.segment)];
         text << std::setprecision(percent < 10.0 ? 1 : 0) << "; they get " << percent
-             << " % of the flow";
+             << (elsewhere > 0 ? " % of its flow" : " % of the flow");
     }
+    if (elsewhere > 0) text << "; " << elsewhere << " more ends of the system hang on other roots";
     return text.str();
 }
 

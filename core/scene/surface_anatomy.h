@@ -31,14 +31,16 @@ class SurfaceAnatomy {
     std::vector<std::uint8_t> downstream_of(const TreePoint& from) const;
     // 1 for the vertices of this segment of the tree, else 0.
     std::vector<std::uint8_t> vertices_of(int segment) const;
-    // Terminal branches in that territory, and in the whole system.
+    // Terminal branches in that territory, in the tree it belongs to, and in the whole system,
+    // which may have several trees.
     int ends_downstream_of(int segment) const;
+    int ends_in_tree_of(int segment) const;
     int ends_in_system_of(int segment) const;
 
     VascularSystem system_of(int segment) const;
 
     // For the user: where on its branch a point is, what lies downstream of it, and its share of
-    // the flow (per segment; may be empty). Empty for segment -1.
+    // the flow through the root of its tree (per segment; may be empty). Empty for segment -1.
     std::string describe(const TreePoint& point, std::span<const double> flow_shares) const;
 
   private:
@@ -47,6 +49,7 @@ class SurfaceAnatomy {
     std::vector<VascularSystem> system_;  // per segment
     std::vector<double> length_mm_;       // per segment
     std::vector<int> ends_;               // per segment: ends of the tree downstream of it
+    std::vector<int> root_;               // per segment: the root of its tree
 };
 
 }  // namespace hepatica

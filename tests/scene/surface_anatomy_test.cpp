@@ -58,6 +58,25 @@ TEST_F(Anatomy, CountsEndsOfTheOwnSystem) {
     EXPECT_EQ(anatomy_.ends_in_system_of(3), 1);
 }
 
+// A share of one tree's flow says nothing of what another tree of the system gets.
+TEST(AnatomyOfTrees, SaysOfWhichTreeASharesIs) {
+    VesselTree tree;
+    tree.segments = {straight(-1, VascularSystem::portal, Vec3(0, 0, 0), Vec3(0, 0, 10)),
+                     straight(0, VascularSystem::portal, Vec3(0, 0, 10), Vec3(20, 0, 10)),
+                     straight(0, VascularSystem::portal, Vec3(0, 0, 10), Vec3(-20, 0, 10)),
+                     straight(-1, VascularSystem::portal, Vec3(50, 0, 0), Vec3(50, 0, 10))};
+    Job job;
+    const SurfaceAnatomy anatomy(tree, std::vector<Vec3>{}, job);
+    EXPECT_EQ(anatomy.ends_in_tree_of(1), 2);
+    EXPECT_EQ(anatomy.ends_in_tree_of(3), 1);
+    EXPECT_EQ(anatomy.ends_in_system_of(3), 3);
+    EXPECT_EQ(anatomy.ends_in_tree_of(-1), 0);
+    const std::vector<double> shares{1.0, 0.4, 0.6, 1.0};
+    EXPECT_EQ(anatomy.describe({3, 5.0}, shares),
+              "Branch 3 (portal vein), 5 of 10 mm along: 1 of 1 ends of this tree lie downstream; "
+              "they get 100 % of its flow; 2 more ends of the system hang on other roots");
+}
+
 TEST_F(Anatomy, DescribesAPointInWords) {
     EXPECT_EQ(anatomy_.describe({0, 5.0}, {}),
               "Branch 0 (portal vein), 5 of 10 mm along: 2 of 2 ends lie downstream");

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -67,6 +68,18 @@ class Editing : public testing::WindowTest {
     void click(const Vec3& point_mm) {
         QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(point_mm));
         wait();
+    }
+    // Of this CT, as if the patient had been reconstructed from it.
+    void show_slices(const Volume& ct) {
+        const auto file = to_path(folder_.filePath("ct.nii.gz"));
+        write_nifti(file, ct);
+        auto shown = std::make_shared<PatientCase>(*window_.workspace().patient());
+        shown->source.image_sha256 = digest_of(ct);
+        shown->source.image_grid = ct.grid;
+        ViewLayout& views = window_.view_layout();
+        views.show_patient(shown, {}, file);
+        window_.actions()[ActionId::toggle_slices].trigger();
+        ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
     }
     // What would be written now.
     const PatientCase& saved() {
@@ -162,23 +175,80 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     EXPECT_EQ(saved_.corrections.edits[1].system, VascularSystem::hepatic);
     // A place beside every vessel is no place.
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(5, 5));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
     wait();
     EXPECT_EQ(saved().corrections.edits.size(), 2u);
+}
+
+TEST_F(Editing, a_root_on_a_twig_is_warned_of_as_long_as_it_is_there) {
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Set the root");
+    click(Vec3(-11, 30.1, 4.85));  // the end of a branch of 2.1 mm, on a trunk of 4
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_TRUE(window_.messages().text().contains("set the root there"))
+        << window_.messages().text().toStdString();
+    const auto says_so = [this] {
+        for (const auto* label : window_.findChildren<QLabel*>())
+            if (label->text().startsWith("⚠") && label->text().contains("root")) return true;
+        return false;
+    };
+    EXPECT_TRUE(says_so()) << "in the panel";
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_FALSE(says_so());
+}
+
+TEST_F(Editing, what_was_done_is_listed_with_its_place) {
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Delete a whole tree");
+    click(Vec3(37, 54.5, 4));  // the vessel apart
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_EQ(roots(saved_.tree).size(), 1u);
+    QString line;
+    for (const auto* list : window_.findChildren<QListWidget*>())
+        if (list->accessibleName() == "Edits") line = list->item(0)->text();
+    EXPECT_TRUE(line.startsWith("Tree deleted at 3")) << line.toStdString();
+    EXPECT_TRUE(line.endsWith(" mm")) << line.toStdString();
+}
+
+// A click in a slice is one in the view; beside every vessel it is nothing.
+TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
+    show_slices(test::tube_ct());
+    ViewLayout& views = window_.view_layout();
+    SliceView& axial = views.slice_view(SliceDirection::axial);
+    const Vec3 trunk(0.05, 10, 1.5);
+    views.slices().set_crosshair(trunk);
+    emit child<QComboBox>("measure").activated(5);
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Cut the vessel"));
+    choose_tool("Say what a vessel is");
+    child<QComboBox>("EditSystem").setCurrentText("portal vein");
+    const auto click_beside = [&](double mm) {
+        QTest::mouseClick(&axial, Qt::LeftButton, {},
+                          axial.place_of(views.slices().crosshair_mm() + Vec3(mm, 0, 0)).toPoint());
+    };
+    click_beside(-14.0);
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
+    EXPECT_TRUE(saved().corrections.edits.empty());
+    views.slices().set_crosshair(trunk);
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Say what a vessel is"));
+    click_beside(4.5);  // 0.7 mm beside the wall
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::seed_system);
+    EXPECT_EQ(saved_.corrections.edits[0].system, VascularSystem::portal);
+    // By the keys, and away.
+    choose_tool("Delete a whole tree");
+    views.slices().set_crosshair(trunk);
+    QTest::keyClick(&axial, Qt::Key_Return);
+    EXPECT_EQ(saved().corrections.edits.size(), 2u);
+    QTest::keyClick(&axial, Qt::Key_Escape);
+    EXPECT_EQ(child<QComboBox>("measure").currentText(), "Crosshair");
 }
 
 // A vessel that the tree lacks, bright in the CT, from the trunk of the tree of test_trees.h.
 TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
-    const Volume ct = test::tube_ct();
-    const auto file = to_path(folder_.filePath("ct.nii.gz"));
-    write_nifti(file, ct);
-    auto shown = std::make_shared<PatientCase>(*window_.workspace().patient());
-    shown->source.image_sha256 = digest_of(ct);
-    shown->source.image_grid = ct.grid;
+    show_slices(test::tube_ct());
     ViewLayout& views = window_.view_layout();
-    views.show_patient(shown, {}, file);
-    window_.actions()[ActionId::toggle_slices].trigger();
-    ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
     views.slices().set_crosshair(begin);
     emit child<QComboBox>("measure").activated(4);
     SliceView& axial = views.slice_view(SliceDirection::axial);

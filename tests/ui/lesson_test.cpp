@@ -294,6 +294,35 @@ TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {
     EXPECT_TRUE(window_.lessons().isHidden());
 }
 
+TEST_F(LessonWindowTest, leaving_offers_the_patient_from_before) {
+    const QString other = folder_.filePath("other.hep"), own = folder_.filePath("own.hep");
+    window_.open(other);
+    wait();
+    Lesson lesson = new_lesson();
+    lesson.patient = own.toStdString();
+    const std::string file = folder_.filePath("lesson.json").toStdString();
+    write_lesson(file, lesson);
+    for (int time = 0; time < 2; ++time) {  // begun again, it is still the one from before
+        window_.lessons().start(file);
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    }
+    EXPECT_EQ(window_.workspace().folder(), to_path(own));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(window_.messages().text().contains("other.hep"));
+    window_.messages().findChild<QPushButton*>("offer")->click();
+    wait();
+    EXPECT_EQ(window_.workspace().folder(), to_path(other));
+    // Whoever is opened by hand is no lesson's.
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    window_.open(folder_.filePath("third.hep"));
+    wait();
+    window_.lessons().start(lesson_file(R"({"what": "time_s", "at_least": 1000})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_FALSE(window_.messages().text().contains("other.hep"));
+}
+
 TEST_F(LessonWindowTest, a_lesson_that_cannot_be_read_is_said_above_the_view) {
     window_.lessons().start(folder_.filePath("nothing.json").toStdString());
     EXPECT_FALSE(window_.lessons().playing());

@@ -2,6 +2,7 @@
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <filesystem>
 
 #include "tests/ui/fake_window_test.h"
@@ -40,6 +41,16 @@ TEST_F(Messages, a_text_shows_its_letters_as_they_are) {
     EXPECT_EQ(bar.text(), text);
     // A label that guesses would show the escapes of a text in which no tag stands.
     EXPECT_EQ(bar.findChild<QLabel*>()->textFormat(), Qt::RichText);
+}
+
+TEST_F(Messages, long_lines_of_the_log_wrap) {
+    MessageLog& log = window_.log();
+    log.add_warning("A", "short");
+    log.add_warning("A", QString("a long sentence about vessels ").repeated(20));
+    log.show();
+    auto& list = *log.findChild<QTreeWidget*>();
+    const auto high = [&](int row) { return list.visualItemRect(list.topLevelItem(row)).height(); };
+    EXPECT_TRUE(testing::wait_for([&] { return high(1) >= 4 * high(0); }));
 }
 
 TEST_F(Messages, a_failure_stays_in_the_log_after_the_next_job) {

@@ -3,6 +3,7 @@
 #include "core/image/volume_writer.h"
 #include "core/patient/image_digest.h"
 #include "tests/ui/fake_window_test.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
@@ -195,6 +196,37 @@ TEST_F(Slices, ZoomAndPanKeepThePlaceUnderTheMouse) {
     const Vec3 near = axial.to_mm(middle + QPointF(10, 0));
     turn_wheel(axial, 4, Qt::ControlModifier);
     EXPECT_LT((axial.to_mm(middle + QPointF(10, 0)) - there).norm(), (near - there).norm());
+}
+
+TEST_F(Slices, LeaveRoomForALessonOnASmallScreen) {
+    show_slices();
+    window_.lessons().show();
+    for (const int purpose : {0, 1, 4, 5}) {
+        emit window_.findChild<QComboBox*>("measure")->activated(purpose);
+        QApplication::processEvents();
+        EXPECT_LE(window_.minimumSizeHint().width(), 1280) << purpose;
+    }
+}
+
+TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    auto* said = window_.findChild<QLabel*>("slicePlace");
+    emit window_.findChild<QComboBox*>("measure")->activated(4);
+    EXPECT_TRUE(said->text().startsWith("Click where the missing vessel begins"));
+    const QPointF middle = axial.rect().center();
+    QMouseEvent move(QEvent::MouseMove, middle, axial.mapToGlobal(middle), Qt::NoButton,
+                     Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&axial, &move);
+    EXPECT_TRUE(said->text().startsWith("Click where the missing vessel begins"));
+    EXPECT_TRUE(said->text().contains("HU")) << "what lies there stands below";
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
+    EXPECT_TRUE(said->text().startsWith("Click on along the vessel"));
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(9, 4));
+    EXPECT_TRUE(said->text().contains("draw it (Enter)"));
+    emit window_.findChild<QComboBox*>("measure")->activated(0);
+    QApplication::sendEvent(&axial, &move);
+    EXPECT_FALSE(said->text().contains("Click"));
 }
 
 TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {

@@ -7,7 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QVBoxLayout>
 #include <array>
+#include <utility>
 
 namespace hepatica {
 namespace {
@@ -23,7 +25,8 @@ constexpr std::array presets{
     Preset{"Bone", {400.0, 1800.0}},
 };
 
-constexpr int draws_vessel = 4;  // among what a click is for; before it stand the measurements
+// What a click is for; the three measurements stand between them.
+constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5;
 
 bool same(const GreyWindow& a, const GreyWindow& b) {
     return a.level_hu == b.level_hu && a.width_hu == b.width_hu;
@@ -31,10 +34,20 @@ bool same(const GreyWindow& a, const GreyWindow& b) {
 
 }  // namespace
 
-SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
-    : QWidget(parent), scene_(scene), presets_(new QComboBox), place_(new QLabel) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 4, 8, 4);
+SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      correction_(std::move(correction)),
+      presets_(new QComboBox),
+      place_(new QLabel) {
+    // Two rows: in one they would be wider than a small screen leaves beside the panels.
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(8, 4, 8, 4);
+    rows->setSpacing(2);
+    auto* row = new QHBoxLayout;
+    auto* lower = new QHBoxLayout;
+    rows->addLayout(row);
+    rows->addLayout(lower);
     presets_->setObjectName("greyWindow");
     presets_->setAccessibleName("Grey window");
     for (const Preset& preset : presets)
@@ -58,16 +71,17 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     // Two lines, whatever is said: it neither widens the window nor moves the slices.
     place_->setWordWrap(true);
     place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
-    place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    place_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
     row->addWidget(presets_);
     row->addWidget(new QLabel("Vessels"));
     row->addWidget(opacity);
     row->addWidget(centrelines);
     row->addWidget(segment_choice());
-    row->addWidget(click_choice());
-    row->addWidget(draw_button());
-    row->addWidget(place_, 1);
+    row->addStretch(1);
+    lower->addWidget(click_choice());
+    lower->addWidget(draw_button());
+    lower->addWidget(place_, 1);
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets.size()))
             scene_.set_window(presets[static_cast<std::size_t>(index)].window);
@@ -77,6 +91,7 @@ SliceBar::SliceBar(SliceScene& scene, QWidget* parent)
     connect(centrelines, &QCheckBox::toggled, this,
             [this](bool visible) { scene_.set_centrelines_visible(visible); });
     scene_.on_change([this] {
+        if (click_->currentIndex() != chosen_click()) follow_click();
         follow_window();
         show_place(scene_.crosshair_mm());
     });
@@ -108,23 +123,57 @@ QWidget* SliceBar::click_choice() {
     click_ = new QComboBox;
     click_->setObjectName("measure");
     click_->setAccessibleName("What a click in a slice does");
-    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel"});
+    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel", "Correct"});
     click_->setToolTip(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
         "Draw a vessel: clicks along one that is missing, in any slices, from where its blood "
-        "comes in; Enter draws it. Delete takes the last away, Escape ends it");
-    connect(click_, &QComboBox::activated, this, [this](int index) {
-        const bool measures = index > 0 && index < draws_vessel;
-        scene_.pen().set_taken(index == draws_vessel);
-        scene_.measurements().choose(
-            measures ? std::optional(static_cast<MeasurementKind>(index - 1)) : std::nullopt);
-        if (index == draws_vessel)
-            say("Click where the vessel begins, then along it; Enter draws it");
-    });
+        "comes in; Enter draws it. Delete takes the last away, Escape ends it. "
+        "Correct: a click on a vessel does what the panel of corrections says");
+    connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
     return click_;
+}
+
+void SliceBar::choose_click(int index) {
+    const bool measures = index > moves_crosshair && index < draws_vessel;
+    scene_.set_corrects(index == corrects);
+    scene_.pen().set_taken(index == draws_vessel);
+    scene_.measurements().choose(measures ? std::optional(static_cast<MeasurementKind>(index - 1))
+                                          : std::nullopt);
+    follow_click();
+}
+
+int SliceBar::chosen_click() const {
+    const auto kind = scene_.measurements().chosen();
+    return scene_.pen().taken() ? draws_vessel
+           : scene_.corrects()  ? corrects
+           : kind               ? 1 + static_cast<int>(*kind)
+                                : moves_crosshair;
+}
+
+// What to do next; empty where a click only moves the crosshair.
+QString SliceBar::guidance() const {
+    switch (chosen_click()) {
+        case 1:
+            return tr("Click where the distance begins, then where it ends");
+        case 2:
+            return tr("Click on one arm, on the vertex, on the other arm");
+        case 3:
+            return tr("Click on a vessel");
+        case draws_vessel:
+            break;
+        case corrects:
+            return tr("A click on a vessel: %1 (panel Corrections); Escape ends it")
+                .arg(correction_());
+        default:
+            return {};
+    }
+    const std::size_t places = scene_.pen().places_mm().size();
+    return places == 0   ? tr("Click where the missing vessel begins, then along it")
+           : places == 1 ? tr("Click on along the vessel")
+                         : tr("Click on along the vessel, or draw it (Enter)");
 }
 
 QWidget* SliceBar::draw_button() {
@@ -140,20 +189,28 @@ QWidget* SliceBar::draw_button() {
 
 void SliceBar::follow_click() {
     const VesselPen& pen = scene_.pen();
-    const auto kind = scene_.measurements().chosen();
-    click_->setCurrentIndex(pen.taken() ? draws_vessel : kind ? 1 + static_cast<int>(*kind) : 0);
+    click_->setCurrentIndex(chosen_click());
+    if (const QString next = guidance(); next.isEmpty())
+        said_.clear();
+    else
+        say(next);
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
 }
 
 void SliceBar::say(const QString& text) {
+    said_ = text;
     place_->setText(text);
     place_->setToolTip(text);
 }
 
 void SliceBar::show_place(const Vec3& position_mm) {
-    // The place in the first line, what is there in the second.
-    place_->setText(QString::fromStdString(scene_.describe(position_mm)).replace("HU   ", "HU\n"));
+    const QString there = QString::fromStdString(scene_.describe(position_mm));
+    const bool works = chosen_click() != moves_crosshair;
+    if (chosen_click() == corrects) said_ = guidance();  // another tool may be chosen by now
+    // The place in the first line and what is there in the second, unless a word stands above both.
+    place_->setText(works && !said_.isEmpty() ? said_ + "\n" + there
+                                              : QString(there).replace("HU   ", "HU\n"));
 }
 
 void SliceBar::follow_window() {

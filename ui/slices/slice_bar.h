@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "ui/slices/slice_scene.h"
 
@@ -16,19 +17,27 @@ namespace hepatica {
 // UI thread; the scene must outlive it.
 class SliceBar : public QWidget {
   public:
-    explicit SliceBar(SliceScene& scene, QWidget* parent = nullptr);
+    // `correction`: what a click would correct.
+    SliceBar(SliceScene& scene, std::function<QString()> correction, QWidget* parent = nullptr);
 
+    // What lies there, below what was said last while clicks are for something.
     void show_place(const Vec3& position_mm);
-    void say(const QString& text);  // until the mouse moves on
+    // Until the mouse moves on, or while clicks are for something until the next word about it.
+    void say(const QString& text);
 
   private:
     QWidget* segment_choice();
     QWidget* click_choice();
     QWidget* draw_button();
+    void choose_click(int index);
+    int chosen_click() const;
+    QString guidance() const;
     void follow_click();
     void follow_window();
 
     SliceScene& scene_;
+    std::function<QString()> correction_;
+    QString said_;
     QComboBox* presets_;
     QLabel* place_;
     QComboBox* click_ = nullptr;  // what a click is for

@@ -59,6 +59,7 @@ void SliceScene::clear() {
     tree_ = {};
     centrelines_.clear();
     measurements_.clear();
+    corrects_ = false;
     pen_.set_taken(false);
     tell_of_voxels();
 }
@@ -92,6 +93,11 @@ void SliceScene::set_segments(Mask segments, std::string why_none) {
 void SliceScene::set_segments_visible(bool visible) {
     shows_segments_ = visible;
     tell_of_voxels();
+}
+
+void SliceScene::set_corrects(bool corrects) {
+    corrects_ = corrects;
+    tell();
 }
 
 void SliceScene::set_centrelines_visible(bool visible) {

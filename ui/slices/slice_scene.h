@@ -50,6 +50,10 @@ class SliceScene {
     VesselPen& pen() { return pen_; }
     const VesselPen& pen() const { return pen_; }
 
+    // Whether a click in a slice corrects the vessel there, as the panel of corrections says.
+    bool corrects() const { return corrects_; }
+    void set_corrects(bool corrects);
+
     const Vec3& crosshair_mm() const { return crosshair_mm_; }
     // Outside of the CT it stays at its border.
     void set_crosshair(const Vec3& position_mm);
@@ -88,6 +92,7 @@ class SliceScene {
     double opacity_ = 0.6;
     bool shows_segments_ = false;
     bool shows_centrelines_ = true;
+    bool corrects_ = false;
     std::uint64_t voxels_version_ = 0;
     std::vector<std::function<void()>> watchers_;
 };

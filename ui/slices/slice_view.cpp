@@ -290,6 +290,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
         set_place(to_mm(last_));
     else
         scene_.set_crosshair(to_mm(last_));
+    if (scene_.corrects() && correct_) correct_(to_mm(last_));
 }
 
 // The other slices follow, where the vessel goes on.
@@ -315,7 +316,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     const QPointF moved = at - std::exchange(last_, at);
     if (event->buttons() & Qt::LeftButton) {
-        if (!measuring() && !drawing()) scene_.set_crosshair(to_mm(at));
+        if (!works()) scene_.set_crosshair(to_mm(at));
     } else if (event->buttons() & Qt::RightButton) {
         const GreyWindow& window = scene_.window();
         scene_.set_window({window.level_hu + hu_per_point * moved.y(),
@@ -328,7 +329,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (measuring() || drawing()) return;  // its second click sets no point on top of the first
+    if (works()) return;  // its second click sets no point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }
 
@@ -359,7 +360,7 @@ bool SliceView::sets_points_with(const QKeyEvent& event) const {
         case Qt::Key_Return:
         case Qt::Key_Enter:
         case Qt::Key_Escape:
-            return measuring() || drawing();
+            return works();
         // Also where nothing is left: one press too many must not remove the drug or reset the
         // play.
         case Qt::Key_Delete:
@@ -381,7 +382,9 @@ bool SliceView::event(QEvent* event) {
 void SliceView::keyPressEvent(QKeyEvent* event) {
     if (scene_.empty()) return QWidget::keyPressEvent(event);
     if (sets_points_with(*event))
-        return drawing() ? draw_by_key(event->key()) : measure_by_key(event->key());
+        return scene_.corrects() ? correct_by_key(event->key())
+               : drawing()       ? draw_by_key(event->key())
+                                 : measure_by_key(event->key());
     switch (event->key()) {
         case Qt::Key_PageUp:
             return step(1);
@@ -407,6 +410,15 @@ void SliceView::measure_by_key(int key) {
         scene_.measurements().remove_last();
     else
         measure(scene_.crosshair_mm());
+}
+
+void SliceView::correct_by_key(int key) {
+    if (key == Qt::Key_Escape)
+        scene_.set_corrects(false);
+    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+        correct_(scene_.crosshair_mm());
+    else
+        scene_.measurements().remove_last();
 }
 
 void SliceView::draw_by_key(int key) {

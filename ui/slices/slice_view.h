@@ -5,6 +5,7 @@
 //   right drag            grey: width, level middle drag          pan
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
+// While corrections are made a left click, or Enter at the crosshair, corrects the vessel there.
 // While something is being measured a left click, or Enter at the crosshair, sets a point of it;
 // Delete takes the last one away, Escape ends measuring. While a vessel is drawn a left click takes
 // the crosshair there, too, and Enter where the last place is draws the vessel.
@@ -37,6 +38,8 @@ class SliceView : public QWidget {
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
     // What has been measured, or why a click measured nothing.
     void on_say(std::function<void(const QString&)> say) { say_ = std::move(say); }
+    // A place of the CT where something is to be corrected.
+    void on_correct(std::function<void(const Vec3&)> correct) { correct_ = std::move(correct); }
     void on_double_click(std::function<void()> tell) { double_click_ = std::move(tell); }
 
   protected:
@@ -58,9 +61,12 @@ class SliceView : public QWidget {
     bool sets_points_with(const QKeyEvent& event) const;
     void measure_by_key(int key);
     void draw_by_key(int key);
+    void correct_by_key(int key);
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
+    // A click is for something else than the crosshair alone.
+    bool works() const { return measuring() || drawing() || scene_.corrects(); }
     void measure(const Vec3& position_mm);
     void say(const std::string& text) const;
     bool is_here(const Vec3& point_mm, double reach_mm) const;
@@ -78,6 +84,7 @@ class SliceView : public QWidget {
     SliceDirection direction_;
     std::function<void(const Vec3&)> hover_;
     std::function<void(const QString&)> say_;
+    std::function<void(const Vec3&)> correct_;
     std::function<void()> double_click_;
     QImage picture_;
     std::vector<SegmentNumber> segment_numbers_;  // in it

@@ -57,7 +57,7 @@ void ViewLayout::build(QWidget* view) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    bar_ = new SliceBar(scene_, this);
+    bar_ = new SliceBar(scene_, callbacks_.correction, this);
     column->addWidget(bar_);
     auto* area = new QWidget(this);
     column->addWidget(area, 1);
@@ -69,6 +69,7 @@ void ViewLayout::build(QWidget* view) {
         auto* slice = new SliceView(scene_, direction, area);
         slice->on_hover([this](const Vec3& place) { bar_->show_place(place); });
         slice->on_say([this](const QString& text) { bar_->say(text); });
+        slice->on_correct([this](const Vec3& place) { callbacks_.correct(place); });
         slice->on_double_click([this, slice] { enlarge(enlarged_ ? nullptr : slice); });
         views_[static_cast<std::size_t>(direction)] = slice;
     }

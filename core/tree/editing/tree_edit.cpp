@@ -103,12 +103,12 @@ class Edit {
         if (other_system != system) adopt(to, system, other_system);
     }
 
-    void remove(const TreeEdit& edit) {
-        const auto hangs = downstream(tree_, locate(tree_, edit.at_mm).segment);
-        std::vector<VesselLink> kept;
-        for (std::size_t i = 0; i < graph_.links.size(); ++i)
-            if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));
-        graph_.links = std::move(kept);
+    void remove_branch(const TreeEdit& edit) { remove_from(locate(tree_, edit.at_mm).segment); }
+
+    void remove_piece(const TreeEdit& edit) {
+        int first = locate(tree_, edit.at_mm).segment;
+        while (tree_.segments[first].parent >= 0) first = tree_.segments[first].parent;
+        remove_from(first);
     }
 
     void set_root(const TreeEdit& edit) {
@@ -179,6 +179,14 @@ class Edit {
     }
 
   private:
+    void remove_from(int first) {
+        const auto hangs = downstream(tree_, first);
+        std::vector<VesselLink> kept;
+        for (std::size_t i = 0; i < graph_.links.size(); ++i)
+            if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));
+        graph_.links = std::move(kept);
+    }
+
     // Whatever renumbers the nodes, roots are found again by their place.
     void keep_roots() {
         for (const RootWish& wish : wishes_)
@@ -240,7 +248,10 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
             work.add(edit);
             break;
         case TreeEditKind::delete_branch:
-            work.remove(edit);
+            work.remove_branch(edit);
+            break;
+        case TreeEditKind::delete_piece:
+            work.remove_piece(edit);
             break;
         case TreeEditKind::set_root:
             work.set_root(edit);

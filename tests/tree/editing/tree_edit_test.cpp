@@ -143,6 +143,19 @@ TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {
               1);
 }
 
+TEST(TreeEdit, DeletingATreeTakesAllOfItAndNothingElse) {
+    const VesselTree cut = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_right_branch));
+    ASSERT_EQ(roots(cut).size(), 2u);
+    const VesselTree without = edited(cut, edit_at(TreeEditKind::delete_piece, on_last_branch));
+    validate(without);
+    EXPECT_EQ(roots(without).size(), 1u);
+    EXPECT_GT(nearest_point(without, on_last_branch).distance_mm, 5.0);
+    const VesselTree rest = edited(cut, edit_at(TreeEditKind::delete_piece, on_left_branch));
+    EXPECT_EQ(roots(rest).size(), 1u);
+    EXPECT_GT(nearest_point(rest, on_trunk).distance_mm, 5.0);
+    EXPECT_NEAR(length_mm(without) + length_mm(rest), length_mm(cut), 1e-9);
+}
+
 TEST(TreeEdit, DeletingABranchTakesAllThatHangsOnIt) {
     const VesselTree after =
         edited(forked_tree(), edit_at(TreeEditKind::delete_branch, on_right_branch));
