@@ -13,7 +13,7 @@
 
 namespace hepatica {
 
-enum class JobKind { open, correct, save };
+enum class JobKind { open, correct, remake, save };
 
 struct QueuedJob {
     JobKind kind = JobKind::open;

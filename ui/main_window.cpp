@@ -193,6 +193,12 @@ void MainWindow::build_slices(QWidget* parent) {
             return messages_->show_notice("Nothing is corrected during a review: end it first");
         editing_->click_at(place);
     };
+    callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
+        if (review_->reviewing())
+            return messages_->show_notice("Nothing is rebuilt during a review: end it first");
+        messages_->dismiss();
+        keeper_->remake(std::move(ct), std::move(vessels));
+    };
     callbacks.correction = [this] { return editing_->tool_name(); };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
     SliceScene& slices = view_layout_->slices();

@@ -55,7 +55,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
-    if (!corrected) show_warnings();
+    show_warnings();  // a correction alone has none
     if (corrected)
         lessons_->patient_corrected();
     else

@@ -100,6 +100,7 @@ void PatientKeeper::arrived(const OpenRequest& request, std::shared_ptr<LoadedPa
         // Saved over since it was read: what was read is not on disk any more.
         if (written_.contains(loaded->folder)) return start_opening(request);
         jobs_.drop(JobKind::correct);
+        jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
         screen_.show(std::move(*loaded), false);
         screen_.changed();
@@ -113,14 +114,22 @@ void PatientKeeper::add(const TreeEdit& edit) {
     correct();
 }
 
+// Going back and forth means nothing while the patient is being exchanged.
+bool PatientKeeper::waits_for_remaking() const {
+    if (!jobs_.holds(JobKind::remake)) return false;
+    screen_.say("The vessels are being rebuilt: undo and redo wait for that");
+    return true;
+}
+
 void PatientKeeper::undo() {
-    if (!workspace_.can_undo()) return;
+    if (!workspace_.can_undo() || waits_for_remaking()) return;
+    if (workspace_.before_remaking() != nullptr) return take_back_remaking();
     workspace_.undo();
     correct();
 }
 
 void PatientKeeper::redo() {
-    if (!workspace_.can_redo()) return;
+    if (!workspace_.can_redo() || waits_for_remaking()) return;
     workspace_.redo();
     correct();
 }
@@ -140,6 +149,65 @@ void PatientKeeper::correct() {
         stay_with_shown_body();
         screen_.say("The correction was taken back");
     };
+    jobs_.replace(std::move(job));
+}
+
+void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
+    if (!workspace_.has_patient()) return;
+    QueuedJob job;
+    job.kind = JobKind::remake;
+    job.title = "Rebuilding the vessels";
+    job.begin = [this, ct = std::move(ct),
+                 painted = std::make_shared<const Mask>(std::move(vessels))] {
+        return remaking(ct, painted);
+    };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+    };
+    job.cancelled = [this] { screen_.say("Not rebuilt: what was painted is still there"); };
+    jobs_.replace(std::move(job));
+}
+
+BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
+                                            std::shared_ptr<const Mask> vessels) {
+    return [this, ct = std::move(ct), vessels = std::move(vessels), patient = workspace_.patient(),
+            folder = workspace_.folder()](Job& job) -> std::function<void()> {
+        constexpr int reading_and_preparing = 3;
+        job.expect_stages(reading_and_preparing + remade_stages);
+        job.begin_stage("Reading the voxels");
+        const auto before = std::make_shared<const PatientCase>(whole_case(*patient, folder, job));
+        RemadeCase made = ways_.remake(*before, *vessels, *ct, job);
+        auto loaded = std::make_shared<LoadedPatient>(
+            ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
+        loaded->warnings = std::move(made.warnings);
+        return [this, before, loaded] {
+            workspace_.show_remade(before, loaded->patient);
+            screen_.show(std::move(*loaded), true);
+            correct();  // what was wanted since it began
+        };
+    };
+}
+
+void PatientKeeper::take_back_remaking() {
+    QueuedJob job;
+    job.kind = JobKind::remake;
+    job.title = "Taking the rebuilding back";
+    job.begin = [this]() -> BackgroundJob::Work {
+        return [this, before = workspace_.before_remaking()](Job& job) -> std::function<void()> {
+            if (before == nullptr) return [] {};  // something else was done meanwhile
+            auto loaded = std::make_shared<LoadedPatient>(ways_.play_on(before, job));
+            return [this, before, loaded] {
+                if (workspace_.before_remaking() != before) return;
+                workspace_.take_back_remaking();
+                screen_.show(std::move(*loaded), true);
+                screen_.changed();
+            };
+        };
+    };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+    };
+    job.cancelled = [this] { screen_.say("Cancelled"); };
     jobs_.replace(std::move(job));
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/patient/corrections.h"
+#include "core/reconstruction/remade_case.h"
 #include "ui/job_queue.h"
 #include "ui/patient_loader.h"
 #include "ui/recovery.h"
@@ -32,6 +33,8 @@ class PatientKeeper {
         std::function<LoadedPatient(std::shared_ptr<const PatientCase>, Job&)> play_on = play;
         std::function<PatientCase(const PatientCase&, const std::vector<TreeEdit>&, Job&)> correct =
             with_edits;
+        // From other voxels of his vessels.
+        std::function<RemadeCase(const PatientCase&, Mask, const Volume&, Job&)> remake = remade;
         // Throws InputError where the last of these corrections cannot be made on the others.
         std::function<void(const PatientCase&, const std::vector<TreeEdit>&)> check =
             with_edited_tree;
@@ -74,6 +77,9 @@ class PatientKeeper {
     void add(const TreeEdit& edit);
     void undo();
     void redo();
+    // The vessels anew from these voxels of theirs, which lie in the frame of the patient's CT; an
+    // undo takes it back. What was asked before and is not begun is given up.
+    void remake(std::shared_ptr<const Volume> ct, Mask vessels);
     // Where the patient lies already, or where the person says; ask_and_save() asks always. False:
     // not after all.
     bool save();
@@ -102,6 +108,10 @@ class PatientKeeper {
     };
     Possible possible_edits(const PatientCase& patient, const Workspace::Edits& wanted) const;
     BackgroundJob::Work correction();
+    BackgroundJob::Work remaking(std::shared_ptr<const Volume> ct,
+                                 std::shared_ptr<const Mask> vessels);
+    void take_back_remaking();
+    bool waits_for_remaking() const;
     BackgroundJob::Work writing(const std::filesystem::path& folder);
     void stay_with_shown_body();
     void go_on();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hepatica {
@@ -14,6 +15,7 @@ void Workspace::open(const OpenedPatient& opened) {
     saved_edits_ = patient_->corrections.edits;
     never_saved_ = opened.worth_saving;
     undone_.clear();
+    remade_.clear();
     want(saved_edits_);
 }
 
@@ -30,7 +32,7 @@ void Workspace::add(const TreeEdit& edit) {
 }
 
 void Workspace::undo() {
-    if (!can_undo()) return;
+    if (edits_.empty() || before_remaking() != nullptr) return;
     Edits edits = edits_;
     undone_.push_back(edits.back());
     edits.pop_back();
@@ -50,6 +52,36 @@ void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
     if (awaits_body()) want(patient_->corrections.edits);
 }
 
+void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
+                            std::shared_ptr<const PatientCase> patient) {
+    const Edits& begun_with = before->corrections.edits;
+    Edits wanted = patient->corrections.edits;
+    if (edits_.size() > begun_with.size() &&
+        std::equal(begun_with.begin(), begun_with.end(), edits_.begin()))
+        wanted.insert(wanted.end(), edits_.begin() + static_cast<std::ptrdiff_t>(begun_with.size()),
+                      edits_.end());
+    if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
+    remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_});
+    patient_ = std::move(patient);
+    never_saved_ = true;
+    undone_.clear();
+    want(std::move(wanted));
+}
+
+std::shared_ptr<const PatientCase> Workspace::before_remaking() const {
+    if (remade_.empty() || edits_.size() > remade_.back().edits) return nullptr;
+    return remade_.back().before;
+}
+
+void Workspace::take_back_remaking() {
+    if (before_remaking() == nullptr) return;
+    patient_ = remade_.back().before;
+    never_saved_ = remade_.back().was_never_saved;
+    remade_.pop_back();
+    undone_.clear();
+    want(patient_->corrections.edits);
+}
+
 void Workspace::give_up_edits() {
     if (!awaits_body()) return;
     undone_.clear();
@@ -61,6 +93,8 @@ void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
     title_ = folder.filename().string();
     saved_edits_ = edits;
     never_saved_ = false;
+    // What was there before a remaking is not on disk any more.
+    for (Remaking& remaking : remade_) remaking.was_never_saved = true;
 }
 
 }  // namespace hepatica

@@ -39,13 +39,21 @@ class Workspace {
     const Edits& edits() const { return edits_; }  // that are wanted
     // They have no body yet.
     bool awaits_body() const { return has_patient() && edits_ != patient_->corrections.edits; }
-    bool can_undo() const { return !edits_.empty(); }
+    bool can_undo() const { return !edits_.empty() || !remade_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     void add(const TreeEdit& edit);
-    void undo();  // nothing where there is nothing to undo
+    void undo();  // nothing where there is nothing to undo, or where the last was a remaking
     void redo();  // likewise
     // This body is there, and what is not among its corrections was refused.
     void show_body(std::shared_ptr<const PatientCase> patient);
+    // The patient was made anew from other voxels of his vessels: `before`, with all his voxels,
+    // became `patient`, whose corrections are those that could be made again. Corrections that were
+    // added since it began stay wanted.
+    void show_remade(std::shared_ptr<const PatientCase> before,
+                     std::shared_ptr<const PatientCase> patient);
+    // The next undo would take that back, to the patient from before; null: it would not.
+    std::shared_ptr<const PatientCase> before_remaking() const;
+    void take_back_remaking();
     // There will be no other body: back to the corrections that are shown.
     void give_up_edits();
 
@@ -59,6 +67,13 @@ class Workspace {
     std::uint64_t version() const { return version_; }
 
   private:
+    struct Remaking {
+        std::shared_ptr<const PatientCase> before;
+        std::size_t edits = 0;  // of the remade patient
+        bool was_never_saved = false;
+    };
+    static constexpr std::size_t most_remakings = 5;  // that are kept: each holds a whole patient
+
     void want(Edits edits);
 
     std::string title_;
@@ -70,6 +85,7 @@ class Workspace {
     Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;
     bool never_saved_ = false;  // although it should be
+    std::vector<Remaking> remade_;
     std::uint64_t version_ = 0;
 };
 

@@ -112,7 +112,7 @@ Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
                        {"longest_unheard_cancel_cpu_s", check.cpu_s},
                        {"longest_without_progress_s", progress.wall_s},
                        {"longest_without_progress_cpu_s", progress.cpu_s}};
-    answer["mask_voxels"] = made.mask.voxels;
+    answer["mask_voxels"] = made.checks.mask.voxels;
     answer["peak_memory_mb"] = static_cast<double>(peak_memory_bytes()) / 1e6;
     return answer;
 }

@@ -147,9 +147,9 @@ Json run_reconstruct(ReconstructChoices options, Job& job) {
     answer["stages"] = Json::array();
     for (const StageTime& stage : job.stage_times())
         answer["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
-    answer["mask"] = to_json(made.mask);
-    answer["skeleton"] = to_json(made.skeleton);
-    answer["skeleton"]["crowded_points"] = made.crowded_points;
+    answer["mask"] = to_json(made.checks.mask);
+    answer["skeleton"] = to_json(made.checks.skeleton);
+    answer["skeleton"]["crowded_points"] = made.checks.crowded_points;
     answer["tree"] = to_json(made.patient.tree);
     answer["bridges"] = to_json(made.patient.corrections.bridges);
     answer["mesh"] = to_json(made.patient.mesh);

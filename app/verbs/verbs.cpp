@@ -7,6 +7,7 @@ void add_all_verbs(CommandLine& line) {
     add_phantom(line);
     add_reconstruct(line);
     add_edit(line);
+    add_remake(line);
     add_copy(line);
     add_feeders(line);
     add_compare(line);

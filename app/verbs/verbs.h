@@ -10,6 +10,7 @@ void add_phantom(CommandLine& line);
 void add_reconstruct(CommandLine& line);
 void add_copy(CommandLine& line);
 void add_edit(CommandLine& line);
+void add_remake(CommandLine& line);
 void add_feeders(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_pressure_drop(CommandLine& line);

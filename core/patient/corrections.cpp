@@ -35,19 +35,6 @@ bool is_taken_up(const Bridge& bridge, const std::vector<TreeEdit>& edits) {
     });
 }
 
-MeshOptions mesh_options_of(const PatientCase& patient) {
-    MeshOptions options;
-    const auto parameters = nlohmann::json::parse(patient.source.parameters_json, nullptr, false);
-    if (!parameters.is_object() || !parameters.contains("mesh")) return options;
-    const auto& mesh = parameters["mesh"];
-    options.facet_size_in_radii = mesh.value("facet_size_in_radii", options.facet_size_in_radii);
-    options.cell_size_in_radii = mesh.value("cell_size_in_radii", options.cell_size_in_radii);
-    if (mesh.contains("target_tetrahedra"))
-        options.target_tetrahedra = whole_number<int>(mesh["target_tetrahedra"]);
-    options.minimum_radius_mm = mesh.value("minimum_radius_mm", options.minimum_radius_mm);
-    return options;
-}
-
 VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
     for (std::size_t i = 0; i < edits.size(); ++i) {
         try {
@@ -65,6 +52,19 @@ VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
 }
 
 }  // namespace
+
+MeshOptions mesh_options_of(const PatientCase& patient) {
+    MeshOptions options;
+    const auto parameters = nlohmann::json::parse(patient.source.parameters_json, nullptr, false);
+    if (!parameters.is_object() || !parameters.contains("mesh")) return options;
+    const auto& mesh = parameters["mesh"];
+    options.facet_size_in_radii = mesh.value("facet_size_in_radii", options.facet_size_in_radii);
+    options.cell_size_in_radii = mesh.value("cell_size_in_radii", options.cell_size_in_radii);
+    if (mesh.contains("target_tetrahedra"))
+        options.target_tetrahedra = whole_number<int>(mesh["target_tetrahedra"]);
+    options.minimum_radius_mm = mesh.value("minimum_radius_mm", options.minimum_radius_mm);
+    return options;
+}
 
 std::string name_of(BridgeState state) {
     switch (state) {

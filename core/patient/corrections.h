@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -37,6 +38,9 @@ TreeEdit refusal_of(const Bridge& bridge);
 // The edits that build all open bridges of this confidence or more, best first. A bridge that
 // another one made needless is left out.
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence);
+
+// What the body was made with, as `source.parameters_json` says.
+MeshOptions mesh_options_of(const PatientCase& patient);
 
 // The case with another list of edits, but with the body it had: for looking ahead. Throws as
 // with_edits() does.

@@ -10,38 +10,16 @@
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
-#include "core/mesh/surface.h"
 #include "core/patient/image_digest.h"
-#include "core/patient/liver_segments.h"
-#include "core/reconstruction/mask_of_tree.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
 #include "core/reconstruction/tumours.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "core/segmentation/vessel_systems.h"
-#include "core/skeleton/thinning.h"
-#include "core/skeleton/topology.h"
-#include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/systems/doubtful_roots.h"
-#include "core/tree/tree_extraction.h"
 
 namespace hepatica {
 
 namespace {
-
-// Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
-// takes the system of the voxel before it in the row, which borders the hole.
-void fill_cavities(Mask& mask) {
-    const Mask filled = fill_holes(mask);
-    for (std::size_t i = 1; i < mask.voxels.size(); ++i)
-        if (mask.voxels[i] == 0 && filled.voxels[i] != 0) mask.voxels[i] = mask.voxels[i - 1];
-}
-
-VoxelCounts counts_of(const Mask& mask) {
-    const Betti betti = betti_numbers(mask);
-    const auto voxels = std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; });
-    return {static_cast<std::size_t>(voxels), betti.components, betti.tunnels, betti.cavities};
-}
 
 void require_vessels(const Mask& mask, const std::string& place) {
     if (std::ranges::none_of(mask.voxels, [](auto v) { return v != 0; }))
@@ -116,52 +94,11 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
     return anatomy;
 }
 
-void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,
-                      std::vector<std::string>& warnings) {
-    const auto say = [&](const RemovedPieces& pieces, const std::string& what,
-                         const std::string& why) {
-        if (pieces.count == 0) return;
-        const bool one = pieces.count == 1;
-        warnings.push_back(std::to_string(pieces.count) + (one ? " piece" : " pieces") + what +
-                           ", " + std::to_string(std::lround(pieces.length_mm)) + " mm in all, " +
-                           (one ? "was" : "were") + " left out of the tree: " + why +
-                           ". A seed inside such a piece keeps it.");
-    };
-    say(extraction.too_short, " of vessels",
-        "pieces shorter than " + std::to_string(std::lround(options.minimum_component_mm)) +
-            " mm that nothing joins are often noise");
-    say(extraction.blobs, " as wide as an organ",
-        "what hangs on a vessel by a neck and is wide and short is hardly one");
-}
-
 // Whether somebody has said already which voxels belong to which system.
 bool has_systems(const Mask& vessels) {
     return std::ranges::any_of(vessels.voxels, [](std::uint8_t v) {
         return v != 0 && v != static_cast<std::uint8_t>(VascularSystem::unknown);
     });
-}
-
-// Fills tree and bridges of the case; its voxels take the systems of the tree.
-void build_tree(const ReconstructOptions& options, const Volume& ct,
-                const std::optional<Vec3>& portal_trunk_mm, Reconstruction& result,
-                std::vector<std::string>& warnings, Job& job) {
-    PatientCase& patient = result.patient;
-    TreeOptions tree_options;
-    tree_options.seeds = options.seeds;
-    tree_options.find_systems = !options.seeds.empty() || !has_systems(patient.mask);
-    tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);
-    tree_options.portal_trunk_mm = portal_trunk_mm;
-    tree_options.bridging.confidence = options.bridge_confidence;
-    job.begin_stage("Extracting the tree");
-    TreeExtraction extraction =
-        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
-    warn_of_left_out(extraction, tree_options, warnings);
-    patient.tree = std::move(extraction.tree);
-    patient.doubts = doubts_of(patient.tree);
-    patient.doubts->opened_loops = extraction.opened_loops;
-    patient.corrections.bridges = std::move(extraction.bridges);
-    job.begin_stage("Telling the systems apart");
-    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job);
 }
 
 // `warnings` holds what was found so far, also where it throws.
@@ -180,33 +117,20 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     patient.organs = std::move(anatomy.organs);
     mark_tumours(options, ct.grid, patient.organs, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
-    fill_cavities(patient.mask);
-    job.advance(0.8);
-    result.mask = counts_of(patient.mask);
-    job.advance(1.0);
-
-    job.begin_stage("Thinning to the skeleton");
-    const Mask skeleton = thin(patient.mask, options.thinning, job);
-    job.begin_stage("Making the skeleton one voxel wide");
-    patient.skeleton = unit_width(skeleton, job);
-    result.skeleton = counts_of(patient.skeleton);
-    result.crowded_points = crowded_point_count(patient.skeleton);
-
-    build_tree(options, ct, anatomy.portal_trunk_mm, result, warnings, job);
-    patient.doubts->contrast_hu = anatomy.contrast.contrast_hu();
-    patient.doubts->noise_hu = anatomy.contrast.noise_hu;
-    patient.doubts->coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();
+    FromVoxelsOptions from_voxels;
+    from_voxels.seeds = options.seeds;
+    from_voxels.find_systems = !options.seeds.empty() || !has_systems(patient.mask);
+    from_voxels.bridge_confidence = options.bridge_confidence;
+    from_voxels.thinning = options.thinning;
+    from_voxels.portal_trunk_mm = anatomy.portal_trunk_mm;
+    from_voxels.of_image.contrast_hu = anatomy.contrast.contrast_hu();
+    from_voxels.of_image.noise_hu = anatomy.contrast.noise_hu;
+    from_voxels.of_image.coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();
+    result.checks = make_tree(from_voxels, ct, patient, warnings, job);
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
-    label_segments(patient, job);
-    std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
-    std::ranges::copy(sentences(doubtful_roots(patient.tree)), std::back_inserter(warnings));
-
-    job.begin_stage("Meshing the vessels");
-    patient.mesh = tetrahedralize(patient.tree, options.mesh, job, &warnings);
-    job.throw_if_cancelled();
-    patient.surface = surface_of(patient.mesh).mesh;
+    make_body(options.mesh, patient, warnings, job);
     result.stages = job.stage_times();
     result.warnings = warnings;
     return result;
@@ -215,12 +139,12 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 }  // namespace
 
 int stage_count(const ReconstructOptions& options) {
-    constexpr int reading = 1, from_skeleton_to_mesh = 5;
+    constexpr int reading = 1;
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     const int tumours = static_cast<int>(options.tumour_masks.size());
     return reading + tumours + (options.vessel_mask ? given_liver + given_mask : segmentation) +
-           from_skeleton_to_mesh;
+           make_tree_stages + make_body_stages;
 }
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {

@@ -12,6 +12,7 @@
 #include "core/base/job.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
+#include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/vessel_segmentation.h"
 #include "core/skeleton/thinning.h"
@@ -41,19 +42,9 @@ struct ReconstructOptions {
     MeshOptions mesh{.target_tetrahedra = 20000};
 };
 
-// Counts that judge the voxels, for display beside the case itself.
-struct VoxelCounts {
-    std::size_t voxels = 0;
-    long long components = 0;
-    long long tunnels = 0;
-    long long cavities = 0;
-};
-
 struct Reconstruction {
     PatientCase patient;
-    VoxelCounts mask;
-    VoxelCounts skeleton;
-    std::size_t crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
+    VoxelChecks checks;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reconstruction/reconstruct_parameters.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace hepatica {
@@ -30,6 +31,31 @@ std::string parameters_json(const ReconstructOptions& options) {
                     {"target_tetrahedra", options.mesh.target_tetrahedra},
                     {"minimum_radius_mm", options.mesh.minimum_radius_mm}};
     return json.dump();
+}
+
+FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
+    FromVoxelsOptions options;
+    const auto json = nlohmann::json::parse(parameters_json, nullptr, false);
+    if (!json.is_object()) return options;
+    const auto has = [&](const char* key, auto is) {
+        return json.contains(key) && (json[key].*is)();
+    };
+    if (has("seeds", &nlohmann::json::is_array))
+        for (const auto& seed : json["seeds"]) {
+            try {
+                const auto at = seed.at("position_mm").get<std::array<double, 3>>();
+                const auto system = system_named(seed.at("system").get<std::string>());
+                if (system) options.seeds.push_back({Vec3(at[0], at[1], at[2]), *system});
+            } catch (const nlohmann::json::exception&) {
+                continue;
+            }
+        }
+    // Systems that somebody drew are kept.
+    options.find_systems = !options.seeds.empty() || !json.value("vessel_mask_given", false);
+    if (has("bridge_confidence", &nlohmann::json::is_number))
+        options.bridge_confidence = json["bridge_confidence"].get<double>();
+    if (json.value("thinning", "queue") == "parallel") options.thinning = ThinningMethod::parallel;
+    return options;
 }
 
 }  // namespace hepatica

@@ -12,4 +12,8 @@ namespace hepatica {
 // patient's name.
 std::string parameters_json(const ReconstructOptions& options);
 
+// What of them decides how a tree is made of voxels. Of what the object does not hold, or not as it
+// should, the usual; seeds that make no sense are left out.
+FromVoxelsOptions from_voxels_options(const std::string& parameters_json);
+
 }  // namespace hepatica

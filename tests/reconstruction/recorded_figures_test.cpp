@@ -139,8 +139,8 @@ TEST(ReconstructionFigures, FromCtToMesh) {
         const std::string name = given ? "given" : "found";
         std::string words;
         for (const std::string& warning : result.warnings) words += warning + "\n";
-        for (const VoxelCounts* counts : {&result.mask, &result.skeleton})
-            figures.add(name + (counts == &result.mask ? ".of_mask" : ".of_skeleton"),
+        for (const VoxelCounts* counts : {&result.checks.mask, &result.checks.skeleton})
+            figures.add(name + (counts == &result.checks.mask ? ".of_mask" : ".of_skeleton"),
                         std::vector{static_cast<double>(counts->voxels),
                                     static_cast<double>(counts->components),
                                     static_cast<double>(counts->tunnels),
@@ -150,7 +150,7 @@ TEST(ReconstructionFigures, FromCtToMesh) {
             .add(name + ".skeleton", patient.skeleton.voxels)
             .add(name + ".organs", patient.organs.voxels)
             .add(name + ".couinaud", patient.couinaud.voxels)
-            .add(name + ".crowded", static_cast<double>(result.crowded_points))
+            .add(name + ".crowded", static_cast<double>(result.checks.crowded_points))
             .add(name + ".tetrahedra", static_cast<double>(patient.mesh.tetrahedra.size()))
             .add(name + ".triangles", static_cast<double>(patient.surface.triangles.size()))
             .add(name + ".words", letters_of(words))
@@ -212,12 +212,12 @@ TEST(ReconstructionFigures, OfAGivenMaskWithHolesAndCrumbs) {
         std::string words;
         for (const std::string& warning : result.warnings) words += warning + "\n";
         const std::string name = "crumbs" + std::to_string(crumbs);
-        EXPECT_EQ(result.mask.cavities, 0);
+        EXPECT_EQ(result.checks.mask.cavities, 0);
         figures.add(name + ".words", letters_of(words))
             .add(name + ".mask", result.patient.mask.voxels)
             .add(name + ".skeleton", result.patient.skeleton.voxels)
-            .add(name + ".crowded", static_cast<double>(result.crowded_points))
-            .add(name + ".tunnels", static_cast<double>(result.mask.tunnels));
+            .add(name + ".crowded", static_cast<double>(result.checks.crowded_points))
+            .add(name + ".tunnels", static_cast<double>(result.checks.mask.tunnels));
         add_tree_points(figures, name, result.patient.tree);
     }
     fs::remove_all(folder);

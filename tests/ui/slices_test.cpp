@@ -10,6 +10,7 @@
 #include "ui/slices/view_layout.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -201,11 +202,71 @@ TEST_F(Slices, ZoomAndPanKeepThePlaceUnderTheMouse) {
 TEST_F(Slices, LeaveRoomForALessonOnASmallScreen) {
     show_slices();
     window_.lessons().show();
-    for (const int purpose : {0, 1, 4, 5}) {
+    for (const int purpose : {0, 1, 4, 5, 6}) {
         emit window_.findChild<QComboBox*>("measure")->activated(purpose);
         QApplication::processEvents();
         EXPECT_LE(window_.minimumSizeHint().width(), 1280) << purpose;
     }
+}
+
+// What is painted shows at once, and is asked to be made into vessels with all its strokes.
+TEST_F(Slices, TakeTheStrokesOfABrush) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    auto* choice = window_.findChild<QComboBox*>("measure");
+    auto* rebuild = window_.findChild<QPushButton*>("rebuildVessels");
+    auto* radius = window_.findChild<QDoubleSpinBox*>("brushRadius");
+    const MaskBrush& brush = scene().brush();
+    const Mask before = scene().systems();
+    EXPECT_FALSE(rebuild->isVisible());
+    emit choice->activated(6);
+    EXPECT_EQ(choice->currentText(), "Paint vessels");
+    EXPECT_TRUE(rebuild->isVisible());
+    EXPECT_FALSE(rebuild->isEnabled());
+    radius->setValue(4.0);
+    scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
+    const QPoint from = axial.place_of(ct_.grid.to_mm(10, 25, 30)).toPoint();
+    const QPoint to = axial.place_of(ct_.grid.to_mm(15, 25, 30)).toPoint();
+    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, QPointF(to), axial.mapToGlobal(QPointF(to)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&axial, &move);
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
+    ASSERT_EQ(brush.strokes().size(), 1u);
+    EXPECT_EQ(brush.strokes()[0].path_mm.size(), 2u);
+    Mask expected = before;
+    for (const BrushStroke& stroke : brush.strokes()) apply(stroke, painted_label, expected);
+    EXPECT_EQ(scene().systems().voxels, expected.voxels) << "while the mouse led it, too";
+    EXPECT_EQ(scene().systems().at(12, 25, 30), painted_label);
+    EXPECT_EQ(scene().vessels().at(12, 25, 30), 255);
+    EXPECT_EQ(scene().systems().at(12, 25, 31), painted_label) << "a ball, not a disc";
+    EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
+    // By the keys: smaller, a dab that erases, and back.
+    emit choice->activated(7);
+    QTest::keyClick(&axial, Qt::Key_Minus);
+    EXPECT_EQ(radius->value(), 3.5);
+    EXPECT_NE(scene().systems().at(20, 25, 30), 0);
+    QTest::keyClick(&axial, Qt::Key_Return);
+    EXPECT_EQ(scene().systems().at(20, 25, 30), 0);
+    QTest::keyClick(&axial, Qt::Key_Delete);
+    EXPECT_EQ(scene().systems().voxels, expected.voxels);
+    emit choice->activated(0);
+    EXPECT_TRUE(rebuild->isVisible()) << "what was painted waits";
+    EXPECT_TRUE(rebuild->isEnabled());
+    emit choice->activated(6);
+    QTest::keyClick(&axial, Qt::Key_Escape);
+    EXPECT_EQ(scene().systems().voxels, before.voxels);
+    QTest::keyClick(&axial, Qt::Key_Escape);
+    EXPECT_EQ(choice->currentText(), "Crosshair");
+    EXPECT_FALSE(rebuild->isVisible());
+    // Other voxels drop what was painted on those before.
+    emit choice->activated(6);
+    QTest::keyClick(&axial, Qt::Key_Return);
+    scene().set_systems(before);
+    EXPECT_EQ(brush.strokes().size(), 1u) << "they are the same";
+    scene().set_systems(expected);
+    EXPECT_TRUE(brush.strokes().empty());
+    EXPECT_EQ(scene().systems().voxels, expected.voxels);
 }
 
 TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {

@@ -11,6 +11,8 @@
 #include <array>
 #include <utility>
 
+#include "ui/decimal_spin_box.h"
+
 namespace hepatica {
 namespace {
 
@@ -26,7 +28,7 @@ constexpr std::array presets{
 };
 
 // What a click is for; the three measurements stand between them.
-constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5;
+constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5, paints = 6, erases = 7;
 
 bool same(const GreyWindow& a, const GreyWindow& b) {
     return a.level_hu == b.level_hu && a.width_hu == b.width_hu;
@@ -81,6 +83,8 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     row->addStretch(1);
     lower->addWidget(click_choice());
     lower->addWidget(draw_button());
+    add_brush(*lower);
+    lower->addSpacing(8);
     lower->addWidget(place_, 1);
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets.size()))
@@ -123,13 +127,16 @@ QWidget* SliceBar::click_choice() {
     click_ = new QComboBox;
     click_->setObjectName("measure");
     click_->setAccessibleName("What a click in a slice does");
-    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel", "Correct"});
+    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel", "Correct",
+                      "Paint vessels", "Erase vessels"});
     click_->setToolTip(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
         "Draw a vessel: clicks along one that is missing, in any slices, from where its blood "
         "comes in; Enter draws it. Delete takes the last away, Escape ends it. "
-        "Correct: a click on a vessel does what the panel of corrections says");
+        "Correct: a click on a vessel does what the panel of corrections says. "
+        "Paint, erase: a drag leads a ball through the vessels' voxels; Rebuild makes the vessels "
+        "anew of them");
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
@@ -140,6 +147,9 @@ void SliceBar::choose_click(int index) {
     const bool measures = index > moves_crosshair && index < draws_vessel;
     scene_.set_corrects(index == corrects);
     scene_.pen().set_taken(index == draws_vessel);
+    scene_.brush().set_mode(index == paints   ? BrushMode::paints
+                            : index == erases ? BrushMode::erases
+                                              : BrushMode::away);
     scene_.measurements().choose(measures ? std::optional(static_cast<MeasurementKind>(index - 1))
                                           : std::nullopt);
     follow_click();
@@ -147,10 +157,12 @@ void SliceBar::choose_click(int index) {
 
 int SliceBar::chosen_click() const {
     const auto kind = scene_.measurements().chosen();
-    return scene_.pen().taken() ? draws_vessel
-           : scene_.corrects()  ? corrects
-           : kind               ? 1 + static_cast<int>(*kind)
-                                : moves_crosshair;
+    return scene_.pen().taken()                         ? draws_vessel
+           : scene_.corrects()                          ? corrects
+           : scene_.brush().mode() == BrushMode::paints ? paints
+           : scene_.brush().mode() == BrushMode::erases ? erases
+           : kind                                       ? 1 + static_cast<int>(*kind)
+                                                        : moves_crosshair;
 }
 
 // What to do next; empty where a click only moves the crosshair.
@@ -167,6 +179,10 @@ QString SliceBar::guidance() const {
         case corrects:
             return tr("A click on a vessel: %1 (panel Corrections); Escape ends it")
                 .arg(correction_());
+        case paints:
+            return tr("Drag over what is vessel (+ and - size the brush), then Rebuild");
+        case erases:
+            return tr("Drag over what is no vessel (+ and - size the brush), then Rebuild");
         default:
             return {};
     }
@@ -185,6 +201,36 @@ QWidget* SliceBar::draw_button() {
     connect(draw_, &QPushButton::clicked, this, [this] { scene_.pen().finish(); });
     scene_.pen().on_say([this](const std::string& text) { say(QString::fromStdString(text)); });
     return draw_;
+}
+
+void SliceBar::add_brush(QHBoxLayout& row) {
+    radius_ = new DecimalSpinBox(MaskBrush::least_mm, MaskBrush::most_mm,
+                                 scene_.brush().radius_mm(), 1, " mm");
+    radius_->setObjectName("brushRadius");
+    radius_->setAccessibleName(tr("Radius of the brush"));
+    radius_->setToolTip(tr("Radius of the ball that is led through the voxels"));
+    radius_->setSingleStep(0.5);
+    remake_ = new QPushButton(tr("Rebuild"));
+    remake_->setObjectName("rebuildVessels");
+    remake_->setToolTip(
+        tr("Makes the vessels anew of their voxels as they are painted now. Corrections are made "
+           "again where they still can be"));
+    row.addWidget(radius_);
+    row.addWidget(remake_);
+    connect(radius_, &QDoubleSpinBox::valueChanged, this,
+            [this](double mm) { scene_.brush().set_radius(mm); });
+    connect(remake_, &QPushButton::clicked, this, [this] { scene_.brush().remake(); });
+    const auto follow = [this] {
+        const MaskBrush& brush = scene_.brush();
+        const bool taken = brush.mode() != BrushMode::away;
+        radius_->setVisible(taken);
+        radius_->setValue(brush.radius_mm());
+        remake_->setVisible(taken || !brush.strokes().empty());
+        remake_->setEnabled(!brush.strokes().empty());
+        if (click_->currentIndex() != chosen_click()) follow_click();
+    };
+    scene_.brush().on_change(follow);
+    follow();
 }
 
 void SliceBar::follow_click() {

@@ -9,6 +9,8 @@
 #include "ui/slices/slice_scene.h"
 
 class QComboBox;
+class QDoubleSpinBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -29,6 +31,7 @@ class SliceBar : public QWidget {
     QWidget* segment_choice();
     QWidget* click_choice();
     QWidget* draw_button();
+    void add_brush(QHBoxLayout& row);
     void choose_click(int index);
     int chosen_click() const;
     QString guidance() const;
@@ -42,6 +45,8 @@ class SliceBar : public QWidget {
     QLabel* place_;
     QComboBox* click_ = nullptr;  // what a click is for
     QPushButton* draw_ = nullptr;
+    QDoubleSpinBox* radius_ = nullptr;  // of the brush
+    QPushButton* remake_ = nullptr;
 };
 
 }  // namespace hepatica

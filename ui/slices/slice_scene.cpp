@@ -27,9 +27,14 @@ std::string along(double mm, char positive, char negative) {
 
 }  // namespace
 
+SliceScene::SliceScene() {
+    brush_.on_change([this] { follow_brush(); });
+}
+
 void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
     ct_ = std::move(ct);
     systems_ = std::move(systems);
+    forget_strokes();
     tree_ = tree;
     centrelines_ = centrelines_of(tree);
     Vec3 middle = ct_->grid.to_mm(
@@ -51,9 +56,53 @@ void SliceScene::show_tree(const VesselTree& tree) {
     tell_of_voxels();
 }
 
+void SliceScene::set_systems(Mask systems) {
+    const Mask& before = brush_.strokes().empty() ? systems_ : unpainted_;
+    if (systems.voxels == before.voxels) return;
+    systems_ = std::move(systems);
+    forget_strokes();
+    tell_of_voxels();
+}
+
+// Those of other voxels: they are not taken off these.
+void SliceScene::forget_strokes() {
+    unpainted_ = {};
+    shown_strokes_ = shown_points_ = 0;
+    brush_.remove_all();
+}
+
+// A stroke that is being led changes at its end alone; whatever else happened is made anew.
+void SliceScene::follow_brush() {
+    const std::vector<BrushStroke>& strokes = brush_.strokes();
+    const bool led_on = strokes.size() == shown_strokes_ && !strokes.empty() &&
+                        strokes.back().path_mm.size() == shown_points_ + 1;
+    if (led_on) {
+        const BrushStroke& last = strokes.back();
+        apply({{last.path_mm.end()[-2], last.path_mm.back()}, last.radius_mm, last.erases},
+              painted_label, systems_);
+    } else if (!strokes.empty() || shown_strokes_ > 0) {
+        if (unpainted_.voxels.empty()) unpainted_ = systems_;
+        systems_ = unpainted_;
+        for (const BrushStroke& stroke : strokes) apply(stroke, painted_label, systems_);
+        if (strokes.empty()) unpainted_ = {};
+    }
+    shown_strokes_ = strokes.size();
+    shown_points_ = strokes.empty() ? 0 : strokes.back().path_mm.size();
+    tell_of_voxels();
+}
+
+Mask SliceScene::vessels() const {
+    Mask vessels = systems_;
+    std::ranges::replace(vessels.voxels, painted_label,
+                         static_cast<std::uint8_t>(number_of(VascularSystem::unknown)));
+    return vessels;
+}
+
 void SliceScene::clear() {
     ct_.reset();
     systems_ = {};
+    forget_strokes();
+    brush_.set_mode(BrushMode::away);
     segments_ = {};
     why_no_segments_.clear();
     tree_ = {};

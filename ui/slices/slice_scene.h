@@ -11,6 +11,7 @@
 
 #include "core/image/slice.h"
 #include "core/tree/vessel_tree.h"
+#include "ui/slices/mask_brush.h"
 #include "ui/slices/measurements.h"
 #include "ui/slices/vessel_pen.h"
 
@@ -26,6 +27,7 @@ struct CentrelinePoint {
 // UI thread.
 class SliceScene {
   public:
+    SliceScene();
     // Whenever anything below was changed.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
 
@@ -40,7 +42,14 @@ class SliceScene {
 
     bool empty() const { return ct_ == nullptr; }
     const Volume& ct() const { return *ct_; }  // unless empty
+    const std::shared_ptr<const Volume>& shared_ct() const { return ct_; }
+    // The vessels' voxels with what is erased by hand, and what is painted as painted_label.
     const Mask& systems() const { return systems_; }
+    // The same with what is painted as vessels of an unknown system.
+    Mask vessels() const;
+    // Others, of the same patient; what was painted on those before is dropped. Nothing changes
+    // where they are those before.
+    void set_systems(Mask systems);
     std::vector<CentrelinePoint> const& centrelines() const { return centrelines_; }
     const VesselTree& tree() const { return tree_; }
     // They go with the patient, and have watchers of their own.
@@ -49,6 +58,9 @@ class SliceScene {
     // Likewise.
     VesselPen& pen() { return pen_; }
     const VesselPen& pen() const { return pen_; }
+    // Likewise.
+    MaskBrush& brush() { return brush_; }
+    const MaskBrush& brush() const { return brush_; }
 
     // Whether a click in a slice corrects the vessel there, as the panel of corrections says.
     bool corrects() const { return corrects_; }
@@ -77,16 +89,23 @@ class SliceScene {
   private:
     void tell() const;
     void tell_of_voxels();
+    // Brings the voxels up to the strokes: the last one's new piece, or all of them anew.
+    void follow_brush();
+    void forget_strokes();
     int segment_at(const Vec3& position_mm) const;  // 0: none
 
     std::shared_ptr<const Volume> ct_;
     Mask systems_;
+    Mask unpainted_;  // systems_ before the first stroke; empty: there is none
+    // Of the strokes that systems_ shows: how many, and points of the last.
+    std::size_t shown_strokes_ = 0, shown_points_ = 0;
     Mask segments_;
     std::string why_no_segments_;
     std::vector<CentrelinePoint> centrelines_;
     VesselTree tree_;
     Measurements measurements_;
     VesselPen pen_;
+    MaskBrush brush_;
     Vec3 crosshair_mm_ = Vec3::Zero();
     GreyWindow window_{};
     double opacity_ = 0.6;

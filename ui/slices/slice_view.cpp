@@ -16,6 +16,7 @@ namespace {
 
 constexpr double hu_per_point = 2.0;
 constexpr double most_zoom = 20.0;
+const QColor measured(255, 214, 90);
 constexpr int least_numbered = 40;  // pixels of a segment that has room for its number
 
 QColor colour_of(const Colour& colour) {
@@ -44,6 +45,7 @@ void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, doubl
     std::array<std::array<double, 3>, 256> tint{};
     for (const VascularSystem system : vascular_systems)
         tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
+    tint[painted_label] = {measured.redF(), measured.greenF(), measured.blueF()};
     std::size_t i = 0;
     for (int row = 0; row < picture.height(); ++row) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
@@ -68,8 +70,6 @@ void write_shaded(QPainter& painter, const QRectF& box, Qt::Alignment where, con
     painter.setPen(colour);
     painter.drawText(box, static_cast<int>(where), text);
 }
-
-const QColor measured(255, 214, 90);
 
 }  // namespace
 
@@ -158,6 +158,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     paint_crosshair(painter);
     paint_measurements(painter);
     paint_pen(painter);
+    paint_brush(painter);
     paint_words(painter);
     if (hasFocus()) paint_focus(painter);
 }
@@ -226,6 +227,19 @@ void SliceView::paint_pen(QPainter& painter) const {
             painter.drawEllipse(place_of(place), 5.0, 5.0);
 }
 
+// As wide as what it leaves.
+void SliceView::paint_brush(QPainter& painter) const {
+    if (!brushing() || !mouse_) return;
+    const double radius = scene_.brush().radius_mm() * points_per_mm();
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [colour, width] :
+         {std::pair{QColor(Qt::black), 3.0}, std::pair{measured, 1.4}}) {
+        const bool erases = scene_.brush().mode() == BrushMode::erases;
+        painter.setPen(QPen(colour, width, erases ? Qt::DashLine : Qt::SolidLine));
+        painter.drawEllipse(*mouse_, radius, radius);
+    }
+}
+
 // In the slices through any of its points, as seen from there; of a diameter, in those that cut the
 // lumen along it.
 void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
@@ -288,6 +302,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
         measure(to_mm(last_));
     else if (drawing())
         set_place(to_mm(last_));
+    else if (brushing())
+        scene_.brush().begin(to_mm(last_));
     else
         scene_.set_crosshair(to_mm(last_));
     if (scene_.corrects() && correct_) correct_(to_mm(last_));
@@ -315,7 +331,12 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     if (scene_.empty()) return;
     const QPointF at = event->position();
     const QPointF moved = at - std::exchange(last_, at);
+    if (brushing()) {
+        mouse_ = at;
+        update();
+    }
     if (event->buttons() & Qt::LeftButton) {
+        if (brushing()) scene_.brush().lead_to(to_mm(at));
         if (!works()) scene_.set_crosshair(to_mm(at));
     } else if (event->buttons() & Qt::RightButton) {
         const GreyWindow& window = scene_.window();
@@ -326,6 +347,11 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
         update();
     }
     if (hover_) hover_(to_mm(at));
+}
+
+void SliceView::leaveEvent(QEvent* event) {
+    if (std::exchange(mouse_, std::nullopt)) update();
+    QWidget::leaveEvent(event);
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -357,6 +383,9 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 bool SliceView::sets_points_with(const QKeyEvent& event) const {
     if (event.modifiers() & ~Qt::KeypadModifier) return false;
     switch (event.key()) {
+        case Qt::Key_Plus:
+        case Qt::Key_Minus:
+            return brushing();
         case Qt::Key_Return:
         case Qt::Key_Enter:
         case Qt::Key_Escape:
@@ -365,7 +394,7 @@ bool SliceView::sets_points_with(const QKeyEvent& event) const {
         // play.
         case Qt::Key_Delete:
         case Qt::Key_Backspace:
-            return measuring() || drawing() || !scene_.measurements().made().empty();
+            return works() || !scene_.measurements().made().empty();
         default:
             return false;
     }
@@ -383,6 +412,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     if (scene_.empty()) return QWidget::keyPressEvent(event);
     if (sets_points_with(*event))
         return scene_.corrects() ? correct_by_key(event->key())
+               : brushing()      ? brush_by_key(event->key())
                : drawing()       ? draw_by_key(event->key())
                                  : measure_by_key(event->key());
     switch (event->key()) {
@@ -419,6 +449,18 @@ void SliceView::correct_by_key(int key) {
         correct_(scene_.crosshair_mm());
     else
         scene_.measurements().remove_last();
+}
+
+void SliceView::brush_by_key(int key) {
+    MaskBrush& brush = scene_.brush();
+    if (key == Qt::Key_Escape)
+        brush.strokes().empty() ? brush.set_mode(BrushMode::away) : brush.remove_all();
+    else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
+        brush.remove_last();
+    else if (key == Qt::Key_Plus || key == Qt::Key_Minus)
+        brush.set_radius(brush.radius_mm() + (key == Qt::Key_Plus ? 0.5 : -0.5));
+    else
+        brush.begin(scene_.crosshair_mm());
 }
 
 void SliceView::draw_by_key(int key) {

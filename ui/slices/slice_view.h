@@ -6,6 +6,8 @@
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
 // While corrections are made a left click, or Enter at the crosshair, corrects the vessel there.
+// While the vessels' voxels are painted or erased a left drag leads the brush, Enter dabs at the
+// crosshair, + and - change its size, Delete takes the last stroke back, Escape all of them.
 // While something is being measured a left click, or Enter at the crosshair, sets a point of it;
 // Delete takes the last one away, Escape ends measuring. While a vessel is drawn a left click takes
 // the crosshair there, too, and Enter where the last place is draws the vessel.
@@ -14,6 +16,7 @@
 #include <QImage>
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "ui/slices/segment_overlay.h"
@@ -47,6 +50,7 @@ class SliceView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -62,16 +66,19 @@ class SliceView : public QWidget {
     void measure_by_key(int key);
     void draw_by_key(int key);
     void correct_by_key(int key);
+    void brush_by_key(int key);
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
     // A click is for something else than the crosshair alone.
-    bool works() const { return measuring() || drawing() || scene_.corrects(); }
+    bool works() const { return measuring() || drawing() || scene_.corrects() || brushing(); }
+    bool brushing() const { return scene_.brush().mode() != BrushMode::away; }
     void measure(const Vec3& position_mm);
     void say(const std::string& text) const;
     bool is_here(const Vec3& point_mm, double reach_mm) const;
     void paint_line(QPainter& painter, const QPolygonF& line) const;
     void paint_pen(QPainter& painter) const;
+    void paint_brush(QPainter& painter) const;
     void paint_measurement(QPainter& painter, const Measurement& measurement) const;
     void paint_measurements(QPainter& painter) const;
     void paint_segment_numbers(QPainter& painter) const;
@@ -84,6 +91,7 @@ class SliceView : public QWidget {
     SliceDirection direction_;
     std::function<void(const Vec3&)> hover_;
     std::function<void(const QString&)> say_;
+    std::optional<QPointF> mouse_;  // over the slice, while there is a brush
     std::function<void(const Vec3&)> correct_;
     std::function<void()> double_click_;
     QImage picture_;

@@ -44,6 +44,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       view_(view) {
     build(view);
     scene_.on_change([this] { mark_crosshair(); });
+    scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
                               callbacks_.draw(scene_.ct(), places, std::move(answered));
                           },
@@ -110,6 +111,8 @@ void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
     if (scene_.empty()) return;
+    // Voxels in memory may be others than those that are shown.
+    if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);
     want_segments();
 }

@@ -34,6 +34,8 @@ class ViewLayout : public QWidget {
         // A vessel was drawn through these places of the CT, which stays until it is answered.
         std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
         std::function<void()> stop_drawing;
+        // The vessels shall be made anew of these voxels.
+        std::function<void(std::shared_ptr<const Volume> ct, Mask vessels)> remake;
         // A click on a place of the CT that is for a correction, and what that would be.
         std::function<void(const Vec3&)> correct;
         std::function<QString()> correction;

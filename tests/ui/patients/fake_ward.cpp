@@ -150,6 +150,15 @@ PatientKeeper::Ways FakeWard::ways() {
         corrected.corrections.edits = edits;
         return corrected;
     };
+    ways.remake = [this](const PatientCase& patient, Mask vessels, const Volume&, Job& job) {
+        hold(hold_remakings, job);
+        if (vessels.voxels.empty()) throw InputError("no vessel is left", "", "");
+        RemadeCase made{patient, {}};
+        made.patient.mask = std::move(vessels);
+        std::erase_if(made.patient.corrections.edits,
+                      [](const TreeEdit& edit) { return edit.at_mm.x() >= 100; });
+        return made;
+    };
     ways.check = [](const PatientCase&, const std::vector<TreeEdit>& edits) {
         for (const int number : numbers_of(edits))
             if (number < 0) throw InputError("cannot be made", std::to_string(number), "");

@@ -17,7 +17,8 @@ namespace hepatica::testing {
 // Qt's event loop, without a display; made once.
 void need_event_loop();
 
-// A correction that can be told from others by its number; a negative one cannot be made.
+// A correction that can be told from others by its number; a negative one cannot be made, and one
+// from 100 on not on vessels that were made anew.
 TreeEdit edit(int number);
 std::vector<int> numbers_of(const std::vector<TreeEdit>& edits);
 
@@ -45,6 +46,7 @@ class FakeWard {
 
     // Jobs of this kind wait while it is set, but hear a cancel.
     std::atomic<bool> hold_corrections{false};
+    std::atomic<bool> hold_remakings{false};
     std::atomic<bool> hold_saves{false};
     std::atomic<bool> hold_openings{false};
     std::atomic<bool> disk_full{false};

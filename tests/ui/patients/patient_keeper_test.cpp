@@ -27,8 +27,105 @@ class Keeper : public ::testing::Test {
     void add(int number) { ward.keeper().add(edit(number)); }
     void save_as(const char* name) { ward.keeper().save_as(FakeWard::path_of(name)); }
 
+    // Vessels of one voxel, with this label.
+    void remake(int label) {
+        ward.keeper().remake(std::make_shared<const Volume>(),
+                             Mask(Grid{{1, 1, 1}}, static_cast<std::uint8_t>(label)));
+    }
+    int label() const { return ward.workspace().patient()->mask.voxels[0]; }
+    Numbers edits() const { return numbers_of(ward.workspace().edits()); }
+
     FakeWard ward;
 };
+
+TEST_F(Keeper, vessels_made_anew_keep_the_corrections_that_still_can_be_made) {
+    for (const int number : {1, 100, 2}) add(number);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().save();
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 7);
+    EXPECT_EQ(edits(), (Numbers{1, 2}));
+    EXPECT_EQ(ward.shown.back(), "+");
+    EXPECT_TRUE(ward.workspace().dirty()) << "the voxels are not on disk";
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_FALSE(ward.workspace().dirty());
+    EXPECT_EQ(ward.on_disk("a.hep"), (Numbers{1, 2}));
+}
+
+TEST_F(Keeper, undo_goes_back_over_what_was_made_anew) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().save();
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    add(2);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 7);
+    EXPECT_EQ(edits(), Numbers{1});
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 1);
+    EXPECT_EQ(edits(), Numbers{1});
+    EXPECT_FALSE(ward.workspace().dirty()) << "that is what lies on disk";
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(edits().empty());
+    EXPECT_FALSE(ward.workspace().can_undo());
+}
+
+TEST_F(Keeper, what_was_saved_before_an_undo_is_not_taken_for_what_was_before) {
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 1);
+    EXPECT_TRUE(ward.workspace().dirty());
+}
+
+TEST_F(Keeper, a_correction_while_vessels_are_made_anew_is_made_on_them) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.hold_remakings = true;
+    remake(7);
+    add(2);
+    ward.keeper().undo();
+    EXPECT_EQ(edits(), (Numbers{1, 2})) << "undo waits";
+    EXPECT_NE(ward.said.back().find("being rebuilt"), std::string::npos);
+    ward.hold_remakings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 7);
+    EXPECT_EQ(edits(), (Numbers{1, 2}));
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), (Numbers{1, 2}));
+}
+
+TEST_F(Keeper, vessels_that_cannot_be_made_anew_leave_the_patient_as_he_is) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().remake(std::make_shared<const Volume>(), Mask());
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.failures, std::vector<std::string>{"Rebuilding the vessels: no vessel is left"});
+    ward.hold_remakings = true;
+    remake(7);
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 1);
+    EXPECT_EQ(edits(), Numbers{1});
+    EXPECT_NE(ward.said.back().find("still there"), std::string::npos);
+    // Another patient drops it.
+    remake(7);
+    ward.answer = UnsavedAnswer::discard;
+    ward.open("ct of another");
+    ward.hold_remakings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 1);
+    EXPECT_FALSE(ward.workspace().can_undo());
+}
 
 TEST_F(Keeper, saving_while_a_correction_is_made_saves_the_correction) {
     ward.hold_corrections = true;

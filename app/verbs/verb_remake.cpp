@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/output_place.h"
+#include "app/verbs/reconstruction_json.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/image/brush.h"
+#include "core/image/volume_reader.h"
+#include "core/opening/patient_image.h"
+#include "core/reconstruction/given_vessels.h"
+#include "core/reconstruction/remade_case.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RemakeChoices {
+    fs::path patient;
+    fs::path vessels;
+    fs::path ct;
+    fs::path out;
+    std::vector<std::string> painted, erased;  // X,Y,Z,RADIUS
+};
+
+BrushStroke dab(const std::string& option, const std::string& text, bool erases) {
+    const auto comma = text.find_last_of(',');
+    const std::string place = comma == std::string::npos ? text : text.substr(0, comma);
+    const auto numbers = parse_triple(option, place);
+    double radius_mm = 0.0;
+    try {
+        radius_mm = std::stod(text.substr(comma + 1));
+    } catch (const std::exception&) {
+        radius_mm = 0.0;
+    }
+    if (!(radius_mm > 0.0 && radius_mm <= 50.0))
+        throw UsageError("\"" + text + "\" is no ball", option,
+                         "Write X,Y,Z,RADIUS in mm, the radius above 0 and up to 50");
+    return {{Vec3(numbers[0], numbers[1], numbers[2])}, radius_mm, erases};
+}
+
+// Those of the file, else the case's, painted and erased.
+Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, const Grid& ct_grid,
+                    std::vector<std::string>& warnings, Job& job) {
+    Mask vessels = patient.mask;
+    if (!options.vessels.empty()) {
+        const LabelMap labels = read_label_map(options.vessels, job);
+        vessels = same_grid(labels.grid, patient.mask.grid)
+                      ? systems_of_labels(labels, {}, options.vessels.string(), warnings)
+                      : read_given_vessels(options.vessels, {}, ct_grid, warnings, job);
+    } else if (vessels.voxels.empty()) {
+        throw InputError("holds no voxels of its vessels", options.patient.string(),
+                         "Give some: --vessels FILE");
+    }
+    const auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+    for (const std::string& text : options.painted)
+        apply(dab("--paint", text, false), unknown, vessels);
+    for (const std::string& text : options.erased) apply(dab("--erase", text, true), 0, vessels);
+    return vessels;
+}
+
+auto vessel_voxels(const Mask& mask) {
+    return std::ranges::count_if(mask.voxels, [](auto voxel) { return voxel != 0; });
+}
+
+Json run_remake(const RemakeChoices& options, Job& job) {
+    if (options.vessels.empty() && options.painted.empty() && options.erased.empty())
+        throw UsageError("there is nothing to change", "remake",
+                         "Give --vessels FILE, --paint X,Y,Z,RADIUS or --erase X,Y,Z,RADIUS");
+    const fs::path& out = options.out.empty() ? options.patient : options.out;
+    if (!options.out.empty()) require_case_place(options.out);
+    job.expect_stages(remade_stages + 3);
+    job.begin_stage("Reading the case");
+    const PatientCase patient = read_case(options.patient);
+    const Volume ct = image_of(patient, options.ct, job);
+    std::vector<std::string> warnings;
+    Mask vessels = wanted_vessels(options, patient, ct.grid, warnings, job);
+    RemadeCase made = remade(patient, std::move(vessels), ct, job);
+    warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
+    for (const std::string& warning : warnings) spdlog::warn("{}", warning);
+    job.begin_stage("Writing the case");
+    write_case(out, made.patient);
+    Json answer;
+    answer["case"] = out.string();
+    answer["vessel_voxels_before"] = vessel_voxels(patient.mask);
+    answer["vessel_voxels"] = vessel_voxels(made.patient.mask);
+    answer["edits_before"] = patient.corrections.edits.size();
+    answer["edits"] = made.patient.corrections.edits.size();
+    answer["tree"] = to_json(made.patient.tree);
+    answer["mesh"] = to_json(made.patient.mesh);
+    answer["warnings"] = warnings;
+    return answer;
+}
+
+}  // namespace
+
+void add_remake(CommandLine& line) {
+    auto options = std::make_shared<RemakeChoices>();
+    CLI::App& verb = line.add_verb("remake", "Make a case anew from other voxels of its vessels",
+                                   [options](Job& job) { return run_remake(*options, job); });
+    verb.add_option("case", options->patient, "Case to change")->required();
+    verb.add_option("--vessels", options->vessels,
+                    "The vessels as another program left them: on the grid of the case's "
+                    "mask.nii.gz, or on the CT's");
+    verb.add_option("--paint", options->painted,
+                    "X,Y,Z,RADIUS [mm]: a ball of vessel; may be repeated");
+    verb.add_option("--erase", options->erased,
+                    "X,Y,Z,RADIUS [mm]: a ball without vessel, after what is painted; may be "
+                    "repeated");
+    verb.add_option("--ct", options->ct,
+                    "CT of the case: a folder or a file; the built-in patient needs none");
+    verb.add_option("--out", options->out,
+                    "Write another case, NAME.hep or NAME.hepz, instead of changing this one");
+}
+
+}  // namespace hepatica

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ball that is led through a mask by hand, and leaves voxels or takes them away.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/volume.h"
+
+namespace hepatica {
+
+struct BrushStroke {
+    std::vector<Vec3> path_mm;  // of the ball's centre, straight from point to point; one: a dab
+    double radius_mm = 1.0;     // > 0
+    bool erases = false;
+};
+
+// Voxels whose centre lies within the radius of the path: an erasing stroke makes them 0, a
+// painting one gives `label` to those that are 0 and leaves the others as they are. What lies
+// outside of the grid is left out; a ball between all centres takes the voxel that its own centre
+// lies in. The work is that of the boxes around the path's pieces.
+void apply(const BrushStroke& stroke, std::uint8_t label, Mask& mask);
+
+}  // namespace hepatica

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/from_voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/image/filters.h"
+#include "core/image/morphology.h"
+#include "core/mesh/surface.h"
+#include "core/patient/liver_segments.h"
+#include "core/reconstruction/mask_of_tree.h"
+#include "core/skeleton/topology.h"
+#include "core/skeleton/unit_width_skeleton.h"
+#include "core/tree/systems/doubtful_roots.h"
+#include "core/tree/tree_extraction.h"
+
+namespace hepatica {
+
+namespace {
+
+// Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
+// takes the system of the voxel before it in the row, which borders the hole.
+void fill_cavities(Mask& mask) {
+    const Mask filled = fill_holes(mask);
+    for (std::size_t i = 1; i < mask.voxels.size(); ++i)
+        if (mask.voxels[i] == 0 && filled.voxels[i] != 0) mask.voxels[i] = mask.voxels[i - 1];
+}
+
+VoxelCounts counts_of(const Mask& mask) {
+    const Betti betti = betti_numbers(mask);
+    const auto voxels = std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; });
+    return {static_cast<std::size_t>(voxels), betti.components, betti.tunnels, betti.cavities};
+}
+
+void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,
+                      std::vector<std::string>& warnings) {
+    const auto say = [&](const RemovedPieces& pieces, const std::string& what,
+                         const std::string& why) {
+        if (pieces.count == 0) return;
+        const bool one = pieces.count == 1;
+        warnings.push_back(std::to_string(pieces.count) + (one ? " piece" : " pieces") + what +
+                           ", " + std::to_string(std::lround(pieces.length_mm)) + " mm in all, " +
+                           (one ? "was" : "were") + " left out of the tree: " + why +
+                           ". A seed inside such a piece keeps it.");
+    };
+    say(extraction.too_short, " of vessels",
+        "pieces shorter than " + std::to_string(std::lround(options.minimum_component_mm)) +
+            " mm that nothing joins are often noise");
+    say(extraction.blobs, " as wide as an organ",
+        "what hangs on a vessel by a neck and is wide and short is hardly one");
+}
+
+// Fills tree and gaps of the case; its voxels take the systems of the tree.
+void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
+             std::vector<std::string>& warnings, Job& job) {
+    TreeOptions tree_options;
+    tree_options.seeds = options.seeds;
+    tree_options.find_systems = options.find_systems;
+    tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);
+    tree_options.portal_trunk_mm = options.portal_trunk_mm;
+    tree_options.bridging.confidence = options.bridge_confidence;
+    job.begin_stage("Extracting the tree");
+    TreeExtraction extraction =
+        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
+    warn_of_left_out(extraction, tree_options, warnings);
+    patient.tree = std::move(extraction.tree);
+    patient.corrections = {.bridges = std::move(extraction.bridges), .edits = {}, .extracted = {}};
+    patient.doubts = doubts_of(patient.tree);
+    patient.doubts->opened_loops = extraction.opened_loops;
+    patient.doubts->contrast_hu = options.of_image.contrast_hu;
+    patient.doubts->noise_hu = options.of_image.noise_hu;
+    patient.doubts->coarsest_spacing_mm = options.of_image.coarsest_spacing_mm;
+    job.begin_stage("Telling the systems apart");
+    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job);
+}
+
+}  // namespace
+
+VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
+                      std::vector<std::string>& warnings, Job& job) {
+    VoxelChecks checks;
+    fill_cavities(patient.mask);
+    job.advance(0.8);
+    checks.mask = counts_of(patient.mask);
+    job.advance(1.0);
+    job.begin_stage("Thinning to the skeleton");
+    const Mask skeleton = thin(patient.mask, options.thinning, job);
+    job.begin_stage("Making the skeleton one voxel wide");
+    patient.skeleton = unit_width(skeleton, job);
+    checks.skeleton = counts_of(patient.skeleton);
+    checks.crowded_points = crowded_point_count(patient.skeleton);
+    extract(options, ct, patient, warnings, job);
+    return checks;
+}
+
+void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
+               Job& job) {
+    label_segments(patient, job);
+    std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
+    std::ranges::copy(sentences(doubtful_roots(patient.tree)), std::back_inserter(warnings));
+    job.begin_stage("Meshing the vessels");
+    patient.mesh = tetrahedralize(patient.tree, options, job, &warnings);
+    job.throw_if_cancelled();
+    patient.surface = surface_of(patient.mesh).mesh;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the voxels of the vessels to a case: skeleton, tree with its systems, gaps and doubts, the
+// liver's segments, and the body.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/mesh/tetrahedralize.h"
+#include "core/patient/patient_case.h"
+#include "core/skeleton/thinning.h"
+
+namespace hepatica {
+
+struct FromVoxelsOptions {
+    std::vector<VesselSeed> seeds;
+    // Systems are told apart by anatomy and seeds; otherwise voxels say already what they are.
+    bool find_systems = true;
+    double bridge_confidence = BridgeOptions{}.confidence;
+    ThinningMethod thinning = ThinningMethod::queue;
+    std::optional<Vec3> portal_trunk_mm;  // where it comes in, if that is known
+    Doubts of_image{};                    // contrast, noise and spacing
+};
+
+// Counts that judge the voxels, for display beside the case itself.
+struct VoxelCounts {
+    std::size_t voxels = 0;
+    long long components = 0;
+    long long tunnels = 0;
+    long long cavities = 0;
+};
+
+struct VoxelChecks {
+    VoxelCounts mask;
+    VoxelCounts skeleton;
+    std::size_t crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
+};
+
+// Fills skeleton, tree, gaps and doubts of a case that holds mask and organs; the mask loses its
+// cavities and takes the systems of the tree, which may come out empty. Begins four stages.
+// Throws InputError, Cancelled.
+VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
+                      std::vector<std::string>& warnings, Job& job);
+inline constexpr int make_tree_stages = 4;
+
+// Parts the liver into segments, tells what is in doubt, and makes mesh and surface. Begins one
+// stage. Throws InputError, Cancelled.
+void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
+               Job& job);
+inline constexpr int make_body_stages = 1;
+
+}  // namespace hepatica

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/remade_case.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/patient/corrections.h"
+#include "core/reconstruction/from_voxels.h"
+#include "core/reconstruction/reconstruct_parameters.h"
+#include "core/tree/system_summary.h"
+
+namespace hepatica {
+
+namespace {
+
+// Where the widest portal tree began before anybody edited it.
+std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
+    const VesselTree& made =
+        patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
+    std::optional<Vec3> trunk;
+    double widest_mm = 0.0;
+    for (const SystemSummary& system : systems_of(made)) {
+        if (system.system != VascularSystem::portal) continue;
+        for (const SystemRoot& root : system.roots)
+            if (root.radius_mm > widest_mm) {
+                widest_mm = root.radius_mm;
+                trunk = root.at_mm;
+            }
+    }
+    return trunk;
+}
+
+// Systems are told apart anew: what was found before must not decide it.
+void forget_systems(Mask& vessels) {
+    for (std::uint8_t& voxel : vessels.voxels)
+        if (voxel != 0) voxel = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+}
+
+// Those of the edits that can be made, in order.
+std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<TreeEdit>& wanted,
+                                     std::vector<std::string>& warnings) {
+    std::vector<TreeEdit> possible;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        possible.push_back(wanted[i]);
+        try {
+            with_edited_tree(made, possible);
+        } catch (const InputError& error) {
+            possible.pop_back();
+            warnings.push_back("The correction number " + std::to_string(i + 1) +
+                               " is left out, because it cannot be made on these vessels: " +
+                               error.problem() + " (" + error.place() + ")");
+        }
+    }
+    return possible;
+}
+
+}  // namespace
+
+RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job) {
+    RemadeCase result;
+    FromVoxelsOptions options = from_voxels_options(patient.source.parameters_json);
+    options.portal_trunk_mm = portal_trunk_of(patient);
+    if (patient.doubts) options.of_image = *patient.doubts;
+    if (options.find_systems) forget_systems(vessels);
+    job.begin_stage("Filling the vessels");
+    PatientCase& made = result.patient;
+    made.source = patient.source;
+    made.organs = patient.organs;
+    made.mask = std::move(vessels);
+    made.dial_json.clear();  // it was measured on another body
+    make_tree(options, ct, made, result.warnings, job);
+    if (made.tree.segments.empty())
+        throw InputError("no vessel is left that is long enough for a tree", patient.source.name,
+                         "Take back what was erased, or paint more of the vessels");
+    const std::vector<TreeEdit> edits =
+        possible_edits(made, patient.corrections.edits, result.warnings);
+    if (!edits.empty()) made = with_edited_tree(made, edits);
+    make_body(mesh_options_of(made), made, result.warnings, job);
+    return result;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case made anew from painted voxels, through the real program.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
+#include "core/patient/patient_case.h"
+#include "core/tree/station.h"
+#include "tests/app/tour.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::answer;
+using test::Json;
+using test::run_cli;
+
+class Remake : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        fs::remove_all(folder());
+        fs::create_directories(folder());
+        answer({"phantom", (folder() / "p").string(), "--seed", "1", "--dims", "88,88,64",
+                "--spacing", "2,2,2", "--generations", "3", "--format", "nifti"});
+        answer({"reconstruct", ct().string(), "--liver-mask",
+                (folder() / "p" / "liver.nii.gz").string(), "--out", made().string(),
+                "--tetrahedra", "1500"});
+    }
+    static void TearDownTestSuite() { fs::remove_all(folder()); }
+    static fs::path folder() { return fs::path(testing::TempDir()) / "remake verb"; }
+    static fs::path ct() { return folder() / "p" / "ct.nii.gz"; }
+    static fs::path made() { return folder() / "p.hep"; }
+};
+
+// The half of a long end branch that lies towards its tip.
+std::string balls_over_a_twig(const VesselTree& tree, std::vector<std::string>& arguments) {
+    const auto below = children(tree);
+    for (std::size_t s = 0; s < below.size(); ++s) {
+        const VesselSegment& twig = tree.segments[s];
+        const double length = length_mm(twig);
+        if (!below[s].empty() || length < 10.0) continue;
+        for (double along = 0.5 * length; along <= length; along += 2.0) {
+            const Station at = station_at(twig, along);
+            std::string ball;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                ball += std::to_string(at.position_mm[axis]) + ",";
+            arguments.insert(arguments.end(),
+                             {"--erase", ball + std::to_string(2.0 * at.radius_mm + 1.0)});
+        }
+        return "";
+    }
+    return "there is no long twig";
+}
+
+TEST_F(Remake, ErasesATwigAndTakesTheMaskOfAnotherProgram) {
+    const fs::path other = folder() / "other.hep";
+    std::vector<std::string> arguments{"remake",      made().string(), "--ct",
+                                       ct().string(), "--out",         other.string()};
+    ASSERT_EQ(balls_over_a_twig(read_case(made()).tree, arguments), "");
+    const Json said = answer(arguments);
+    EXPECT_LT(said.at("vessel_voxels"), said.at("vessel_voxels_before"));
+    const PatientCase before = read_case(made()), after = read_case(other);
+    EXPECT_LT(length_mm(after.tree), length_mm(before.tree) - 3.0);
+    EXPECT_EQ(after.source.image_sha256, before.source.image_sha256);
+    // The mask of the first case brings its vessels back.
+    answer({"remake", other.string(), "--ct", ct().string(), "--vessels",
+            (made() / "mask.nii.gz").string()});
+    const PatientCase back = read_case(other);
+    EXPECT_EQ(back.mask.voxels, before.mask.voxels);
+    EXPECT_EQ(back.skeleton.voxels, before.skeleton.voxels);
+    ASSERT_EQ(back.tree.segments.size(), before.tree.segments.size());
+    // A file keeps the grid of its voxels in single precision.
+    for (std::size_t s = 0; s < back.tree.segments.size(); ++s)
+        EXPECT_NEAR(length_mm(back.tree.segments[s]), length_mm(before.tree.segments[s]), 1e-3);
+}
+
+TEST_F(Remake, WhatCannotBeMadeIsSaidAndTheCaseStays) {
+    const auto hash = hash_of(read_case(made()));
+    const auto refused = [&](std::vector<std::string> more, const std::string& words) {
+        std::vector<std::string> arguments{"remake", made().string(), "--ct", ct().string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto run = run_cli(arguments);
+        EXPECT_NE(run.exit_code, 0);
+        EXPECT_NE(run.errors.find(words), std::string::npos) << run.errors;
+        EXPECT_EQ(hash_of(read_case(made())), hash);
+    };
+    refused({}, "nothing to change");
+    refused({"--paint", "1,2,3"}, "--paint");
+    refused({"--paint", "1,2,3,0"}, "is no ball");
+    refused({"--erase", "1,2,3,x"}, "is no ball");
+    refused({"--erase", "88,88,64,50", "--vessels", (folder() / "none.nii.gz").string()},
+            "none.nii.gz");
+    const Mask mask = read_case(made()).mask;
+    write_nifti(folder() / "empty.nii.gz", Mask(mask.grid));
+    refused({"--vessels", (folder() / "empty.nii.gz").string()}, "empty.nii.gz");
+    const auto no_ct = run_cli({"remake", made().string(), "--paint", "1,2,3,4"});
+    EXPECT_NE(no_ct.errors.find("not known where this patient's CT lies"), std::string::npos)
+        << no_ct.errors;
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/brush.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+namespace hepatica {
+namespace {
+
+// Turned, and of three spacings.
+Grid odd_grid() {
+    Grid grid;
+    grid.dims = {40, 50, 30};
+    grid.spacing_mm = Vec3(0.7, 0.9, 1.3);
+    grid.origin_mm = Vec3(-12, 31, 5);
+    grid.direction = Eigen::AngleAxisd(0.4, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+    return grid;
+}
+
+double painted_mm3(const Mask& mask) {
+    const auto voxels = std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; });
+    return static_cast<double>(voxels) * mask.grid.spacing_mm.prod();
+}
+
+// Volumes of a ball and of a capsule, as geometry has them.
+TEST(Brush, LeavesBallsAndCapsulesOfTheirVolume) {
+    Mask mask(odd_grid());
+    const Vec3 middle = mask.grid.to_mm(20, 25, 15);
+    const double r = 6.0, ball = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    apply({{middle}, r, false}, 1, mask);
+    EXPECT_NEAR(painted_mm3(mask), ball, 0.02 * ball);
+    Mask capsule(odd_grid());
+    const Vec3 along = Vec3(3, 4, 1.5);
+    apply({{middle - along, middle + along}, r, false}, 1, capsule);
+    const double volume = ball + std::numbers::pi * r * r * 2.0 * along.norm();
+    EXPECT_NEAR(painted_mm3(capsule), volume, 0.02 * volume);
+}
+
+// Voxel by voxel against the definition, over random strokes that reach outside, too.
+TEST(Brush, TouchesWhatLiesWithinTheRadiusOfThePathAndNothingElse) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(-0.2, 1.2);
+    std::uniform_real_distribution<double> radius(0.9, 5.0);
+    for (int trial = 0; trial < 20; ++trial) {
+        Mask mask(odd_grid(), std::uint8_t{0});
+        for (std::size_t i = 0; i < mask.voxels.size(); i += 3) mask.voxels[i] = 2;
+        const Mask before = mask;
+        BrushStroke stroke;
+        stroke.radius_mm = radius(random);
+        stroke.erases = trial % 2 == 1;
+        for (int p = 0; p < 1 + trial % 4; ++p)
+            stroke.path_mm.push_back(
+                mask.grid.to_mm(Vec3(40 * share(random), 50 * share(random), 30 * share(random))));
+        apply(stroke, 9, mask);
+        for (int z = 0; z < 30; ++z)
+            for (int y = 0; y < 50; ++y)
+                for (int x = 0; x < 40; ++x) {
+                    const Vec3 place = mask.grid.to_mm(x, y, z);
+                    double nearest = (place - stroke.path_mm[0]).norm();
+                    for (std::size_t p = 1; p < stroke.path_mm.size(); ++p)
+                        for (int k = 0; k <= 400; ++k)
+                            nearest = std::min(
+                                nearest, (place - stroke.path_mm[p - 1] -
+                                          k / 400.0 * (stroke.path_mm[p] - stroke.path_mm[p - 1]))
+                                             .norm());
+                    if (std::abs(nearest - stroke.radius_mm) < 0.02) continue;  // of the samples
+                    const int was = before.at(x, y, z);
+                    const int expected = nearest > stroke.radius_mm ? was
+                                         : stroke.erases            ? 0
+                                         : was == 0                 ? 9
+                                                                    : was;
+                    ASSERT_EQ(mask.at(x, y, z), expected) << "trial " << trial;
+                }
+    }
+}
+
+TEST(Brush, ABallBetweenTheCentresTakesItsOwnVoxel) {
+    Mask mask(odd_grid());
+    apply({{mask.grid.to_mm(Vec3(10.4, 10.4, 10.4))}, 0.05, false}, 1, mask);
+    EXPECT_EQ(mask.at(10, 10, 10), 1);
+    EXPECT_NEAR(painted_mm3(mask), mask.grid.spacing_mm.prod(), 1e-9);
+    apply({{Vec3(1e9, 0, 0), Vec3(0, 1e9, 0)}, 0.05, true}, 1, mask);
+    apply({{}, 3.0, true}, 1, mask);
+    EXPECT_EQ(mask.at(10, 10, 10), 1);
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A synthetic patient whose voxels are painted and erased.
+#include "core/reconstruction/remade_case.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/image/brush.h"
+#include "core/image/volume_reader.h"
+#include "core/image/volume_writer.h"
+#include "core/patient/corrections.h"
+#include "core/phantom/phantom.h"
+#include "core/reconstruction/reconstruct.h"
+#include "core/tree/station.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RemadeCaseTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        PhantomOptions options;
+        options.dims = {88, 88, 64};
+        options.spacing_mm = Vec3(2.0, 2.0, 2.0);
+        options.generations = 3;
+        Job job;
+        const Phantom phantom = make_phantom(options, job);
+        const fs::path folder = fs::path(testing::TempDir()) / "remade case";
+        fs::create_directories(folder);
+        write_nifti(folder / "ct.nii.gz", phantom.ct);
+        write_nifti(folder / "liver.nii.gz", phantom.liver);
+        ReconstructOptions reconstruction;
+        reconstruction.ct = folder / "ct.nii.gz";
+        reconstruction.liver_mask = folder / "liver.nii.gz";
+        reconstruction.mesh.target_tetrahedra = 1500;
+        patient_ = new PatientCase(reconstruct(reconstruction, job).patient);
+        ct_ = new Volume(read_volume(reconstruction.ct, job));
+        fs::remove_all(folder);
+    }
+    static void TearDownTestSuite() {
+        delete std::exchange(patient_, nullptr);
+        delete std::exchange(ct_, nullptr);
+    }
+    static RemadeCase remade_of(const Mask& mask, const PatientCase& patient = *patient_) {
+        Job job;
+        job.expect_stages(remade_stages);
+        RemadeCase made = remade(patient, mask, *ct_, job);
+        EXPECT_EQ(job.progress().stage_number, remade_stages);
+        return made;
+    }
+    // The middle of an end branch of 10 mm or more.
+    static Station twig() {
+        const auto below = children(patient_->tree);
+        for (std::size_t s = 0; s < below.size(); ++s)
+            if (const auto& segment = patient_->tree.segments[s];
+                below[s].empty() && length_mm(segment) > 10.0)
+                return station_at(segment, 0.6 * length_mm(segment));
+        throw std::runtime_error("there is no long twig");
+    }
+
+    static inline PatientCase* patient_ = nullptr;
+    static inline Volume* ct_ = nullptr;
+};
+
+bool same_points(const VesselTree& a, const VesselTree& b) {
+    return std::ranges::equal(a.segments, b.segments, [](const auto& x, const auto& y) {
+        return x.points_mm == y.points_mm && x.radii_mm == y.radii_mm && x.system == y.system &&
+               x.parent == y.parent;
+    });
+}
+
+TEST_F(RemadeCaseTest, OfItsOwnVoxelsIsTheSameToTheBit) {
+    const RemadeCase made = remade_of(patient_->mask);
+    EXPECT_TRUE(same_points(made.patient.tree, patient_->tree));
+    EXPECT_EQ(made.patient.mask.voxels, patient_->mask.voxels);
+    EXPECT_EQ(made.patient.skeleton.voxels, patient_->skeleton.voxels);
+    EXPECT_EQ(made.patient.couinaud.voxels, patient_->couinaud.voxels);
+    EXPECT_EQ(hash_of(made.patient), hash_of(*patient_)) << "the body, too";
+    EXPECT_EQ(made.patient.doubts->contrast_hu, patient_->doubts->contrast_hu);
+    EXPECT_EQ(made.patient.source.image_sha256, patient_->source.image_sha256);
+}
+
+// A twig is rubbed out, and comes back when it is painted.
+TEST_F(RemadeCaseTest, WhatIsErasedGoesAndWhatIsPaintedComes) {
+    const Station at = twig();
+    Mask mask = patient_->mask;
+    const auto& segment = patient_->tree.segments[static_cast<std::size_t>(
+        nearest_point(patient_->tree, at.position_mm).segment)];
+    BrushStroke stroke;
+    stroke.radius_mm = 2.0 * at.radius_mm + 1.0;
+    for (double along = 0.4 * length_mm(segment); along <= length_mm(segment); along += 1.0)
+        stroke.path_mm.push_back(station_at(segment, along).position_mm);
+    stroke.erases = true;
+    apply(stroke, 0, mask);
+    const PatientCase erased = remade_of(mask).patient;
+    EXPECT_LT(length_mm(erased.tree), length_mm(patient_->tree) - 3.0);
+    EXPECT_GT(nearest_point(erased.tree, at.position_mm).distance_mm, at.radius_mm);
+    stroke.erases = false;
+    stroke.radius_mm = at.radius_mm;
+    apply(stroke, static_cast<std::uint8_t>(number_of(VascularSystem::unknown)), mask);
+    const PatientCase painted = remade_of(mask, erased).patient;
+    const TreePoint found = nearest_point(painted.tree, at.position_mm);
+    EXPECT_LT(found.distance_mm, 0.7);
+    EXPECT_EQ(painted.tree.segments[static_cast<std::size_t>(found.segment)].system,
+              segment.system);
+    for (const Vec3& place : stroke.path_mm)
+        EXPECT_LT(nearest_point(painted.tree, place).distance_mm, 1.0) << place.transpose();
+}
+
+TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
+    const Station at = twig();
+    TreeEdit cut, elsewhere;
+    cut.kind = TreeEditKind::cut_link;
+    cut.at_mm = at.position_mm;
+    elsewhere.kind = TreeEditKind::set_root;
+    elsewhere.at_mm = patient_->tree.segments[0].points_mm.front();
+    Job job;
+    const PatientCase edited = with_edits(*patient_, {cut, elsewhere}, job);
+    const RemadeCase again = remade_of(patient_->mask, edited);
+    EXPECT_EQ(again.patient.corrections.edits, edited.corrections.edits);
+    EXPECT_EQ(hash_of(again.patient), hash_of(edited));
+    Mask mask = patient_->mask;
+    apply({{at.position_mm}, 14.0, true}, 0, mask);
+    const RemadeCase without = remade_of(mask, edited);
+    ASSERT_EQ(without.patient.corrections.edits.size(), 1u);
+    EXPECT_EQ(without.patient.corrections.edits[0], elsewhere);
+    EXPECT_TRUE(std::ranges::any_of(without.warnings, [](const std::string& warning) {
+        return warning.starts_with("The correction number 1 is left out");
+    }));
+}
+
+TEST_F(RemadeCaseTest, NothingLeftIsRefused) {
+    Job job;
+    const Mask nothing(patient_->mask.grid);
+    EXPECT_THROW(remade(*patient_, nothing, *ct_, job), InputError);
+}
+
+}  // namespace
+}  // namespace hepatica

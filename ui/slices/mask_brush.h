@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strokes of a brush over the vessels' voxels, which a person paints or erases in the slices before
+// the vessels are made anew of them. No widget.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/image/brush.h"
+
+namespace hepatica {
+
+// What painted voxels hold until they are made into vessels: no system's number, so that they have
+// a colour of their own.
+inline constexpr std::uint8_t painted_label = 254;
+
+enum class BrushMode { away, paints, erases };
+
+// UI thread.
+class MaskBrush {
+  public:
+    static constexpr double least_mm = 0.5, most_mm = 20.0;
+
+    // Whenever anything below was changed.
+    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    // The vessels shall be made anew of the voxels as they are now.
+    void on_remake(std::function<void()> remake) { remake_ = std::move(remake); }
+
+    void set_mode(BrushMode mode);  // strokes stay
+    BrushMode mode() const { return mode_; }
+    void set_radius(double radius_mm);  // to the nearest one that it can have
+    double radius_mm() const { return radius_mm_; }
+
+    // A stroke where the brush is put down, and on to where it is led; nothing while it is away.
+    void begin(const Vec3& place_mm);
+    void lead_to(const Vec3& place_mm);
+    void remove_last();
+    void remove_all();
+    // Asks for it where there are strokes.
+    void remake() const;
+
+    const std::vector<BrushStroke>& strokes() const { return strokes_; }
+
+  private:
+    void tell() const;
+
+    std::function<void()> remake_;
+    BrushMode mode_ = BrushMode::away;
+    double radius_mm_ = 2.0;
+    std::vector<BrushStroke> strokes_;
+    std::vector<std::function<void()>> watchers_;
+};
+
+}  // namespace hepatica
