@@ -342,6 +342,9 @@ void MainWindow::build_tool_bar() {
     bar->addAction(&(*actions_)[ActionId::reset]);
     bar->addSeparator();
     for (const auto& [id, direction] : views) bar->addAction(&(*actions_)[id]);
+    // All six views shall fit beside them on a small screen.
+    (*actions_)[ActionId::edit_mode].setIconText("Edit");
+    (*actions_)[ActionId::play_pause].setIconText("Run");
     addToolBar(bar);
 }
 

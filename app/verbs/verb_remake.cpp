@@ -51,9 +51,12 @@ Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, co
     Mask vessels = patient.mask;
     if (!options.vessels.empty()) {
         const LabelMap labels = read_label_map(options.vessels, job);
-        vessels = same_grid(labels.grid, patient.mask.grid)
-                      ? systems_of_labels(labels, {}, options.vessels.string(), warnings)
-                      : read_given_vessels(options.vessels, {}, ct_grid, warnings, job);
+        if (same_grid(labels.grid, patient.mask.grid)) {
+            vessels = systems_of_labels(labels, {}, options.vessels.string(), warnings);
+            vessels.grid = patient.mask.grid;  // the file keeps it in single precision
+        } else {
+            vessels = read_given_vessels(options.vessels, {}, ct_grid, warnings, job);
+        }
     } else if (vessels.voxels.empty()) {
         throw InputError("holds no voxels of its vessels", options.patient.string(),
                          "Give some: --vessels FILE");

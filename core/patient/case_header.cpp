@@ -66,6 +66,7 @@ CaseHeader header_from(const Json& json, int version) {
         return header;
     }
     header.source.name = json.value("name", "");
+    if (json.contains("mask_grid")) header.mask_grid = grid_from(json.at("mask_grid"));
     if (json.contains("doubts")) header.doubts = doubts_from(json.at("doubts"));
     header.source.image_sha256 = source.at("image_sha256").get<std::string>();
     header.source.parameters_json = json.at("parameters").dump();
@@ -125,6 +126,7 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
     json["source"] = {{"image_sha256", patient.source.image_sha256},
                       {"grid", to_json(patient.source.image_grid)}};
     json["parameters"] = Json::parse(patient.source.parameters_json);
+    if (!patient.mask.voxels.empty()) json["mask_grid"] = to_json(patient.mask.grid);
     json["tree"] = to_json(patient.tree);
     if (!patient.couinaud.voxels.empty()) json["segments_ml"] = segments_ml_json(patient.couinaud);
     if (patient.doubts) json["doubts"] = json_of(*patient.doubts);

@@ -34,6 +34,8 @@ struct CaseHeader {
     int version = 0;
     CaseSource source;
     std::optional<Doubts> doubts;
+    // Of mask and skeleton, whose files keep it in single precision; cases of before do not say it.
+    std::optional<Grid> mask_grid;
     std::map<std::string, std::string> digests;  // of each file: SHA-256; format 1: another hash
 };
 

@@ -69,6 +69,9 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
 void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
     patient.mask = read_voxels(folder, header, case_file::mask);
     patient.skeleton = read_voxels(folder, header, case_file::skeleton);
+    for (Mask* voxels : {&patient.mask, &patient.skeleton})
+        if (header.mask_grid && same_grid(voxels->grid, *header.mask_grid))
+            voxels->grid = *header.mask_grid;
     patient.organs = read_voxels(folder, header, case_file::organs);
     patient.couinaud = read_voxels(folder, header, case_file::couinaud);
     if (header.version > 1) return;

@@ -52,7 +52,10 @@ TEST_F(PatientCaseTest, ReadsBackWhatItWrote) {
     const PatientCase back = read_case(case_);
     EXPECT_EQ(hash_of(back), hash_of(patient));
     EXPECT_EQ(back.mask.voxels, patient.mask.voxels);
-    EXPECT_TRUE(same_grid(back.mask.grid, patient.mask.grid));
+    EXPECT_EQ(back.mask.grid.origin_mm, patient.mask.grid.origin_mm) << "to the bit";
+    EXPECT_EQ(back.mask.grid.spacing_mm, patient.mask.grid.spacing_mm);
+    EXPECT_EQ(back.mask.grid.direction, patient.mask.grid.direction);
+    EXPECT_EQ(back.skeleton.grid.origin_mm, patient.skeleton.grid.origin_mm);
     EXPECT_EQ(back.skeleton.voxels, patient.skeleton.voxels);
     EXPECT_EQ(back.surface.triangles, patient.surface.triangles);
     EXPECT_EQ(back.organs.voxels, patient.organs.voxels);
