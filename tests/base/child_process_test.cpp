@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -69,6 +70,56 @@ TEST(ChildProcess, OneThatSleepsIsEndedByTheClock) {
     const ChildOutcome outcome = shell("exec 2>&-; sleep 60", {ample.memory_bytes, 1});
     EXPECT_EQ(outcome.end, End::out_of_time);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+// The shell names its own limits. That of processor time holds where a child hides from the clock:
+// SIGXCPU at the first, which says why, and SIGKILL a second later.
+TEST(ChildProcess, HasLimitsOfProcessorTimeAndLeavesNoCore) {
+    EXPECT_EQ(shell("{ ulimit -S -t; ulimit -H -t; ulimit -S -c; ulimit -H -c; } >&2",
+                    {ample.memory_bytes, 7})
+                  .errors,
+              "7\n8\n0\n0\n");
+}
+
+// Ctrl+C in a terminal reaches the parent alone: a group of processes is what a terminal speaks to.
+TEST(ChildProcess, IsAGroupOfItsOwn) {
+    EXPECT_EQ(shell("test \"$(cut -d ' ' -f 5 /proc/$$/stat)\" = $$").number, 0);
+}
+
+// Gone, or dead and not yet taken note of by whoever inherited it.
+bool is_dead(const std::string& id) {
+    std::ifstream stat("/proc/" + id + "/stat");
+    std::string number, name, state;
+    return !(stat >> number >> name >> state) || state == "Z";
+}
+
+TEST(ChildProcess, EndsWithItsParentHoweverThatEnds) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "id";
+    const std::string half = (folder.path() / "half").string();
+    const pid_t parent = fork();
+    if (parent == 0) {
+        shell("echo $$ > '" + half + "' && mv '" + half + "' '" + file.string() +
+              "' && exec sleep 600");
+        _exit(0);
+    }
+    ASSERT_GT(parent, 0);
+    const auto waits = [](const auto& condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!condition() && std::chrono::steady_clock::now() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return condition();
+    };
+    const bool began = waits([&] { return std::filesystem::exists(file); });
+    kill(parent, SIGKILL);
+    waitpid(parent, nullptr, 0);
+    ASSERT_TRUE(began);
+    std::string id;
+    std::ifstream(file) >> id;
+    ASSERT_FALSE(id.empty());
+    const bool died = waits([&] { return is_dead(id); });
+    EXPECT_TRUE(died);
+    if (!died) kill(std::stoi(id), SIGKILL);
 }
 
 TEST(ChildProcess, OneThatTakesMemoryWithoutEndFails) {

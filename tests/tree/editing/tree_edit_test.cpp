@@ -154,6 +154,9 @@ TEST(TreeEdit, DeletingATreeTakesAllOfItAndNothingElse) {
     EXPECT_EQ(roots(rest).size(), 1u);
     EXPECT_GT(nearest_point(rest, on_trunk).distance_mm, 5.0);
     EXPECT_NEAR(length_mm(without) + length_mm(rest), length_mm(cut), 1e-9);
+    // From wherever it is clicked: the last branch hangs on a branch of the trunk.
+    const TreeEdit all = edit_at(TreeEditKind::delete_piece, on_last_branch);
+    EXPECT_TRUE(edited(forked_tree(), all).segments.empty());
 }
 
 TEST(TreeEdit, DeletingABranchTakesAllThatHangsOnIt) {

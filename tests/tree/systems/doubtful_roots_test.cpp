@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/phantom/phantom.h"
 #include "core/tree/editing/tree_edit.h"
 #include "tests/support/test_trees.h"
@@ -56,6 +58,20 @@ TEST(DoubtfulRoots, EndsThatAreLittleWiderOrNarrowAreNotDoubted) {
 TEST(DoubtfulRoots, OneOddSectionSwaysNothing) {
     VesselTree tree = test::forked_tree();
     for (VesselSegment& segment : tree.segments) segment.radii_mm.back() = 20.0;
+    EXPECT_TRUE(doubtful_roots(tree).empty());
+}
+
+// Where a loop closes, no blood leaves the tree.
+TEST(DoubtfulRoots, TheWideMeetingOfALoopIsNoEnd) {
+    VesselGraph graph;
+    graph.nodes = {
+        {Vec3(0, 0, 0), 2.0}, {Vec3(0, 0, 20), 2.0}, {Vec3(20, 0, 40), 2.0}, {Vec3(0, 0, 40), 5.0}};
+    graph.links = {
+        test::straight_link(graph, 0, 1, 2.0, 2.0), test::straight_link(graph, 1, 2, 2.0, 2.0),
+        test::straight_link(graph, 2, 3, 2.0, 5.0), test::straight_link(graph, 1, 3, 2.0, 5.0)};
+    const RootWish root{0, VascularSystem::unknown};
+    VesselTree tree = directed(graph, std::span(&root, 1));
+    ASSERT_TRUE(std::ranges::any_of(tree.segments, &VesselSegment::closes_loop));
     EXPECT_TRUE(doubtful_roots(tree).empty());
 }
 
