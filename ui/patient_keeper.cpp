@@ -183,7 +183,7 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         return [this, before, loaded] {
             workspace_.show_remade(before, loaded->patient);
             screen_.show(std::move(*loaded), true);
-            correct();  // what was wanted since it began
+            screen_.changed();
         };
     };
 }

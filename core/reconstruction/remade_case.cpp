@@ -32,12 +32,6 @@ std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
     return trunk;
 }
 
-// Systems are told apart anew: what was found before must not decide it.
-void forget_systems(Mask& vessels) {
-    for (std::uint8_t& voxel : vessels.voxels)
-        if (voxel != 0) voxel = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
-}
-
 // Those of the edits that can be made, in order.
 std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<TreeEdit>& wanted,
                                      std::vector<std::string>& warnings) {
@@ -63,7 +57,6 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     FromVoxelsOptions options = from_voxels_options(patient.source.parameters_json);
     options.portal_trunk_mm = portal_trunk_of(patient);
     if (patient.doubts) options.of_image = *patient.doubts;
-    if (options.find_systems) forget_systems(vessels);
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;

@@ -13,7 +13,9 @@
 #include "core/patient/corrections.h"
 #include "core/phantom/phantom.h"
 #include "core/reconstruction/reconstruct.h"
+#include "core/reconstruction/reconstruct_parameters.h"
 #include "core/tree/station.h"
+#include "tests/support/test_data.h"
 
 namespace hepatica {
 namespace {
@@ -27,6 +29,7 @@ class RemadeCaseTest : public testing::Test {
         options.dims = {88, 88, 64};
         options.spacing_mm = Vec3(2.0, 2.0, 2.0);
         options.generations = 3;
+        options.systems = 2;
         Job job;
         const Phantom phantom = make_phantom(options, job);
         const fs::path folder = fs::path(testing::TempDir()) / "remade case";
@@ -111,6 +114,46 @@ TEST_F(RemadeCaseTest, WhatIsErasedGoesAndWhatIsPaintedComes) {
         EXPECT_LT(nearest_point(painted.tree, place).distance_mm, 1.0) << place.transpose();
 }
 
+// Voxels that no tree claims are of no system, whatever they were called before.
+TEST_F(RemadeCaseTest, SystemsFromBeforeAreForgotten) {
+    Mask mask = patient_->mask;
+    Vec3 apart = Vec3::Zero();
+    double farthest_mm = 0.0;
+    for (std::size_t i = 0; i < patient_->organs.voxels.size(); i += 97) {
+        const auto [x, y, z] = patient_->organs.grid.index_of(i);
+        const Vec3 place = patient_->organs.grid.to_mm(x, y, z);
+        const double away_mm = nearest_point(patient_->tree, place).distance_mm;
+        if (patient_->organs.voxels[i] == 0 || away_mm <= farthest_mm) continue;
+        farthest_mm = away_mm;
+        apart = place;
+    }
+    const Vec3 index = mask.grid.to_index(apart).array().round();
+    const std::size_t there = mask.grid.offset(
+        static_cast<int>(index.x()), static_cast<int>(index.y()), static_cast<int>(index.z()));
+    apply({{apart}, 1.5, false}, static_cast<std::uint8_t>(number_of(VascularSystem::portal)),
+          mask);
+    ASSERT_EQ(mask.voxels[there], number_of(VascularSystem::portal));
+    const PatientCase made = remade_of(mask).patient;
+    EXPECT_EQ(made.mask.voxels[there], number_of(VascularSystem::unknown));
+}
+
+// The portal trunk comes in where it did, although the case keeps no place for that.
+TEST(RemadeRealCase, OfItsOwnVoxelsIsTheSameToTheBit) {
+    const fs::path folder = test::shared_data() / "ircadb01_case01";
+    if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+    ReconstructOptions options;
+    options.ct = folder / "PATIENT_DICOM";
+    options.liver_mask = folder / "masks/liver.nii.gz";
+    options.spacing_mm = 1.0;
+    options.mesh.target_tetrahedra = 1500;
+    Job job;
+    const PatientCase patient = reconstruct(options, job).patient;
+    const Volume ct = read_volume(options.ct, job);
+    const PatientCase again = remade(patient, patient.mask, ct, job).patient;
+    EXPECT_TRUE(same_points(again.tree, patient.tree));
+    EXPECT_EQ(hash_of(again), hash_of(patient));
+}
+
 TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
     const Station at = twig();
     TreeEdit cut, elsewhere;
@@ -131,6 +174,33 @@ TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
     EXPECT_TRUE(std::ranges::any_of(without.warnings, [](const std::string& warning) {
         return warning.starts_with("The correction number 1 is left out");
     }));
+}
+
+TEST(FromVoxelsOptions, AreThoseOfTheReconstruction) {
+    ReconstructOptions made;
+    EXPECT_TRUE(from_voxels_options(parameters_json(made)).find_systems);
+    EXPECT_EQ(from_voxels_options(parameters_json(made)).bridge_confidence, 0.25);
+    made.bridge_confidence = 0.75;
+    made.thinning = ThinningMethod::parallel;
+    made.vessel_mask = "vessels.nii.gz";
+    FromVoxelsOptions options = from_voxels_options(parameters_json(made));
+    EXPECT_EQ(options.bridge_confidence, 0.75);
+    EXPECT_EQ(options.thinning, ThinningMethod::parallel);
+    EXPECT_FALSE(options.find_systems) << "somebody drew them";
+    made.seeds = {{Vec3(1.5, -2, 3), VascularSystem::hepatic}};
+    options = from_voxels_options(parameters_json(made));
+    EXPECT_TRUE(options.find_systems);
+    ASSERT_EQ(options.seeds.size(), 1u);
+    EXPECT_EQ(options.seeds[0].position_mm, Vec3(1.5, -2, 3));
+    EXPECT_EQ(options.seeds[0].system, VascularSystem::hepatic);
+    // What a file may hold instead.
+    for (const char* text : {"", "[]", "{\"seeds\": 3, \"bridge_confidence\": \"x\"}",
+                             "{\"seeds\": [{\"system\": 4}, {}, 7], \"thinning\": \"other\"}"}) {
+        options = from_voxels_options(text);
+        EXPECT_TRUE(options.seeds.empty()) << text;
+        EXPECT_EQ(options.bridge_confidence, 0.25) << text;
+        EXPECT_EQ(options.thinning, ThinningMethod::queue) << text;
+    }
 }
 
 TEST_F(RemadeCaseTest, NothingLeftIsRefused) {

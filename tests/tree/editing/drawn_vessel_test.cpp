@@ -91,13 +91,28 @@ TEST(DrawnVessel, IsNoFunnelBesideTheTrunkWhicheverWayItIsDrawn) {
 
 TEST(DrawnVessel, DrawnTowardsTheTreeItHangsOnItAsWell) {
     const VesselTree before = tree_of(VascularSystem::hepatic);
-    const VesselTree after = edited(before, drawing_of(straight(free_place, in_trunk, 1.2)));
+    Centreline line = straight(free_place, in_trunk, 1.2);
+    // Within the trunk its radius would be measured as the trunk's.
+    for (std::size_t i = line.points_mm.size(); line.points_mm[--i].x() < 3.0;)
+        line.radii_mm[i] = 3.5;
+    const VesselTree after = edited(before, drawing_of(line));
     validate(after);
     EXPECT_EQ(roots(after).size(), 1u);
     const TreePoint tip = nearest_point(after, free_place);
     const VesselSegment& drawn = after.segments[static_cast<std::size_t>(tip.segment)];
     EXPECT_EQ(drawn.system, VascularSystem::hepatic);
     EXPECT_EQ(drawn.points_mm.back(), free_place);
+    for (const double radius : drawn.radii_mm) EXPECT_NEAR(radius, 1.2, 1e-9);
+}
+
+// From the trunk's axis to the side: its wall lies 3.85 mm away.
+TEST(DrawnVessel, IsRefusedWhereMoreThanHalfOfItIsThereAlready) {
+    const Vec3 axis(0.05, 10, 1.5);
+    const auto problem = [&](double length_mm) {
+        return problem_of(forked_tree(), straight(axis, axis + Vec3(length_mm, 0, 0), 1.0));
+    };
+    EXPECT_NE(problem(7.0).find("more than half"), std::string::npos) << "5 of 9 points";
+    EXPECT_EQ(problem(8.5), "") << "5 of 10 points";
 }
 
 TEST(DrawnVessel, ReachesAWallThatItEndsBeside) {

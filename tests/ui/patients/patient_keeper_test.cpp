@@ -60,6 +60,7 @@ TEST_F(Keeper, undo_goes_back_over_what_was_made_anew) {
     ward.keeper().save();
     remake(7);
     ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.workspace().dirty()) << "although its corrections are those on disk";
     add(2);
     ASSERT_TRUE(ward.finish());
     ward.keeper().undo();
@@ -125,6 +126,16 @@ TEST_F(Keeper, vessels_that_cannot_be_made_anew_leave_the_patient_as_he_is) {
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(label(), 1);
     EXPECT_FALSE(ward.workspace().can_undo());
+}
+
+TEST_F(Keeper, what_was_painted_on_one_patient_is_not_made_into_the_next) {
+    ward.hold_openings = true;
+    ward.open("ct of another");
+    remake(7);
+    ward.hold_openings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().title(), "ct of another");
+    EXPECT_EQ(label(), 1);
 }
 
 TEST_F(Keeper, saving_while_a_correction_is_made_saves_the_correction) {
