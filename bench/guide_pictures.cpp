@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QTest>
 #include <clocale>
@@ -72,6 +73,26 @@ class Photographer {
             QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(begin + off).toPoint());
         settle();
         save("draw");
+        QTest::keyClick(&axial, Qt::Key_Escape);
+        paint(axial, begin);
+    }
+
+    // A branch that is painted, while the mouse still leads the brush.
+    void paint(SliceView& axial, const Vec3& begin) {
+        emit window_.findChild<QComboBox*>("measure")->activated(6);
+        const auto place = [&](int step) {
+            return axial.place_of(begin + Vec3(-10.0 - 2.0 * step, 6.0 + 1.5 * step, 0)).toPoint();
+        };
+        QTest::mousePress(&axial, Qt::LeftButton, {}, place(0));
+        for (int step = 1; step <= 12; ++step) {
+            const QPointF at(place(step));
+            QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton,
+                             Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(&axial, &move);
+        }
+        settle();
+        save("paint");
+        QTest::mouseRelease(&axial, Qt::LeftButton, {}, place(12));
     }
 
     // Along the branch that is longest.

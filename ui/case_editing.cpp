@@ -158,7 +158,7 @@ void CaseEditing::accept(int bridge) {
 }
 
 void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
-                       VesselPen::Answered answered) {
+                       const VesselPen::Answered& answered) {
     if (!workspace_.has_patient()) return answered({});
     const std::shared_ptr<const PatientCase> patient = workspace_.patient();
     const auto refuse = [answered, tell = callbacks_.not_drawn](const Failure& failure) {

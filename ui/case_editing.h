@@ -46,7 +46,8 @@ class CaseEditing {
     void accept(int bridge);
     // A vessel was drawn through these places of the patient's CT: it is followed beside the
     // window. What was being drawn before ends unanswered.
-    void draw(const Volume& ct, const std::vector<Vec3>& places_mm, VesselPen::Answered answered);
+    void draw(const Volume& ct, const std::vector<Vec3>& places_mm,
+              const VesselPen::Answered& answered);
     void stop_drawing() { drawing_.reset(); }
 
   private:

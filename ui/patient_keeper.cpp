@@ -95,7 +95,8 @@ void PatientKeeper::choose_series(OpenRequest request,
 }
 
 // The patient before may have been corrected while this one was made ready.
-void PatientKeeper::arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded) {
+void PatientKeeper::arrived(const OpenRequest& request,
+                            const std::shared_ptr<LoadedPatient>& loaded) {
     const auto show = [this, request, loaded] {
         // Saved over since it was read: what was read is not on disk any more.
         if (written_.contains(loaded->folder)) return start_opening(request);

@@ -100,7 +100,7 @@ class PatientKeeper {
     void leave_if_safe(std::function<void()> go, std::function<void()> stay);
     void start_opening(const OpenRequest& request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
-    void arrived(const OpenRequest& request, std::shared_ptr<LoadedPatient> loaded);
+    void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);
     void correct();
     struct Possible {
         Workspace::Edits edits;
