@@ -241,6 +241,26 @@ TEST_F(Slices, TakeTheStrokesOfABrush) {
     EXPECT_EQ(scene().vessels().at(12, 25, 30), 255);
     EXPECT_EQ(scene().systems().at(12, 25, 31), painted_label) << "a ball, not a disc";
     EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
+    // Lifted, it leaves nothing; nor where there are no voxels, and says so.
+    QApplication::sendEvent(&axial, &move);
+    EXPECT_EQ(brush.strokes()[0].path_mm.size(), 2u);
+    Mask corner(Grid{{4, 4, 4}, Vec3(3, 3, 3), ct_.grid.origin_mm, Mat3::Identity()}, 1);
+    scene().set_systems(corner);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
+    QApplication::sendEvent(&axial, &move);
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
+    EXPECT_TRUE(brush.strokes().empty());
+    EXPECT_TRUE(
+        window_.findChild<QLabel*>("slicePlace")->text().contains("Too far from the liver"));
+    scene().set_systems({});
+    QTest::keyClick(&axial, Qt::Key_Return);
+    EXPECT_TRUE(brush.strokes().empty());
+    EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("knows no voxels"));
+    scene().set_systems(before);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
+    QApplication::sendEvent(&axial, &move);
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
+    EXPECT_EQ(scene().systems().voxels, expected.voxels);
     // By the keys: smaller, a dab that erases, and back.
     emit choice->activated(7);
     QTest::keyClick(&axial, Qt::Key_Minus);

@@ -7,6 +7,7 @@ namespace hepatica {
 
 void MaskBrush::set_mode(BrushMode mode) {
     mode_ = mode;
+    lift();
     tell();
 }
 
@@ -17,12 +18,13 @@ void MaskBrush::set_radius(double radius_mm) {
 
 void MaskBrush::begin(const Vec3& place_mm) {
     if (mode_ == BrushMode::away) return;
+    down_ = true;
     strokes_.push_back({{place_mm}, radius_mm_, mode_ == BrushMode::erases});
     tell();
 }
 
 void MaskBrush::lead_to(const Vec3& place_mm) {
-    if (mode_ == BrushMode::away || strokes_.empty()) return;
+    if (!down_) return;
     std::vector<Vec3>& path = strokes_.back().path_mm;
     // The ball sweeps what lies between: nearer points would add nothing.
     if ((path.back() - place_mm).norm() < 0.2 * strokes_.back().radius_mm) return;
@@ -31,11 +33,13 @@ void MaskBrush::lead_to(const Vec3& place_mm) {
 }
 
 void MaskBrush::remove_last() {
+    lift();
     if (!strokes_.empty()) strokes_.pop_back();
     tell();
 }
 
 void MaskBrush::remove_all() {
+    lift();
     strokes_.clear();
     tell();
 }

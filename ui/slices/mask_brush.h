@@ -32,9 +32,11 @@ class MaskBrush {
     void set_radius(double radius_mm);  // to the nearest one that it can have
     double radius_mm() const { return radius_mm_; }
 
-    // A stroke where the brush is put down, and on to where it is led; nothing while it is away.
+    // A stroke where the brush is put down, and on to where it is led until it is lifted; nothing
+    // while it is away.
     void begin(const Vec3& place_mm);
     void lead_to(const Vec3& place_mm);
+    void lift() { down_ = false; }
     void remove_last();
     void remove_all();
     // Asks for it where there are strokes.
@@ -48,6 +50,7 @@ class MaskBrush {
     std::function<void()> remake_;
     BrushMode mode_ = BrushMode::away;
     double radius_mm_ = 2.0;
+    bool down_ = false;
     std::vector<BrushStroke> strokes_;
     std::vector<std::function<void()>> watchers_;
 };

@@ -227,7 +227,7 @@ void SliceBar::add_brush(QHBoxLayout& row) {
         radius_->setValue(brush.radius_mm());
         remake_->setVisible(taken || !brush.strokes().empty());
         remake_->setEnabled(!brush.strokes().empty());
-        if (click_->currentIndex() != chosen_click()) follow_click();
+        follow_click();
     };
     scene_.brush().on_change(follow);
     follow();

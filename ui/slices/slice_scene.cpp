@@ -91,6 +91,16 @@ void SliceScene::follow_brush() {
     tell_of_voxels();
 }
 
+std::string SliceScene::why_not_painted(const Vec3& position_mm) const {
+    if (systems_.voxels.empty()) return "This case knows no voxels of its vessels";
+    const Vec3 index = systems_.grid.to_index(position_mm);
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        if (!(index[axis] > -0.5 &&
+              index[axis] < systems_.grid.dims[static_cast<std::size_t>(axis)] - 0.5))
+            return "Too far from the liver: the vessels' voxels end before";
+    return {};
+}
+
 Mask SliceScene::vessels() const {
     Mask vessels = systems_;
     std::ranges::replace(vessels.voxels, painted_label,

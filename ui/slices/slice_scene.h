@@ -45,6 +45,8 @@ class SliceScene {
     const std::shared_ptr<const Volume>& shared_ct() const { return ct_; }
     // The vessels' voxels with what is erased by hand, and what is painted as painted_label.
     const Mask& systems() const { return systems_; }
+    // Why a brush leaves nothing at this place; empty: it does.
+    std::string why_not_painted(const Vec3& position_mm) const;
     // The same with what is painted as vessels of an unknown system.
     Mask vessels() const;
     // Others, of the same patient; what was painted on those before is dropped. Nothing changes

@@ -303,7 +303,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     else if (drawing())
         set_place(to_mm(last_));
     else if (brushing())
-        scene_.brush().begin(to_mm(last_));
+        put_brush_down(to_mm(last_));
     else
         scene_.set_crosshair(to_mm(last_));
     if (scene_.corrects() && correct_) correct_(to_mm(last_));
@@ -347,6 +347,11 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
         update();
     }
     if (hover_) hover_(to_mm(at));
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+    scene_.brush().lift();
+    QWidget::mouseReleaseEvent(event);
 }
 
 void SliceView::leaveEvent(QEvent* event) {
@@ -459,8 +464,16 @@ void SliceView::brush_by_key(int key) {
         brush.remove_last();
     else if (key == Qt::Key_Plus || key == Qt::Key_Minus)
         brush.set_radius(brush.radius_mm() + (key == Qt::Key_Plus ? 0.5 : -0.5));
-    else
-        brush.begin(scene_.crosshair_mm());
+    else {
+        put_brush_down(scene_.crosshair_mm());
+        brush.lift();
+    }
+}
+
+void SliceView::put_brush_down(const Vec3& position_mm) {
+    const std::string why_not = scene_.why_not_painted(position_mm);
+    if (why_not.empty()) scene_.brush().begin(position_mm);
+    say(why_not);
 }
 
 void SliceView::draw_by_key(int key) {

@@ -50,6 +50,7 @@ class SliceView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -67,6 +68,7 @@ class SliceView : public QWidget {
     void draw_by_key(int key);
     void correct_by_key(int key);
     void brush_by_key(int key);
+    void put_brush_down(const Vec3& position_mm);
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
