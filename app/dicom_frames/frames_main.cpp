@@ -58,7 +58,8 @@ void split(const fs::path& from, const fs::path& folder) {
     const FrameHeaders headers(data);
     OFString kind;
     data.findAndGetOFString(DCM_SOPClassUID, kind);
-    if (kind == UID_SegmentationStorage) {
+    // DCMTK 3.6.7 has no name for label maps yet.
+    if (kind == UID_SegmentationStorage || kind == "1.2.840.10008.5.1.4.1.1.66.7") {
         SegmentPixels pixels(data, headers.count());
         write_slices(headers, EXS_LittleEndianExplicit, folder, [&](std::size_t i, DcmDataset& to) {
             pixels.copy(i, headers.segment_of(i), to);

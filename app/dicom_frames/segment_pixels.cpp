@@ -33,6 +33,8 @@ SegmentPixels::SegmentPixels(DcmDataset& file, std::size_t frames) {
     if (!is_binary) {
         pixels_per_byte_ = 1;
         whole_ = short_at(file, DCM_MaximumFractionalValue, 255);
+        if (whole_ == 0)
+            throw Refusal{"says that the whole of its fractions is 0 (0062,000e)", mask_remedy};
     }
     file.findAndGetElement(DCM_PixelData, pixels_);
     if (pixels_ == nullptr) throw Refusal{"has no pixels (7fe0,0010)", mask_remedy};

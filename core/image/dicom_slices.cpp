@@ -150,6 +150,12 @@ std::string description_of(const DicomHeader& header) {
     return text;
 }
 
+// Segments as bits or fractions, or as label maps, which are refused with that word later.
+bool is_segmentation(const std::string& sop_class) {
+    return sop_class == "1.2.840.10008.5.1.4.1.1.66.4" ||
+           sop_class == "1.2.840.10008.5.1.4.1.1.66.7";
+}
+
 // Enhanced CT Image Storage, and Legacy Converted Enhanced CT Image Storage.
 bool is_enhanced_ct(const std::string& sop_class) {
     return sop_class == "1.2.840.10008.5.1.4.1.1.2.1" || sop_class == "1.2.840.10008.5.1.4.1.1.2.2";
@@ -172,7 +178,7 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     slice.image_type = header.text(0x0008, 0x0008);
     slice.localizer = slice.image_type.find("LOCALIZER") != std::string::npos;
     const std::string sop_class = header.text(0x0008, 0x0016);
-    slice.segmentation = sop_class == "1.2.840.10008.5.1.4.1.1.66.4";
+    slice.segmentation = is_segmentation(sop_class);
     slice.enhanced = is_enhanced_ct(sop_class) || slice.segmentation;
     slice.kernel = header.text(0x0018, 0x1210);
     slice.contrast_agent = !header.text(0x0018, 0x0010).empty();

@@ -38,8 +38,10 @@ struct Segmentation {
     }
 
     gdcm::DataSet group_of(const Frame& frame) const {
-        const Vec3 p = grid.to_mm(0, 0, frame.z) + (aside_mm * frame.z) * grid.direction.col(1) +
-                       (frame.segment == 4 ? vessel_ahead_mm : 0.0) * grid.direction.col(2);
+        const Vec3 p =
+            grid.to_mm(0, 0, frame.z) + (aside_mm * frame.z) * grid.direction.col(1) +
+            ((frame.segment == 4 ? vessel_ahead_mm : 0.0) + (frame.z == 4 ? one_ahead_mm : 0.0)) *
+                grid.direction.col(2);
         gdcm::DataSet place, segment, group;
         put(place, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, number_list({p.x(), p.y(), p.z()}));
         put_sequence(group, plane_position, {place});
@@ -72,7 +74,7 @@ struct Segmentation {
     void write(const fs::path& file) const {
         gdcm::Writer writer;
         gdcm::DataSet& data = writer.GetFile().GetDataSet();
-        put(data, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, "1.2.840.10008.5.1.4.1.1.66.4");
+        put(data, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, sop_class);
         put(data, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, "2.25.99");
         put(data, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, "SEG");
         put(data, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, "2.25.98");
@@ -87,7 +89,7 @@ struct Segmentation {
         put(data, gdcm::Tag(0x0028, 0x0102), gdcm::VR::US, word_of(bits - 1));
         put(data, gdcm::Tag(0x0028, 0x0103), gdcm::VR::US, word_of(0));
         put(data, gdcm::Tag(0x0062, 0x0001), gdcm::VR::CS, type);
-        put(data, gdcm::Tag(0x0062, 0x000e), gdcm::VR::US, word_of(200));
+        put(data, gdcm::Tag(0x0062, 0x000e), gdcm::VR::US, word_of(whole));
         gdcm::DataSet axes, measures, shared;
         const Vec3 row = grid.direction.col(0), column = grid.direction.col(1);
         put(axes, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS,
@@ -115,10 +117,13 @@ struct Segmentation {
 
     Grid grid = turned_grid();
     std::vector<Frame> frames;
+    std::string sop_class = "1.2.840.10008.5.1.4.1.1.66.4";
     std::string type = "BINARY";
+    int whole = 200;  // of a fraction
     double stated_spacing_mm = 1.5;
     double aside_mm = 0.0;         // that each slice lies off the one before
     double vessel_ahead_mm = 0.0;  // that the vessel's slices lie off the liver's
+    double one_ahead_mm = 0.0;     // that one slice of the liver lies off its place
     bool with_segments = true;
     std::size_t missing_bytes = 0;
 };
@@ -188,8 +193,21 @@ TEST(DicomSegmentation, MayLeaveOutSlicesAndThenNeedsTheirSpacing) {
 
 TEST(DicomSegmentation, OfAnotherStatedSpacingIsReadByItsPositions) {
     Segmentation drawn;
-    drawn.stated_spacing_mm = 4.0;
-    expect_mask(SegmentationFile(drawn).mask({1}), in_liver);
+    // Also where it is near enough to be believed: over many slices it would lead astray.
+    for (const double stated_mm : {4.0, 1.56}) {
+        drawn.stated_spacing_mm = stated_mm;
+        expect_mask(SegmentationFile(drawn).mask({1}), in_liver);
+    }
+}
+
+// Positions are rounded: they may lie a tenth of a step beside their places.
+TEST(DicomSegmentation, OfSlicesALittleUnevenIsReadAndOfMoreIsRefused) {
+    Segmentation drawn;
+    drawn.one_ahead_mm = 0.08 * 1.5;
+    EXPECT_EQ(SegmentationFile(drawn).refusal_of_file(), "");
+    drawn.one_ahead_mm = 0.12 * 1.5;
+    EXPECT_NE(SegmentationFile(drawn).refusal_of_file().find("lie between others"),
+              std::string::npos);
 }
 
 TEST(BadDicomSegmentation, IsRefusedWithFileReasonAndRemedy) {
@@ -202,6 +220,12 @@ TEST(BadDicomSegmentation, IsRefusedWithFileReasonAndRemedy) {
     Segmentation odd;
     odd.type = "LABELMAP";
     expect(odd, "of the type \"LABELMAP\" (0062,0001) with 8 bits");
+    odd.sop_class = "1.2.840.10008.5.1.4.1.1.66.7";  // of label maps
+    expect(odd, "of the type \"LABELMAP\" (0062,0001) with 8 bits");
+    Segmentation of_nothing;
+    of_nothing.type = "FRACTIONAL";
+    of_nothing.whole = 0;
+    expect(of_nothing, "the whole of its fractions is 0 (0062,000e)");
     Segmentation short_of_bytes;
     short_of_bytes.missing_bytes = 2;  // of 8 x 143 bits
     expect(short_of_bytes, "holds 142 bytes of pixels, but 8 frames of 143 pixels take 143");
