@@ -9,7 +9,6 @@
 #include "core/base/patient_space.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
-#include "core/tree/systems/doubtful_roots.h"
 
 namespace hepatica {
 namespace {
@@ -68,14 +67,20 @@ void CaseEditing::show_body() {
     update_panel();
 }
 
-// Those of an uncorrected tree are told when it is opened.
+// Those of an uncorrected tree are told when it is opened. A loop less is no new doubt.
 void CaseEditing::warn_of_new_doubts() {
-    const std::vector<std::string> before =
-        std::exchange(root_doubts_, sentences(doubtful_roots(workspace_.patient()->tree)));
+    const VesselTree& tree = workspace_.patient()->tree;
+    const std::vector<std::string> before = std::exchange(doubts_, sentences_of_corrected(tree));
+    const int loops_before = std::exchange(loops_, doubts_of(tree).loops);
     if (workspace_.patient()->corrections.edits.empty()) return;
-    for (const std::string& doubt : root_doubts_)
-        if (std::ranges::find(before, doubt) == before.end())
-            callbacks_.warn(QString::fromStdString(doubt));
+    QStringList fresh;
+    for (const std::string& doubt : doubts_) {
+        const bool of_loops = &doubt == &doubts_.back() && loops_ > 0;
+        const bool is_new =
+            of_loops ? loops_ > loops_before : std::ranges::find(before, doubt) == before.end();
+        if (is_new) fresh << QString::fromStdString(doubt);
+    }
+    if (!fresh.isEmpty()) callbacks_.warn(fresh.join("\n"));
 }
 
 void CaseEditing::show_bridges() {
@@ -108,7 +113,7 @@ void CaseEditing::update_panel() {
         state << QString("%1 gaps were bridged by the reconstruction, %2 mm in all.")
                      .arg(built)
                      .arg(bridged_length_mm(patient.tree), 0, 'f', 1);
-    for (const std::string& doubt : root_doubts_) state << "⚠ " + QString::fromStdString(doubt);
+    for (const std::string& doubt : doubts_) state << "⚠ " + QString::fromStdString(doubt);
     panel_.show_state(state.join("\n"));
 }
 

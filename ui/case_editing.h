@@ -64,7 +64,8 @@ class CaseEditing {
     std::vector<Bridge> bridges_;  // that are shown, best first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
-    std::vector<std::string> root_doubts_;  // of the body that is shown
+    std::vector<std::string> doubts_;  // of the body that is shown
+    int loops_ = 0;                    // in it
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

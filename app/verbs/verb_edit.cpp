@@ -13,7 +13,6 @@
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/tree/editing/vessel_tracing.h"
-#include "core/tree/systems/doubtful_roots.h"
 
 namespace hepatica {
 
@@ -169,7 +168,7 @@ Json run_edit(const EditChoices& options, Job& job) {
     answer["case"] = (options.out.empty() ? options.patient : options.out).string();
     answer["edits_before"] = before;
     answer["edits"] = Json::parse(edits_to_json(patient.corrections.edits));
-    answer["warnings"] = sentences(doubtful_roots(patient.tree));
+    answer["warnings"] = sentences_of_corrected(patient.tree);
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
     answer["bridges"] = bridges_of(patient);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/tree/systems/doubtful_roots.h"
+
 namespace hepatica {
 
 namespace {
@@ -102,6 +104,14 @@ std::vector<std::string> sentences(const Doubts& doubts) {
         list.push_back(number_of(doubts.loops, "loop") + (doubts.loops == 1 ? " is" : " are") +
                        " left in the vessels. Cut those that are no real connections.");
     if (doubts.segments) add_sentences(*doubts.segments, list);
+    return list;
+}
+
+std::vector<std::string> sentences_of_corrected(const VesselTree& tree) {
+    std::vector<std::string> list = sentences(doubtful_roots(tree));
+    Doubts of_loops;
+    of_loops.loops = doubts_of(tree).loops;
+    for (std::string& sentence : sentences(of_loops)) list.push_back(std::move(sentence));
     return list;
 }
 

@@ -40,4 +40,7 @@ Doubts doubts_of(const VesselTree& tree);
 // there is nothing to doubt.
 std::vector<std::string> sentences(const Doubts& doubts);
 
+// What a correction may have made doubtful, of the tree as it is: roots on twigs, and loops.
+std::vector<std::string> sentences_of_corrected(const VesselTree& tree);
+
 }  // namespace hepatica

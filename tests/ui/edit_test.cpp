@@ -198,6 +198,23 @@ TEST_F(Editing, a_root_on_a_twig_is_warned_of_as_long_as_it_is_there) {
     EXPECT_FALSE(says_so());
 }
 
+TEST_F(Editing, a_link_that_closes_a_loop_is_warned_of_and_one_loop_less_is_not) {
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Link two vessels");
+    click(Vec3(0.05, 10, 1.5));
+    click(Vec3(-8.6, 28, 4.4));
+    ASSERT_EQ(saved().corrections.edits.size(), 1u) << window_.messages().text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains("1 loop is left"))
+        << window_.messages().text().toStdString();
+    click(Vec3(0.02, 4, 0.6));
+    click(Vec3(-8.6, 28, 4.4));
+    EXPECT_TRUE(window_.messages().text().contains("2 loops are left"));
+    window_.messages().dismiss();
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_EQ(window_.messages().text(), "");
+}
+
 TEST_F(Editing, what_was_done_is_listed_with_its_place) {
     window_.actions()[ActionId::edit_mode].trigger();
     choose_tool("Delete a whole tree");
