@@ -78,6 +78,8 @@ BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
     table_->setAccessibleName("Branches of the vessels");
     table_->setColumnCount(static_cast<int>(columns.size()));
     table_->setHorizontalHeaderLabels(columns);
+    table_->horizontalHeaderItem(static_cast<int>(columns.size()) - 1)
+        ->setToolTip("Of what flows into the root of its own tree: a system may have several");
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -23,7 +23,7 @@ QString name_of(const TreeEdit& edit) {
             return edit.path_mm.empty() ? "Vessels linked" : "Gap bridged";
         case TreeEditKind::delete_branch:
             return "Branch deleted";
-        case TreeEditKind::delete_piece:
+        case TreeEditKind::delete_tree:
             return "Tree deleted";
         case TreeEditKind::set_root:
             return "Root set";
@@ -70,7 +70,7 @@ void CaseEditing::show_body() {
 // Those of an uncorrected tree are told when it is opened. A loop less is no new doubt.
 void CaseEditing::warn_of_new_doubts() {
     const VesselTree& tree = workspace_.patient()->tree;
-    const std::vector<std::string> before = std::exchange(doubts_, sentences_of_corrected(tree));
+    const std::vector<std::string> before = std::exchange(doubts_, sentences(std::nullopt, tree));
     const int loops_before = std::exchange(loops_, doubts_of(tree).loops);
     if (workspace_.patient()->corrections.edits.empty()) return;
     QStringList fresh;

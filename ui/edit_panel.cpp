@@ -25,7 +25,7 @@ constexpr std::array<EditTool, 7> tools{{
     {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
     {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
     {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
-    {TreeEditKind::delete_piece, "Delete a whole tree",
+    {TreeEditKind::delete_tree, "Delete a whole tree",
      "Click any branch of it; all that hangs on its root goes"},
     {TreeEditKind::set_root, "Set the root", "Click near the end where blood comes in"},
     {TreeEditKind::reassign_system, "Give to a system",

@@ -103,7 +103,10 @@ class MainWindow : public QMainWindow {
     void connect_views();
     void connect_context();
     void connect_themes();
+
+    // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
+    void build_editing();
 
     // main_window_lessons.cpp: lessons, and recordings that are looked back on.
     void build_lessons();

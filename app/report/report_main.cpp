@@ -45,8 +45,8 @@ QList<QCommandLineOption> report_options() {
             {"lesson", "Its lesson: a file or a name; none: as the recording shows.", "LESSON"},
             {"name", "The trainee's name or number in the report.", "NAME"},
             {"patient",
-             "Case that was recorded; none: the one beside the recording, or the "
-             "built-in patient.",
+             "Case that was recorded; none: the one that the lesson names, the one beside the "
+             "recording, or the built-in patient.",
              "CASE"},
             {"units", "Blood on the pages: computed (g, g/s) or clinic (mL, mL/min).", "UNITS",
              "computed"}};

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 
 #include "app/output_place.h"
 #include "app/verbs/reconstruction_json.h"
@@ -168,7 +169,7 @@ Json run_edit(const EditChoices& options, Job& job) {
     answer["case"] = (options.out.empty() ? options.patient : options.out).string();
     answer["edits_before"] = before;
     answer["edits"] = Json::parse(edits_to_json(patient.corrections.edits));
-    answer["warnings"] = sentences_of_corrected(patient.tree);
+    answer["warnings"] = sentences(std::nullopt, patient.tree);
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
     answer["bridges"] = bridges_of(patient);

@@ -2,6 +2,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/image/brush.h"
 #include "core/image/volume_reader.h"
 #include "core/opening/patient_image.h"
@@ -21,6 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr double most_radius_mm = 50.0;  // of a ball
+
 struct RemakeChoices {
     fs::path patient;
     fs::path vessels;
@@ -30,23 +34,29 @@ struct RemakeChoices {
 };
 
 BrushStroke dab(const std::string& option, const std::string& text, bool erases) {
-    const auto comma = text.find_last_of(',');
-    const std::string place = comma == std::string::npos ? text : text.substr(0, comma);
-    const auto numbers = parse_triple(option, place);
+    const auto comma = std::min(text.find_last_of(','), text.size());
+    const auto numbers = parse_triple(option, text.substr(0, comma));
+    const char* const end = text.data() + text.size();
     double radius_mm = 0.0;
-    try {
-        radius_mm = std::stod(text.substr(comma + 1));
-    } catch (const std::exception&) {
-        radius_mm = 0.0;
-    }
-    if (!(radius_mm > 0.0 && radius_mm <= 50.0))
+    const auto [rest, error] =
+        std::from_chars(std::min(text.data() + comma + 1, end), end, radius_mm);
+    if (error != std::errc{} || rest != end || !(radius_mm > 0.0 && radius_mm <= most_radius_mm))
         throw UsageError("\"" + text + "\" is no ball", option,
                          "Write X,Y,Z,RADIUS in mm, the radius above 0 and up to 50");
     return {{Vec3(numbers[0], numbers[1], numbers[2])}, radius_mm, erases};
 }
 
+// In the order in which they act: what is painted, then what is erased.
+std::vector<BrushStroke> dabs(const RemakeChoices& options) {
+    std::vector<BrushStroke> strokes;
+    for (const std::string& text : options.painted) strokes.push_back(dab("--paint", text, false));
+    for (const std::string& text : options.erased) strokes.push_back(dab("--erase", text, true));
+    return strokes;
+}
+
 // Those of the file, else the case's, painted and erased.
-Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, const Grid& ct_grid,
+Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>& strokes,
+                    const PatientCase& patient, const Grid& ct_grid,
                     std::vector<std::string>& warnings, Job& job) {
     Mask vessels = patient.mask;
     if (!options.vessels.empty()) {
@@ -62,9 +72,14 @@ Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, co
                          "Give some: --vessels FILE");
     }
     const auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
-    for (const std::string& text : options.painted)
-        apply(dab("--paint", text, false), unknown, vessels);
-    for (const std::string& text : options.erased) apply(dab("--erase", text, true), 0, vessels);
+    for (const BrushStroke& stroke : strokes) {
+        const Vec3& place = stroke.path_mm.front();
+        if (!holds(vessels.grid, place))
+            warnings.push_back("The ball at " + place_text(place) +
+                               " lies outside of the vessels' voxels, which end near the liver: "
+                               "what of it is outside changes nothing.");
+        apply(stroke, unknown, vessels);
+    }
     return vessels;
 }
 
@@ -78,12 +93,13 @@ Json run_remake(const RemakeChoices& options, Job& job) {
                          "Give --vessels FILE, --paint X,Y,Z,RADIUS or --erase X,Y,Z,RADIUS");
     const fs::path& out = options.out.empty() ? options.patient : options.out;
     if (!options.out.empty()) require_case_place(options.out);
+    const std::vector<BrushStroke> strokes = dabs(options);  // refused before the long work
     job.expect_stages(remade_stages + 3);
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);
     const Volume ct = image_of(patient, options.ct, job);
     std::vector<std::string> warnings;
-    Mask vessels = wanted_vessels(options, patient, ct.grid, warnings, job);
+    Mask vessels = wanted_vessels(options, strokes, patient, ct.grid, warnings, job);
     RemadeCase made = remade(patient, std::move(vessels), ct, job);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);

@@ -43,12 +43,10 @@ class Brush {
     }
 
     void at_centre(const Vec3& place) {
+        if (!holds(mask_.grid, place)) return;
         const Vec3 index = mask_.grid.to_index(place);
-        if (index.cwiseAbs().maxCoeff() > 1e6) return;  // far outside
-        const auto [x, y, z] = std::array{static_cast<int>(std::lround(index.x())),
-                                          static_cast<int>(std::lround(index.y())),
-                                          static_cast<int>(std::lround(index.z()))};
-        if (mask_.grid.contains(x, y, z)) touch(x, y, z);
+        touch(static_cast<int>(std::lround(index.x())), static_cast<int>(std::lround(index.y())),
+              static_cast<int>(std::lround(index.z())));
     }
 
   private:

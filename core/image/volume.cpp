@@ -3,6 +3,14 @@
 
 namespace hepatica {
 
+bool holds(const Grid& grid, const Vec3& position_mm) {
+    const Vec3 index = grid.to_index(position_mm);
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        if (!(index[axis] > -0.5 && index[axis] < grid.dims[static_cast<std::size_t>(axis)] - 0.5))
+            return false;
+    return true;
+}
+
 bool same_grid(const Grid& a, const Grid& b) {
     if (a.dims != b.dims) return false;
     const double tolerance_mm = 0.01 * a.spacing_mm.minCoeff();

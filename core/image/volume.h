@@ -61,6 +61,9 @@ using FloatVolume = Image<float>;    // filtered intensities, distances
 using Mask = Image<std::uint8_t>;    // 0 background, anything else object
 using LabelMap = Image<std::uint16_t>;
 
+// Whether a place lies in one of the voxels.
+bool holds(const Grid& grid, const Vec3& position_mm);
+
 // True where both grids have the same dims and agree in space to a hundredth of a voxel.
 bool same_grid(const Grid& a, const Grid& b);
 

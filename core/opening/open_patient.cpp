@@ -11,7 +11,6 @@
 #include "core/mesh/tetrahedralize.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "core/tree/files/tree_io.h"
-#include "core/tree/systems/doubtful_roots.h"
 
 namespace hepatica {
 namespace {
@@ -125,10 +124,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));
         opened.folder = path;
-        opened.warnings = sentences(doubtful_roots(opened.patient->tree));
-        if (const auto& doubts = opened.patient->doubts)
-            for (std::string& sentence : sentences(*doubts))
-                opened.warnings.push_back(std::move(sentence));
+        opened.warnings = sentences(opened.patient->doubts, opened.patient->tree);
     } else if (is_tree_file(path)) {
         job.begin_stage("Reading the tree");
         opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));

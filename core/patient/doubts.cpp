@@ -107,11 +107,11 @@ std::vector<std::string> sentences(const Doubts& doubts) {
     return list;
 }
 
-std::vector<std::string> sentences_of_corrected(const VesselTree& tree) {
+std::vector<std::string> sentences(const std::optional<Doubts>& doubts, const VesselTree& tree) {
     std::vector<std::string> list = sentences(doubtful_roots(tree));
-    Doubts of_loops;
-    of_loops.loops = doubts_of(tree).loops;
-    for (std::string& sentence : sentences(of_loops)) list.push_back(std::move(sentence));
+    Doubts now = doubts.value_or(Doubts{});
+    now.loops = doubts_of(tree).loops;
+    for (std::string& sentence : sentences(now)) list.push_back(std::move(sentence));
     return list;
 }
 

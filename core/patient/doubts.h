@@ -40,7 +40,9 @@ Doubts doubts_of(const VesselTree& tree);
 // there is nothing to doubt.
 std::vector<std::string> sentences(const Doubts& doubts);
 
-// What a correction may have made doubtful, of the tree as it is: roots on twigs, and loops.
-std::vector<std::string> sentences_of_corrected(const VesselTree& tree);
+// The same of a patient with this tree, which corrections may have changed since: its own loops
+// instead of those of the reconstruction, and its roots, which stand first. Without doubts of a
+// reconstruction these two alone.
+std::vector<std::string> sentences(const std::optional<Doubts>& doubts, const VesselTree& tree);
 
 }  // namespace hepatica

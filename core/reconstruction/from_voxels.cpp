@@ -12,7 +12,6 @@
 #include "core/reconstruction/mask_of_tree.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
-#include "core/tree/systems/doubtful_roots.h"
 #include "core/tree/tree_extraction.h"
 
 namespace hepatica {
@@ -97,8 +96,7 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
 void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
                Job& job) {
     label_segments(patient, job);
-    std::ranges::copy(sentences(*patient.doubts), std::back_inserter(warnings));
-    std::ranges::copy(sentences(doubtful_roots(patient.tree)), std::back_inserter(warnings));
+    std::ranges::copy(sentences(patient.doubts, patient.tree), std::back_inserter(warnings));
     job.begin_stage("Meshing the vessels");
     patient.mesh = tetrahedralize(patient.tree, options, job, &warnings);
     job.throw_if_cancelled();

@@ -51,10 +51,13 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
             }
         }
     // Systems that somebody drew are kept.
-    options.find_systems = !options.seeds.empty() || !json.value("vessel_mask_given", false);
+    const bool drawn = has("vessel_mask_given", &nlohmann::json::is_boolean) &&
+                       json["vessel_mask_given"].get<bool>();
+    options.find_systems = !options.seeds.empty() || !drawn;
     if (has("bridge_confidence", &nlohmann::json::is_number))
         options.bridge_confidence = json["bridge_confidence"].get<double>();
-    if (json.value("thinning", "queue") == "parallel") options.thinning = ThinningMethod::parallel;
+    if (has("thinning", &nlohmann::json::is_string) && json["thinning"] == "parallel")
+        options.thinning = ThinningMethod::parallel;
     return options;
 }
 

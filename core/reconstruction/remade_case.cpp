@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/patient/corrections.h"
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/reconstruct_parameters.h"
+#include "core/segmentation/vessel_systems.h"
 #include "core/tree/system_summary.h"
 
 namespace hepatica {
@@ -30,6 +32,21 @@ std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
             }
     }
     return trunk;
+}
+
+// A seed says what the vessel that it lies in is, and nothing of others once that one is erased.
+void drop_lost_seeds(const Mask& vessels, std::vector<VesselSeed>& seeds,
+                     std::vector<std::string>& warnings) {
+    std::erase_if(seeds, [&](const VesselSeed& seed) {
+        try {
+            require_seeds_in_vessels(vessels, {seed});
+            return false;
+        } catch (const InputError& error) {
+            warnings.push_back("The seed at " + place_text(seed.position_mm) +
+                               " is left out: " + error.problem());
+            return true;
+        }
+    });
 }
 
 // Those of the edits that can be made, in order.
@@ -57,6 +74,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     FromVoxelsOptions options = from_voxels_options(patient.source.parameters_json);
     options.portal_trunk_mm = portal_trunk_of(patient);
     if (patient.doubts) options.of_image = *patient.doubts;
+    drop_lost_seeds(vessels, options.seeds, result.warnings);
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;

@@ -25,11 +25,7 @@ std::string text_of(const Vec3& position_mm) {
 
 void require_seeds_in_image(const std::vector<VesselSeed>& seeds, const Grid& grid) {
     for (const VesselSeed& seed : seeds) {
-        const Vec3 index = grid.to_index(seed.position_mm);
-        bool inside = true;
-        for (int axis = 0; axis < 3; ++axis)
-            inside = inside && index[axis] >= -0.5 && index[axis] <= grid.dims[axis] - 0.5;
-        if (inside) continue;
+        if (holds(grid, seed.position_mm)) continue;
         const Vec3 corner = grid.to_mm(0, 0, 0);
         const Vec3 opposite = grid.to_mm(grid.dims[0] - 1, grid.dims[1] - 1, grid.dims[2] - 1);
         throw InputError(text_of(seed.position_mm) +

@@ -118,6 +118,20 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
 }
 
+// A recording that lies elsewhere than the case which its lesson names.
+TEST_F(LessonVerb, ReportsOfTheCaseThatTheLessonNames) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["patient"] = "p.hep";
+    std::ofstream(path("named.json")) << lesson.dump();
+    fs::create_directories(path("elsewhere"));
+    fs::copy_file(path("play.hrec"), path("elsewhere/play.hrec"),
+                  fs::copy_options::overwrite_existing);
+    const Outcome run = report({"--report", path("elsewhere/play.hrec"), "--out",
+                                path("elsewhere/report"), "--lesson", path("named.json")});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+}
+
 TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
     const Outcome run = report({"--report", path("nothing.hrec"), "--out", path("no report")});
     EXPECT_EQ(run.exit_code, 1);

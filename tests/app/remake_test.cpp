@@ -73,6 +73,15 @@ TEST_F(Remake, ErasesATwigAndTakesTheMaskOfAnotherProgram) {
     EXPECT_EQ(hash_of(back), hash_of(before)) << "tree and body, to the bit";
 }
 
+TEST_F(Remake, ABallOutsideOfTheVoxelsIsSaid) {
+    const fs::path other = folder() / "outside.hep";
+    const Json said = answer({"remake", made().string(), "--ct", ct().string(), "--erase",
+                              "9000,0,0,1", "--out", other.string()});
+    EXPECT_NE(said.at("warnings").dump().find("lies outside of the vessels' voxels"),
+              std::string::npos);
+    EXPECT_EQ(hash_of(read_case(other)), hash_of(read_case(made())));
+}
+
 TEST_F(Remake, WhatCannotBeMadeIsSaidAndTheCaseStays) {
     const auto hash = hash_of(read_case(made()));
     const auto refused = [&](std::vector<std::string> more, const std::string& words) {
@@ -87,6 +96,8 @@ TEST_F(Remake, WhatCannotBeMadeIsSaidAndTheCaseStays) {
     refused({"--paint", "1,2,3"}, "--paint");
     refused({"--paint", "1,2,3,0"}, "is no ball");
     refused({"--erase", "1,2,3,x"}, "is no ball");
+    refused({"--erase", "1,2,3,4x"}, "is no ball");
+    refused({"--erase", "7"}, "--erase");
     refused({"--erase", "88,88,64,50", "--vessels", (folder() / "none.nii.gz").string()},
             "none.nii.gz");
     const Mask mask = read_case(made()).mask;

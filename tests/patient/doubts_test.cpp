@@ -50,6 +50,20 @@ TEST(Doubts, DimVesselsAndLoopsAreToldWithWhatWouldHelp) {
     EXPECT_EQ(sentences(doubts).size(), 2u);
 }
 
+// A loop that was cut since is none any more, and one that was closed is one.
+TEST(Doubts, OfACorrectedTreeHaveItsOwnLoops) {
+    const auto told_of = [](int loops_of_tree, int loops_of_reconstruction) {
+        VesselTree tree = test::forked_tree();
+        for (int i = 0; i < loops_of_tree; ++i)
+            tree.segments[static_cast<std::size_t>(i) + 1].closes_loop = true;
+        return sentences(Doubts{.loops = loops_of_reconstruction}, tree);
+    };
+    EXPECT_TRUE(told_of(0, 2).empty());
+    ASSERT_EQ(told_of(2, 0).size(), 1u);
+    EXPECT_NE(told_of(2, 0)[0].find("2 loops are left"), std::string::npos);
+    EXPECT_EQ(sentences(std::nullopt, test::forked_tree()).size(), 0u);
+}
+
 TEST(Doubts, AreTheSameAfterBeingWrittenAndRead) {
     const Doubts doubts{31.5, 9.25, 1.6, 0.25, 0.125, 3, 1};
     const Doubts again = doubts_from(json_of(doubts));

@@ -7,9 +7,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/reconstruction/reconstruct.h"
 #include "core/tree/territories/couinaud_segments.h"
-#include "tests/support/test_data.h"
+#include "tests/reconstruction/real_case.h"
 
 namespace hepatica {
 
@@ -17,19 +16,13 @@ using namespace test;
 
 class RealSegments : public testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(Ircadb01, RealSegments,
-                         testing::Values("ircadb01_case01", "ircadb01_case07"));
+INSTANTIATE_TEST_SUITE_P(Ircadb01, RealSegments, testing::ValuesIn(real_cases));
 
 TEST_P(RealSegments, HaveSizesThatLiversHave) {
     const auto folder = shared_data() / GetParam();
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
-    ReconstructOptions options;
-    options.ct = folder / "PATIENT_DICOM";
-    options.liver_mask = folder / "masks/liver.nii.gz";
-    options.spacing_mm = 1.0;
-    options.mesh.target_tetrahedra = 1500;
     Job job;
-    const PatientCase patient = reconstruct(options, job).patient;
+    const PatientCase patient = reconstruct(quick_options(folder), job).patient;
     const auto volumes = segment_volumes_ml(patient.couinaud);
     const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0);
     EXPECT_GT(volumes[7], 0.111 * all);

@@ -15,7 +15,7 @@
 #include "core/reconstruction/reconstruct.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/tree/station.h"
-#include "tests/support/test_data.h"
+#include "tests/reconstruction/real_case.h"
 
 namespace hepatica {
 namespace {
@@ -138,14 +138,14 @@ TEST_F(RemadeCaseTest, SystemsFromBeforeAreForgotten) {
 }
 
 // The portal trunk comes in where it did, although the case keeps no place for that.
-TEST(RemadeRealCase, OfItsOwnVoxelsIsTheSameToTheBit) {
-    const fs::path folder = test::shared_data() / "ircadb01_case01";
+class RemadeRealCase : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Ircadb01, RemadeRealCase, testing::ValuesIn(test::real_cases));
+
+TEST_P(RemadeRealCase, OfItsOwnVoxelsIsTheSameToTheBit) {
+    const fs::path folder = test::shared_data() / GetParam();
     if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
-    ReconstructOptions options;
-    options.ct = folder / "PATIENT_DICOM";
-    options.liver_mask = folder / "masks/liver.nii.gz";
-    options.spacing_mm = 1.0;
-    options.mesh.target_tetrahedra = 1500;
+    const ReconstructOptions options = test::quick_options(folder);
     Job job;
     const PatientCase patient = reconstruct(options, job).patient;
     const Volume ct = read_volume(options.ct, job);
@@ -176,6 +176,28 @@ TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
     }));
 }
 
+// Its neighbour must not be taken for the vessel that a person named.
+TEST_F(RemadeCaseTest, ASeedWhoseVesselIsErasedIsLeftOut) {
+    const Station at = twig();
+    PatientCase seeded = *patient_;
+    ReconstructOptions options;
+    options.mesh.target_tetrahedra = 1500;
+    options.seeds = {{at.position_mm, VascularSystem::artery}};
+    seeded.source.parameters_json = parameters_json(options);
+    const auto is_artery = [](const VesselSegment& segment) {
+        return segment.system == VascularSystem::artery;
+    };
+    const RemadeCase there = remade_of(patient_->mask, seeded);
+    EXPECT_TRUE(std::ranges::any_of(there.patient.tree.segments, is_artery));
+    Mask mask = patient_->mask;
+    apply({{at.position_mm}, at.radius_mm + 6.0, true}, 0, mask);
+    const RemadeCase gone = remade_of(mask, seeded);
+    EXPECT_FALSE(std::ranges::any_of(gone.patient.tree.segments, is_artery));
+    EXPECT_TRUE(std::ranges::any_of(gone.warnings, [](const std::string& warning) {
+        return warning.starts_with("The seed at ");
+    }));
+}
+
 TEST(FromVoxelsOptions, AreThoseOfTheReconstruction) {
     ReconstructOptions made;
     EXPECT_TRUE(from_voxels_options(parameters_json(made)).find_systems);
@@ -195,7 +217,8 @@ TEST(FromVoxelsOptions, AreThoseOfTheReconstruction) {
     EXPECT_EQ(options.seeds[0].system, VascularSystem::hepatic);
     // What a file may hold instead.
     for (const char* text : {"", "[]", "{\"seeds\": 3, \"bridge_confidence\": \"x\"}",
-                             "{\"seeds\": [{\"system\": 4}, {}, 7], \"thinning\": \"other\"}"}) {
+                             "{\"seeds\": [{\"system\": 4}, {}, 7], \"thinning\": \"other\"}",
+                             "{\"thinning\": 3, \"vessel_mask_given\": \"x\"}"}) {
         options = from_voxels_options(text);
         EXPECT_TRUE(options.seeds.empty()) << text;
         EXPECT_EQ(options.bridge_confidence, 0.25) << text;

@@ -74,30 +74,28 @@ void SliceScene::forget_strokes() {
 // A stroke that is being led changes at its end alone; whatever else happened is made anew.
 void SliceScene::follow_brush() {
     const std::vector<BrushStroke>& strokes = brush_.strokes();
-    const bool led_on = strokes.size() == shown_strokes_ && !strokes.empty() &&
-                        strokes.back().path_mm.size() == shown_points_ + 1;
+    const std::size_t points = strokes.empty() ? 0 : strokes.back().path_mm.size();
+    if (strokes.size() == shown_strokes_ && points == shown_points_) return tell();
+    const bool led_on = strokes.size() == shown_strokes_ && points == shown_points_ + 1;
     if (led_on) {
         const BrushStroke& last = strokes.back();
         apply({{last.path_mm.end()[-2], last.path_mm.back()}, last.radius_mm, last.erases},
               painted_label, systems_);
-    } else if (!strokes.empty() || shown_strokes_ > 0) {
+    } else {
         if (unpainted_.voxels.empty()) unpainted_ = systems_;
         systems_ = unpainted_;
         for (const BrushStroke& stroke : strokes) apply(stroke, painted_label, systems_);
         if (strokes.empty()) unpainted_ = {};
     }
     shown_strokes_ = strokes.size();
-    shown_points_ = strokes.empty() ? 0 : strokes.back().path_mm.size();
+    shown_points_ = points;
     tell_of_voxels();
 }
 
 std::string SliceScene::why_not_painted(const Vec3& position_mm) const {
     if (systems_.voxels.empty()) return "This case knows no voxels of its vessels";
-    const Vec3 index = systems_.grid.to_index(position_mm);
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-        if (!(index[axis] > -0.5 &&
-              index[axis] < systems_.grid.dims[static_cast<std::size_t>(axis)] - 0.5))
-            return "Too far from the liver: the vessels' voxels end before";
+    if (!holds(systems_.grid, position_mm))
+        return "Too far from the liver: the vessels' voxels end before";
     return {};
 }
 

@@ -10,56 +10,17 @@
 #include <utility>
 
 #include "render/palette.h"
+#include "ui/slices/slice_picture.h"
 
 namespace hepatica {
 namespace {
 
 constexpr double hu_per_point = 2.0;
 constexpr double most_zoom = 20.0;
-const QColor measured(255, 214, 90);
-constexpr int least_numbered = 40;  // pixels of a segment that has room for its number
-
-QColor colour_of(const Colour& colour) {
-    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                            static_cast<float>(colour[2]));
-}
 
 QString title_of(SliceDirection direction) {
     constexpr std::array titles{"Axial", "Coronal", "Sagittal"};
     return titles[static_cast<std::size_t>(direction)];
-}
-
-QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) {
-    QImage picture(columns, rows, QImage::Format_RGB32);
-    std::size_t i = 0;
-    for (int row = 0; row < rows; ++row) {
-        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
-        for (int column = 0; column < columns; ++column, ++i)
-            line[column] = qRgb(grey[i], grey[i], grey[i]);
-    }
-    return picture;
-}
-
-// The systems' colours over what is there.
-void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, double opacity) {
-    std::array<std::array<double, 3>, 256> tint{};
-    for (const VascularSystem system : vascular_systems)
-        tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
-    tint[painted_label] = {measured.redF(), measured.greenF(), measured.blueF()};
-    std::size_t i = 0;
-    for (int row = 0; row < picture.height(); ++row) {
-        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
-        for (int column = 0; column < picture.width(); ++column, ++i) {
-            if (labels[i] == 0) continue;
-            const auto mixed = [&](int plain, std::size_t channel) {
-                return static_cast<int>((1.0 - opacity) * plain +
-                                        opacity * 255.0 * tint[labels[i]][channel]);
-            };
-            const QRgb below = line[column];
-            line[column] =
-                qRgb(mixed(qRed(below), 0), mixed(qGreen(below), 1), mixed(qBlue(below), 2));
-        }
-    }
 }
 
 // Readable on every grey.
@@ -123,17 +84,9 @@ const QImage& SliceView::picture() {
     if (scene_.empty()) {
         picture_ = {};
     } else if (picture_slice_ != slice() || picture_version_ != scene_.voxels_version()) {
-        const SliceStack slices = stack();
-        picture_ = grey_image(grey_slice(scene_.ct(), slices, slice(), scene_.window()),
-                              slices.columns(), slices.rows());
-        segment_numbers_.clear();
-        if (scene_.shows_segments()) {
-            const auto segments = label_slice(scene_.segments(), slices, slice());
-            lay_segments(picture_, segments);
-            segment_numbers_ = segment_numbers(segments, slices.columns(), least_numbered);
-        }
-        if (scene_.opacity() > 0.0 && !scene_.systems().voxels.empty())
-            lay_systems(picture_, label_slice(scene_.systems(), slices, slice()), scene_.opacity());
+        SlicePicture made = picture_of(scene_, stack(), slice());
+        picture_ = std::move(made.image);
+        segment_numbers_ = std::move(made.segment_numbers);
     }
     picture_slice_ = slice();
     picture_version_ = scene_.voxels_version();
@@ -207,7 +160,7 @@ bool SliceView::is_here(const Vec3& point_mm, double reach_mm) const {
 
 void SliceView::paint_line(QPainter& painter, const QPolygonF& line) const {
     for (const auto& [colour, width] :
-         {std::pair{QColor(Qt::black), 3.5}, std::pair{measured, 1.6}}) {
+         {std::pair{QColor(Qt::black), 3.5}, std::pair{colour_of_marks, 1.6}}) {
         painter.setPen(QPen(colour, width));
         painter.drawPolyline(line);
         for (const QPointF& end : line) painter.drawEllipse(end, 2.0, 2.0);
@@ -233,7 +186,7 @@ void SliceView::paint_brush(QPainter& painter) const {
     const double radius = scene_.brush().radius_mm() * points_per_mm();
     painter.setBrush(Qt::NoBrush);
     for (const auto& [colour, width] :
-         {std::pair{QColor(Qt::black), 3.0}, std::pair{measured, 1.4}}) {
+         {std::pair{QColor(Qt::black), 3.0}, std::pair{colour_of_marks, 1.4}}) {
         const bool erases = scene_.brush().mode() == BrushMode::erases;
         painter.setPen(QPen(colour, width, erases ? Qt::DashLine : Qt::SolidLine));
         painter.drawEllipse(*mouse_, radius, radius);
@@ -261,7 +214,7 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
     const QPointF beside = line.back() + QPointF(7, -5);
     write_shaded(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
                  Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
-                 measured);
+                 colour_of_marks);
 }
 
 void SliceView::paint_measurements(QPainter& painter) const {

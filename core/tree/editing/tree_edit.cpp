@@ -105,7 +105,7 @@ class Edit {
 
     void remove_branch(const TreeEdit& edit) { remove_from(locate(tree_, edit.at_mm).segment); }
 
-    void remove_piece(const TreeEdit& edit) {
+    void remove_tree(const TreeEdit& edit) {
         int first = locate(tree_, edit.at_mm).segment;
         while (tree_.segments[first].parent >= 0) first = tree_.segments[first].parent;
         remove_from(first);
@@ -250,8 +250,8 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
         case TreeEditKind::delete_branch:
             work.remove_branch(edit);
             break;
-        case TreeEditKind::delete_piece:
-            work.remove_piece(edit);
+        case TreeEditKind::delete_tree:
+            work.remove_tree(edit);
             break;
         case TreeEditKind::set_root:
             work.set_root(edit);

@@ -17,7 +17,7 @@ enum class TreeEditKind {
                       // becomes a tree of its own
     add_link,         // joins the vessels nearest to `at_mm` and `to_mm`
     delete_branch,    // removes the segment at `at_mm` and all that hangs on it
-    delete_piece,     // removes the whole tree at `at_mm`, from its root on
+    delete_tree,      // removes the whole tree at `at_mm`, from its root on
     set_root,         // makes the end nearest to `at_mm` the root of its component
     reassign_system,  // gives the segment at `at_mm` and all that hangs on it to `system`
     seed_system,      // says that the vessel at `at_mm` is of `system`: what hangs on it goes with

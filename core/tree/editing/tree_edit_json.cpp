@@ -15,7 +15,7 @@ constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
     {TreeEditKind::add_link, "add_link"},
     {TreeEditKind::delete_branch, "delete_branch"},
-    {TreeEditKind::delete_piece, "delete_piece"},
+    {TreeEditKind::delete_tree, "delete_tree"},
     {TreeEditKind::set_root, "set_root"},
     {TreeEditKind::reassign_system, "reassign_system"},
     {TreeEditKind::seed_system, "seed_system"},

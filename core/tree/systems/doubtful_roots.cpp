@@ -66,11 +66,11 @@ std::vector<std::string> sentences(const std::vector<DoubtfulRoot>& roots) {
     for (const DoubtfulRoot& one : roots) {
         std::ostringstream text;
         text.imbue(std::locale::classic());
-        text << std::fixed << std::setprecision(1) << "In one tree of " << title_of(one.system)
-             << " blood comes in at an end of " << one.root.radius_mm << " mm radius ("
+        text << std::fixed << std::setprecision(1) << "In one tree (" << title_of(one.system)
+             << ") blood comes in at an end of " << one.root.radius_mm << " mm radius ("
              << place_text(one.root.at_mm) << "), and the end at "
              << place_text(one.wider_end.at_mm) << ", of " << one.wider_end.radius_mm
-             << " mm, takes most of it out. If that one is the trunk, set the root there.";
+             << " mm, is a wide way out for it. If that one is the trunk, set the root there.";
         list.push_back(text.str());
     }
     return list;

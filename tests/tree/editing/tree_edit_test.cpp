@@ -146,16 +146,16 @@ TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {
 TEST(TreeEdit, DeletingATreeTakesAllOfItAndNothingElse) {
     const VesselTree cut = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_right_branch));
     ASSERT_EQ(roots(cut).size(), 2u);
-    const VesselTree without = edited(cut, edit_at(TreeEditKind::delete_piece, on_last_branch));
+    const VesselTree without = edited(cut, edit_at(TreeEditKind::delete_tree, on_last_branch));
     validate(without);
     EXPECT_EQ(roots(without).size(), 1u);
     EXPECT_GT(nearest_point(without, on_last_branch).distance_mm, 5.0);
-    const VesselTree rest = edited(cut, edit_at(TreeEditKind::delete_piece, on_left_branch));
+    const VesselTree rest = edited(cut, edit_at(TreeEditKind::delete_tree, on_left_branch));
     EXPECT_EQ(roots(rest).size(), 1u);
     EXPECT_GT(nearest_point(rest, on_trunk).distance_mm, 5.0);
     EXPECT_NEAR(length_mm(without) + length_mm(rest), length_mm(cut), 1e-9);
     // From wherever it is clicked: the last branch hangs on a branch of the trunk.
-    const TreeEdit all = edit_at(TreeEditKind::delete_piece, on_last_branch);
+    const TreeEdit all = edit_at(TreeEditKind::delete_tree, on_last_branch);
     EXPECT_TRUE(edited(forked_tree(), all).segments.empty());
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Slices of the CT and the correcting of a patient's vessels in the window, and their ways to the
+// rest.
+#include <QDockWidget>
+#include <QStatusBar>
+#include <utility>
+
+#include "ui/case_editing.h"
+#include "ui/edit_panel.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/message_log.h"
+#include "ui/review_dock.h"
+#include "ui/slices/view_layout.h"
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+
+void MainWindow::build_slices(QWidget* parent) {
+    ViewLayout::Callbacks callbacks;
+    callbacks.ask_for_ct = [this] { return ask_where_ct_lies(); };
+    callbacks.crosshair = [this](const std::optional<Vec3>& place) {
+        if (view_->scene().set_crosshair(place)) view_->draw_again();
+    };
+    callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
+    callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,
+                            VesselPen::Answered answered) {
+        if (review_->reviewing()) return answered({false, "Not drawn: end the review first"});
+        editing_->draw(ct, places, std::move(answered));
+    };
+    callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
+    callbacks.correct = [this](const Vec3& place) {
+        if (review_->reviewing())
+            return messages_->show_notice("Nothing is corrected during a review: end it first");
+        editing_->click_at(place);
+    };
+    callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
+        if (review_->reviewing())
+            return messages_->show_notice("Nothing is rebuilt during a review: end it first");
+        messages_->dismiss();
+        keeper_->remake(std::move(ct), std::move(vessels));
+    };
+    callbacks.correction = [this] { return editing_->tool_name(); };
+    view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
+    SliceScene& slices = view_layout_->slices();
+    slices.on_change([this, &slices, did = false]() mutable {
+        if (!std::exchange(did, slices.corrects()) && did) {
+            auto* corrections = findChild<QDockWidget*>("Corrections");
+            corrections->show();
+            corrections->raise();
+        }
+    });
+}
+
+void MainWindow::build_editing() {
+    editing_ = std::make_unique<CaseEditing>(
+        *edit_panel_, keeper_->workspace(),
+        CaseEditing::Callbacks{
+            [this](const TreeEdit& edit) {
+                messages_->dismiss();
+                keeper_->add(edit);
+            },
+            [this] { keeper_->undo(); }, [this] { keeper_->redo(); },
+            [this](std::vector<BridgeView> bridges) {
+                view_->scene().set_bridges(std::move(bridges));
+                view_->draw_again();
+            },
+            [this](const QString& text) { statusBar()->showMessage(text, 8000); },
+            [this](const Failure& failure) { fail("Drawing a vessel", failure); },
+            [this](const QString& text) {
+                log_->add_warning("Corrections", text);
+                messages_->show_notice(text);
+            }});
+}
+
+}  // namespace hepatica

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/slice_picture.h"
+
+#include <array>
+
+namespace hepatica {
+namespace {
+
+constexpr int least_numbered = 40;  // pixels of a segment that has room for its number
+
+QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) {
+    QImage picture(columns, rows, QImage::Format_RGB32);
+    std::size_t i = 0;
+    for (int row = 0; row < rows; ++row) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
+        for (int column = 0; column < columns; ++column, ++i)
+            line[column] = qRgb(grey[i], grey[i], grey[i]);
+    }
+    return picture;
+}
+
+// The systems' colours over what is there.
+void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, double opacity) {
+    std::array<std::array<double, 3>, 256> tint{};
+    for (const VascularSystem system : vascular_systems)
+        tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
+    tint[painted_label] = {colour_of_marks.redF(), colour_of_marks.greenF(),
+                           colour_of_marks.blueF()};
+    std::size_t i = 0;
+    for (int row = 0; row < picture.height(); ++row) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
+        for (int column = 0; column < picture.width(); ++column, ++i) {
+            if (labels[i] == 0) continue;
+            const auto mixed = [&](int plain, std::size_t channel) {
+                return static_cast<int>((1.0 - opacity) * plain +
+                                        opacity * 255.0 * tint[labels[i]][channel]);
+            };
+            const QRgb below = line[column];
+            line[column] =
+                qRgb(mixed(qRed(below), 0), mixed(qGreen(below), 1), mixed(qBlue(below), 2));
+        }
+    }
+}
+
+}  // namespace
+
+QColor colour_of(const Colour& colour) {
+    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                            static_cast<float>(colour[2]));
+}
+
+SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int slice) {
+    SlicePicture picture;
+    picture.image = grey_image(grey_slice(scene.ct(), slices, slice, scene.window()),
+                               slices.columns(), slices.rows());
+    if (scene.shows_segments()) {
+        const auto segments = label_slice(scene.segments(), slices, slice);
+        lay_segments(picture.image, segments);
+        picture.segment_numbers = segment_numbers(segments, slices.columns(), least_numbered);
+    }
+    if (scene.opacity() > 0.0 && !scene.systems().voxels.empty())
+        lay_systems(picture.image, label_slice(scene.systems(), slices, slice), scene.opacity());
+    return picture;
+}
+
+}  // namespace hepatica
