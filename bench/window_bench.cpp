@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <clocale>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <functional>
@@ -157,7 +158,7 @@ class WindowBench {
     // before the next, through all slices and back. False where the CT is not his.
     bool scroll(const std::filesystem::path& ct) {
         ViewLayout& views = window_.view_layout();
-        views.show_patient(window_.workspace().patient(), {}, ct);
+        views.show_patient(window_.workspace().patient(), window_.workspace().folder(), ct);
         views.set_slices_visible(true);
         if (!run_until([&] { return !views.slices().empty(); })) return false;
         run_for(idle_s);  // the dial is measured beside the window, once
@@ -183,8 +184,45 @@ class WindowBench {
                     dims[0], dims[1], dims[2]);
         std::printf("  %zu slices; each with all that follows it: median %.1f ms, p95 %.1f ms\n",
                     times_ms.size(), quantile(times_ms, 0.5), quantile(times_ms, 0.95));
+        paint(views);
         views.set_slices_visible(false);
         return true;
+    }
+
+    // A brush is led in circles through the axial slice, and each move is painted before the next.
+    void paint(ViewLayout& views) const {
+        views.slices().set_crosshair(on_vessel(0.5));
+        SliceView& axial = views.slice_view(SliceDirection::axial);
+        MaskBrush& brush = views.slices().brush();
+        const QPointF middle = axial.place_of(views.slices().crosshair_mm());
+        const auto send_to_slice = [&](QEvent::Type type, const QPointF& place) {
+            const bool moves = type == QEvent::MouseMove;
+            QMouseEvent event(
+                type, place, axial.mapToGlobal(place), moves ? Qt::NoButton : Qt::LeftButton,
+                type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&axial, &event);
+        };
+        brush.set_mode(BrushMode::paints);
+        std::vector<double> times_ms;
+        constexpr int strokes = 5, moves = 60;
+        for (int i = 0; i < strokes * moves; ++i) {
+            const double angle = 0.1 * i;
+            const QPointF place =
+                middle + (10.0 + 0.1 * i) * QPointF(std::cos(angle), std::sin(angle));
+            QElapsedTimer clock;
+            clock.start();
+            send_to_slice(i % moves == 0 ? QEvent::MouseButtonPress : QEvent::MouseMove, place);
+            QCoreApplication::processEvents();
+            times_ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+            if (i % moves == moves - 1) send_to_slice(QEvent::MouseButtonRelease, place);
+        }
+        std::printf(
+            "painted %zu strokes: %d moves, each with all that follows it: median %.1f ms, "
+            "p95 %.1f ms, longest %.1f ms\n",
+            brush.strokes().size(), strokes * moves, quantile(times_ms, 0.5),
+            quantile(times_ms, 0.95), quantile(times_ms, 1.0));
+        brush.remove_all();
+        brush.set_mode(BrushMode::away);
     }
 
     void pull() {

@@ -56,7 +56,7 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
     options.find_systems = !options.seeds.empty() || !drawn;
     if (has("bridge_confidence", &nlohmann::json::is_number))
         options.bridge_confidence = json["bridge_confidence"].get<double>();
-    if (has("thinning", &nlohmann::json::is_string) && json["thinning"] == "parallel")
+    if (json.contains("thinning") && json["thinning"] == "parallel")
         options.thinning = ThinningMethod::parallel;
     return options;
 }

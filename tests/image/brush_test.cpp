@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -76,6 +77,19 @@ TEST(Brush, TouchesWhatLiesWithinTheRadiusOfThePathAndNothingElse) {
                     ASSERT_EQ(mask.at(x, y, z), expected) << "trial " << trial;
                 }
     }
+}
+
+TEST(GridHolds, WhatLiesInAVoxelAndNothingElse) {
+    const Grid grid = odd_grid();
+    const Vec3 last(39, 49, 29);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const auto& [beside, held] : {std::pair{-0.51, false}, std::pair{-0.49, true},
+                                           std::pair{0.49, true}, std::pair{0.51, false}}) {
+            Vec3 index = beside < 0.0 ? Vec3(Vec3::Zero()) : last;
+            index[axis] += beside;
+            EXPECT_EQ(holds(grid, grid.to_mm(index)), held) << axis << ", " << beside;
+        }
+    EXPECT_FALSE(holds(grid, Vec3::Constant(std::nan(""))));
 }
 
 TEST(Brush, ABallBetweenTheCentresTakesItsOwnVoxel) {
