@@ -24,14 +24,6 @@ double share(double part, double whole) {
     return whole > 0.0 ? part / whole : 1.0;
 }
 
-bool is_object(const Mask& mask, const Vec3& position_mm) {
-    const Vec3 index = mask.grid.to_index(position_mm);
-    const auto x = static_cast<int>(std::lround(index.x()));
-    const auto y = static_cast<int>(std::lround(index.y()));
-    const auto z = static_cast<int>(std::lround(index.z()));
-    return mask.grid.contains(x, y, z) && mask.at(x, y, z) != 0;
-}
-
 double dice_of(const Mask& mask, const Mask& truth, Job& job) {
     Mask judged = mask;
     for (std::uint8_t& v : judged.voxels) v = v != 0;  // whatever the system
@@ -52,7 +44,7 @@ double skeleton_share(const Mask& mask, const Mask& other, Job& job) {
     for (std::size_t i = 0; i < skeleton.voxels.size(); ++i) {
         if (skeleton.voxels[i] == 0) continue;
         const auto [x, y, z] = skeleton.grid.index_of(i);
-        inside += is_object(other, skeleton.grid.to_mm(x, y, z));
+        inside += value_at(other, skeleton.grid.to_mm(x, y, z)) != 0;
         all += 1.0;
     }
     return all > 0.0 ? inside / all : 0.0;

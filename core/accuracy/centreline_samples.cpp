@@ -31,11 +31,7 @@ void append_segment(CentrelineSamples& all, const VesselTree& tree, int id, doub
 }  // namespace
 
 bool holds(const Mask& mask, const Vec3& position_mm) {
-    const Vec3 index = mask.grid.to_index(position_mm);
-    const auto x = static_cast<int>(std::lround(index.x()));
-    const auto y = static_cast<int>(std::lround(index.y()));
-    const auto z = static_cast<int>(std::lround(index.z()));
-    return mask.grid.contains(x, y, z) && mask.at(x, y, z) != 0;
+    return value_at(mask, position_mm) != 0;
 }
 
 int CentrelineSamples::nearest(int segment, const Vec3& position_mm) const {

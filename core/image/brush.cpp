@@ -43,10 +43,8 @@ class Brush {
     }
 
     void at_centre(const Vec3& place) {
-        if (!holds(mask_.grid, place)) return;
-        const Vec3 index = mask_.grid.to_index(place);
-        touch(static_cast<int>(std::lround(index.x())), static_cast<int>(std::lround(index.y())),
-              static_cast<int>(std::lround(index.z())));
+        if (const std::optional<Index3> voxel = voxel_at(mask_.grid, place))
+            touch((*voxel)[0], (*voxel)[1], (*voxel)[2]);
     }
 
   private:

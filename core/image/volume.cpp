@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/volume.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hepatica {
 
-bool holds(const Grid& grid, const Vec3& position_mm) {
+std::optional<Index3> voxel_at(const Grid& grid, const Vec3& position_mm) {
+    if (grid.count() == 0) return std::nullopt;
     const Vec3 index = grid.to_index(position_mm);
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-        if (!(index[axis] > -0.5 && index[axis] < grid.dims[static_cast<std::size_t>(axis)] - 0.5))
-            return false;
-    return true;
+        if (!(index[axis] >= -0.5 &&
+              index[axis] <= grid.dims[static_cast<std::size_t>(axis)] - 0.5))
+            return std::nullopt;
+    return nearest_voxel(grid, position_mm);
+}
+
+Index3 nearest_voxel(const Grid& grid, const Vec3& position_mm) {
+    const Vec3 index = grid.to_index(position_mm);
+    Index3 voxel{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        voxel[axis] = static_cast<int>(std::lround(
+            std::clamp(index[static_cast<Eigen::Index>(axis)], 0.0, grid.dims[axis] - 1.0)));
+    return voxel;
 }
 
 bool same_grid(const Grid& a, const Grid& b) {

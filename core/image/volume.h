@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -61,8 +62,25 @@ using FloatVolume = Image<float>;    // filtered intensities, distances
 using Mask = Image<std::uint8_t>;    // 0 background, anything else object
 using LabelMap = Image<std::uint16_t>;
 
+// The voxel that a place lies in, the outer faces of the grid included; nothing beside the grid and
+// for what is not finite.
+std::optional<Index3> voxel_at(const Grid& grid, const Vec3& position_mm);
+
+// The voxel whose centre is nearest to a finite place, which may lie beside the grid. The grid has
+// voxels.
+Index3 nearest_voxel(const Grid& grid, const Vec3& position_mm);
+
 // Whether a place lies in one of the voxels.
-bool holds(const Grid& grid, const Vec3& position_mm);
+inline bool holds(const Grid& grid, const Vec3& position_mm) {
+    return voxel_at(grid, position_mm).has_value();
+}
+
+// The value of the voxel that a place lies in; T{} beside the image.
+template <class T>
+T value_at(const Image<T>& image, const Vec3& position_mm) {
+    const std::optional<Index3> voxel = voxel_at(image.grid, position_mm);
+    return voxel ? image.at((*voxel)[0], (*voxel)[1], (*voxel)[2]) : T{};
+}
 
 // True where both grids have the same dims and agree in space to a hundredth of a voxel.
 bool same_grid(const Grid& a, const Grid& b);

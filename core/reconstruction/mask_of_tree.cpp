@@ -14,25 +14,15 @@ namespace hepatica {
 
 namespace {
 
-std::optional<std::size_t> voxel_at(const Grid& grid, const Vec3& point) {
-    const Vec3 index = grid.to_index(point);
-    const auto x = static_cast<int>(std::lround(index.x()));
-    const auto y = static_cast<int>(std::lround(index.y()));
-    const auto z = static_cast<int>(std::lround(index.z()));
-    if (!grid.contains(x, y, z)) return std::nullopt;
-    return grid.offset(x, y, z);
-}
-
 using Votes = std::map<VascularSystem, int>;
 
 // votes[piece]: how many points of each system lie in it.
 std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     std::vector<Votes> votes(pieces.sizes.size() + 1);
-    const Grid& grid = pieces.labels.grid;
     for (const VesselSegment& segment : tree.segments)
         for (const Vec3& point : segment.points_mm)
-            if (const auto voxel = voxel_at(grid, point))
-                ++votes[pieces.labels.voxels[*voxel]][segment.system];
+            if (holds(pieces.labels.grid, point))
+                ++votes[value_at(pieces.labels, point)][segment.system];
     return votes;
 }
 
@@ -41,8 +31,7 @@ std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tre
     std::vector<VesselSeed> seeds;
     for (const VesselSegment& segment : tree.segments)
         for (const Vec3& point : segment.points_mm)
-            if (const auto voxel = voxel_at(mask.grid, point); voxel && mask.voxels[*voxel] != 0)
-                seeds.push_back({point, segment.system});
+            if (value_at(mask, point) != 0) seeds.push_back({point, segment.system});
     return seeds;
 }
 

@@ -90,6 +90,24 @@ TEST(GridHolds, WhatLiesInAVoxelAndNothingElse) {
             EXPECT_EQ(holds(grid, grid.to_mm(index)), held) << axis << ", " << beside;
         }
     EXPECT_FALSE(holds(grid, Vec3::Constant(std::nan(""))));
+    EXPECT_FALSE(holds(grid, Vec3::Constant(1e300)));
+    EXPECT_FALSE(holds(Grid{}, Vec3::Constant(-0.5)));
+}
+
+TEST(VoxelAt, TheFacesOfTheGridBelongToItsOutermostVoxels) {
+    Grid grid{{8, 6, 4}};
+    grid.spacing_mm = Vec3(1.0, 2.0, 4.0);
+    grid.origin_mm = Vec3(10.0, 20.0, 40.0);
+    Image<std::uint8_t> image(grid, 5);
+    image.at(0, 0, 0) = 6;
+    image.at(7, 5, 3) = 7;
+    const Vec3 low(9.5, 19.0, 38.0), high(17.5, 31.0, 54.0);
+    EXPECT_EQ(voxel_at(grid, low), (Index3{0, 0, 0}));
+    EXPECT_EQ(voxel_at(grid, high), (Index3{7, 5, 3}));
+    EXPECT_EQ(value_at(image, low), 6);
+    EXPECT_EQ(value_at(image, high), 7);
+    EXPECT_EQ(value_at(image, Vec3(high + Vec3(0.001, 0, 0))), 0);
+    EXPECT_EQ(nearest_voxel(grid, Vec3(-1e300, 25.0, 1e300)), (Index3{0, 3, 3}));
 }
 
 TEST(Brush, ABallBetweenTheCentresTakesItsOwnVoxel) {

@@ -163,24 +163,15 @@ void SliceScene::set_centrelines_visible(bool visible) {
 }
 
 int SliceScene::segment_at(const Vec3& position_mm) const {
-    if (segments_.voxels.empty()) return 0;
-    const Vec3 index = segments_.grid.to_index(position_mm);
-    const auto [x, y, z] = std::array{static_cast<int>(std::lround(index.x())),
-                                      static_cast<int>(std::lround(index.y())),
-                                      static_cast<int>(std::lround(index.z()))};
-    return segments_.grid.contains(x, y, z) ? segments_.at(x, y, z) : 0;
+    return segments_.voxels.empty() ? 0 : value_at(segments_, position_mm);
 }
 
 std::string SliceScene::describe(const Vec3& position_mm) const {
     if (empty()) return {};
-    const Vec3 index = ct_->grid.to_index(position_mm);
-    const auto [x, y, z] = std::array{static_cast<int>(std::lround(index.x())),
-                                      static_cast<int>(std::lround(index.y())),
-                                      static_cast<int>(std::lround(index.z()))};
-    if (!ct_->grid.contains(x, y, z)) return {};
+    if (!holds(ct_->grid, position_mm)) return {};
     std::string text = along(position_mm.x(), 'L', 'R') + "  " + along(position_mm.y(), 'P', 'A') +
                        "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
-                       std::to_string(ct_->at(x, y, z)) + " HU";
+                       std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
         text += "   segment " + std::to_string(segment);
     const CentrelinePoint* vessel = nullptr;

@@ -28,15 +28,6 @@ constexpr double same_place_mm = 0.5;
 constexpr std::size_t voxels_between_checks = 4096;
 constexpr double wide_voxels = 3.0;  // radius from which the middle of a lumen is not blurred
 
-// The voxel of a position that lies inside: on the very face of the grid the outermost one.
-Index3 voxel_at(const Grid& grid, const Vec3& position_mm) {
-    const Vec3 index = grid.to_index(position_mm);
-    Index3 voxel{};
-    for (int a = 0; a < 3; ++a)
-        voxel[a] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid.dims[a] - 1);
-    return voxel;
-}
-
 std::size_t offset_of(const Grid& grid, const Index3& voxel) {
     return grid.offset(voxel[0], voxel[1], voxel[2]);
 }
@@ -64,9 +55,9 @@ std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) 
 }
 
 IndexBox box_around(const Grid& grid, const std::vector<Vec3>& places_mm) {
-    IndexBox box{voxel_at(grid, places_mm.front()), voxel_at(grid, places_mm.front())};
+    IndexBox box{nearest_voxel(grid, places_mm.front()), nearest_voxel(grid, places_mm.front())};
     for (const Vec3& place : places_mm) {
-        const Index3 voxel = voxel_at(grid, place);
+        const Index3 voxel = nearest_voxel(grid, place);
         for (int a = 0; a < 3; ++a) {
             box.begin[a] = std::min(box.begin[a], voxel[a]);
             box.end[a] = std::max(box.end[a], voxel[a] + 1);
@@ -113,7 +104,7 @@ class Tracer {
   private:
     // A hand misses the middle of a thin vessel by a voxel.
     float brightest_beside(const Vec3& place_mm) const {
-        const auto [x, y, z] = voxel_at(ct_.grid, place_mm);
+        const auto [x, y, z] = nearest_voxel(ct_.grid, place_mm);
         float brightest = smooth_.at(x, y, z);
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy)
@@ -164,8 +155,8 @@ class Tracer {
 
     // The first is left out where it is there already.
     void add_path(std::size_t to, const Brightness& bright, std::vector<Index3>& voxels) const {
-        const Index3 start = voxel_at(ct_.grid, places_mm_[to - 1]);
-        const Index3 goal = voxel_at(ct_.grid, places_mm_[to]);
+        const Index3 start = nearest_voxel(ct_.grid, places_mm_[to - 1]);
+        const Index3 goal = nearest_voxel(ct_.grid, places_mm_[to]);
         if (voxels.empty()) voxels.push_back(start);
         if (start == goal) return;
         // Long vessels wind through a large part of the CT, of which a step needs little.
@@ -189,7 +180,7 @@ class Tracer {
         search.longest_gap_mm = search.longest_cost_mm = std::numeric_limits<double>::infinity();
         const std::vector<GapPath> paths = gap_paths(search, 0, within(start));
         for (std::size_t i = 1; i < paths.front().points_mm.size(); ++i)
-            voxels.push_back(voxel_at(ct_.grid, paths.front().points_mm[i]));
+            voxels.push_back(nearest_voxel(ct_.grid, paths.front().points_mm[i]));
     }
 
     // What is brighter than half-way between vessel and surroundings and hangs together with the

@@ -35,12 +35,7 @@ class Pieces {
     int of_voxel(std::size_t offset) const { return label_[offset]; }
 
     Index3 voxel_at(const Vec3& position_mm) const {
-        const Vec3 index = mask_.grid.to_index(position_mm);
-        Index3 voxel{};
-        for (int a = 0; a < 3; ++a)
-            voxel[a] =
-                std::clamp(static_cast<int>(std::lround(index[a])), 0, mask_.grid.dims[a] - 1);
-        return voxel;
+        return nearest_voxel(mask_.grid, position_mm);
     }
 
   private:

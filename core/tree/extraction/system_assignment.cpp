@@ -61,13 +61,7 @@ void flood(VesselGraph& graph) {
 // Number of the system at each point of a link; 0 where a point lies in no vessel.
 std::vector<int> labels_along(const VesselLink& link, const Mask& labels) {
     std::vector<int> found;
-    for (const Vec3& p : link.points_mm) {
-        const Vec3 index = labels.grid.to_index(p);
-        const auto x = static_cast<int>(std::lround(index.x()));
-        const auto y = static_cast<int>(std::lround(index.y()));
-        const auto z = static_cast<int>(std::lround(index.z()));
-        found.push_back(labels.grid.contains(x, y, z) ? labels.at(x, y, z) : 0);
-    }
+    for (const Vec3& p : link.points_mm) found.push_back(value_at(labels, p));
     return found;
 }
 
