@@ -38,14 +38,18 @@ else()
     find_package(CGAL 5.5 REQUIRED)
     find_package(Bullet REQUIRED)
     find_package(GDCM 3.0 REQUIRED)
-    # DCMTK's own CMake files want every library that any part of it could use; three do here.
+    # DCMTK's own CMake files want every library that any part of it could use; a few do here.
     find_path(DCMTK_INCLUDE_DIR dcmtk/dcmdata/dctk.h REQUIRED)
     add_library(hepatica_dcmtk INTERFACE)
     target_include_directories(hepatica_dcmtk SYSTEM INTERFACE ${DCMTK_INCLUDE_DIR})
-    foreach(part dcmdata oflog ofstd)
+    foreach(part dcmdata oflog ofstd dcmseg dcmfg dcmiod)
         find_library(DCMTK_${part}_LIBRARY ${part} REQUIRED)
-        target_link_libraries(hepatica_dcmtk INTERFACE ${DCMTK_${part}_LIBRARY})
     endforeach()
+    target_link_libraries(hepatica_dcmtk INTERFACE
+        ${DCMTK_dcmdata_LIBRARY} ${DCMTK_oflog_LIBRARY} ${DCMTK_ofstd_LIBRARY})
+    add_library(hepatica_dcmtk_segmentation INTERFACE)
+    target_link_libraries(hepatica_dcmtk_segmentation INTERFACE hepatica_dcmtk
+        ${DCMTK_dcmseg_LIBRARY} ${DCMTK_dcmfg_LIBRARY} ${DCMTK_dcmiod_LIBRARY})
     find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIOGDCM ITKIONIFTI
         ITKIOMeta ITKIONRRD)
     set(vtk_components CommonCore CommonDataModel IOXML IOLegacy)

@@ -9,6 +9,7 @@ void add_all_verbs(CommandLine& line) {
     add_edit(line);
     add_remake(line);
     add_copy(line);
+    add_export(line);
     add_feeders(line);
     add_compare(line);
     add_pressure_drop(line);

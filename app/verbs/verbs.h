@@ -9,6 +9,7 @@ namespace hepatica {
 void add_phantom(CommandLine& line);
 void add_reconstruct(CommandLine& line);
 void add_copy(CommandLine& line);
+void add_export(CommandLine& line);
 void add_edit(CommandLine& line);
 void add_remake(CommandLine& line);
 void add_feeders(CommandLine& line);

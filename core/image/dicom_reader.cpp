@@ -23,8 +23,9 @@
 #include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
 #include "core/image/dicom_frames.h"
+#include "core/image/dicom_header.h"
 #include "core/image/dicom_rle.h"
-#include "core/image/dicom_series.h"
+#include "core/image/header_text.h"
 #include "core/image/memory_limit.h"
 #include "core/image/voxel_file.h"
 
@@ -292,6 +293,27 @@ std::vector<double> slice_hu(const DicomSlice& slice) {
     silence_gdcm();
     require_room(slice);
     return read_pixels(slice);
+}
+
+DicomPlace dicom_place(const fs::path& path) {
+    if (fs::is_directory(path)) return {path, {}};
+    const fs::path file = fs::absolute(path);
+    return {file.parent_path(), is_dicom_file(file) ? file : fs::path{}};
+}
+
+OrderedSeries find_series(const fs::path& path, int series, Job& job) {
+    const DicomPlace place = dicom_place(path);
+    if (!fs::is_directory(path) && place.member.empty() &&
+        lower_case(path.filename().string()) != "dicomdir")
+        throw InputError("is no DICOM image", path.string(),
+                         "Give the DICOM folder of the CT, or a file in it");
+    silence_gdcm();
+    ReadRemarks unheard;
+    std::vector<DicomSlice> slices = choose_series(find_dicom_slices(place.folder, job, unheard),
+                                                   {place.member, series}, place.folder, unheard);
+    if (std::ranges::any_of(slices, &DicomSlice::enhanced))
+        return {std::move(slices), {}, 0.0, 0.0};
+    return order_slices(std::move(slices));
 }
 
 Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {

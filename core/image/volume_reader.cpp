@@ -104,12 +104,10 @@ bool is_dicom(const fs::path& path) {
            is_dicom_file(path);
 }
 
-// A folder, one file of a series, or a DICOMDIR.
 Volume read_dicom_at(const fs::path& path, DicomWish wish, Job& job, ReadRemarks& remarks) {
-    if (fs::is_directory(path)) return read_dicom(path, wish, job, remarks);
-    const fs::path file = fs::absolute(path);
-    if (is_dicom_file(file)) wish.series.member = file;
-    return read_dicom(file.parent_path(), wish, job, remarks);
+    const DicomPlace place = dicom_place(path);
+    wish.series.member = place.member;
+    return read_dicom(place.folder, wish, job, remarks);
 }
 
 // Which values belong to a mask.

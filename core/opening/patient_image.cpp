@@ -45,20 +45,24 @@ std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
 }  // namespace
 
 Volume image_of(const PatientCase& patient, const fs::path& place, Job& job) {
+    return std::move(found_image_of(patient, place, job).volume);
+}
+
+FoundImage found_image_of(const PatientCase& patient, const fs::path& place, Job& job) {
     if (place.empty()) {
-        if (std::optional<Volume> ct = built_in_image(patient, job)) return std::move(*ct);
+        if (std::optional<Volume> ct = built_in_image(patient, job)) return {std::move(*ct), 0};
         throw InputError("it is not known where this patient's CT lies", patient.source.name,
                          "choose its folder or file");
     }
     Volume first = read_volume(place, job);
-    if (is_image_of(patient, first)) return first;
+    if (is_image_of(patient, first)) return {std::move(first), 0};
     first = {};
     std::error_code ignored;
     const std::size_t series =
         fs::is_directory(place, ignored) ? list_series(place, job).size() : 0;
     for (std::size_t i = 2; i <= series; ++i) {
         Volume next = read_volume(place, job, nullptr, static_cast<int>(i));
-        if (is_image_of(patient, next)) return next;
+        if (is_image_of(patient, next)) return {std::move(next), static_cast<int>(i)};
     }
     throw InputError("this is not the CT that the patient was reconstructed from", place.string(),
                      "choose the one that was opened when the case was made; its files may have "

@@ -18,6 +18,13 @@ namespace hepatica {
 // two volumes.
 Volume image_of(const PatientCase& patient, const std::filesystem::path& place, Job& job);
 
+// The same, and which of the place's series it is: the number by which read_volume() reads it.
+struct FoundImage {
+    Volume volume;
+    int series = 0;
+};
+FoundImage found_image_of(const PatientCase& patient, const std::filesystem::path& place, Job& job);
+
 // The numbers of systems by voxel: the patient's own, or those of the case in `folder` where he was
 // read without them; empty where there are none. Throws InputError as read_case() does.
 Mask system_voxels(const PatientCase& patient, const std::filesystem::path& folder);

@@ -86,17 +86,21 @@ bool layer_may_include(const std::string& from, const std::string& to) {
     return from == to || allowed.at(from).contains(to);
 }
 
-// The helper is a program of its own, so that DCMTK's parser never runs in another one.
-const std::string helper_folder = "app/dicom_frames/";
+// Each helper is a program of its own, so that DCMTK's parser never runs in another one.
+std::string helper_of(const std::string& file) {
+    for (const char* folder : {"app/dicom_frames/", "app/dicom_segmentation/"})
+        if (file.starts_with(folder)) return folder;
+    return {};
+}
 
 // Why `file` may not include `include`; empty where it may.
 std::string objection(const std::string& file, const std::string& include) {
     const std::string layer = layer_of(file);
-    const bool of_helper = file.starts_with(helper_folder);
-    if (include.starts_with("dcmtk/") && !of_helper) return "is a library for the helper alone";
+    const std::string helper = helper_of(file);
+    if (include.starts_with("dcmtk/") && helper.empty()) return "is a library for helpers alone";
     static const std::set<std::string> layers{"core", "gpu", "render", "ui", "app", "bench"};
     if (layers.contains(layer_of(include)) && include.find('/') != std::string::npos) {
-        if (of_helper != include.starts_with(helper_folder)) return "joins the helper to the rest";
+        if (helper != helper_of(include)) return "joins a helper to the rest";
         if (!layer_may_include(layer, layer_of(include))) return "runs against the layers";
         const std::string from = room_of(file);
         const std::string to = room_of(include);
@@ -157,6 +161,7 @@ TEST(Layers, TheCheckItselfObjects) {
     EXPECT_NE(objection("app/verbs/a.cpp", "dcmtk/dcmdata/dctk.h"), "");
     EXPECT_NE(objection("app/verbs/a.cpp", "app/dicom_frames/refusal.h"), "");
     EXPECT_NE(objection("app/dicom_frames/a.cpp", "core/base/error.h"), "");
+    EXPECT_NE(objection("app/dicom_segmentation/a.cpp", "app/dicom_frames/refusal.h"), "");
     EXPECT_EQ(objection("app/dicom_frames/a.cpp", "dcmtk/dcmdata/dctk.h"), "");
     EXPECT_EQ(objection("core/image/volume_reader.cpp", "itkImage.h"), "");
     EXPECT_EQ(objection("app/verb_render.cpp", "render/scene_view.h"), "");

@@ -34,6 +34,7 @@ TEST_F(Installed, EveryFileIsWhereItBelongs) {
     for (const std::string& file :
          {std::string("bin/hepatica"), std::string("bin/hepatica-cli"),
           std::string("libexec/hepatica/hepatica-dicom-frames"),
+          std::string("libexec/hepatica/hepatica-dicom-segmentation"),
           std::string("share/hepatica/scripts/drag.json"), "share/applications/" + id + ".desktop",
           "share/metainfo/" + id + ".metainfo.xml", "share/mime/packages/" + id + ".xml",
           std::string("share/icons/hicolor/scalable/apps/hepatica.svg"),

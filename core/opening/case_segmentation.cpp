@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/case_segmentation.h"
+
+#include <set>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vascular_system.h"
+#include "core/image/segmentation_writer.h"
+#include "core/opening/patient_image.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Codes of DICOM PS3.16: category of context group 7150, veins of 12114, organs of 7151's.
+const SnomedConcept anatomical_structure{"91723000", "Anatomical Structure"};
+const SnomedConcept abnormal_structure{"49755003", "Morphologically Abnormal Structure"};
+
+SegmentMeaning meaning_of(VascularSystem system) {
+    switch (system) {
+        case VascularSystem::portal:
+            return {
+                "Portal vein", anatomical_structure, {"32764006", "Portal vein"}, {120, 110, 204}};
+        case VascularSystem::hepatic:
+            return {
+                "Hepatic veins", anatomical_structure, {"8993003", "Hepatic vein"}, {69, 140, 217}};
+        case VascularSystem::artery:
+            return {"Hepatic artery",
+                    anatomical_structure,
+                    {"76015000", "Hepatic artery"},
+                    {212, 69, 64}};
+        case VascularSystem::unknown:
+            break;
+    }
+    return {"Vessels of the liver",
+            anatomical_structure,
+            {"59820001", "Blood vessel"},
+            {148, 153, 184}};
+}
+
+SegmentMeaning meaning_of_organ(std::uint8_t label) {
+    if (label == organ_label::liver)
+        return {"Liver", anatomical_structure, {"10200004", "Liver"}, {171, 115, 94}};
+    if (label == organ_label::cava)
+        return {"Inferior vena cava",
+                anatomical_structure,
+                {"64131007", "Inferior vena cava"},
+                {40, 90, 160}};
+    const int number = label - organ_label::first_tumour + 1;
+    return {"Tumour " + std::to_string(number),
+            abnormal_structure,
+            {"108369006", "Neoplasm"},
+            {220, 190, 60}};
+}
+
+class Segments {
+  public:
+    void add(const Mask& voxels, SegmentMeaning (*meaning)(std::uint8_t)) {
+        if (voxels.voxels.empty()) return;
+        SegmentLayer layer{&voxels, {}};
+        for (const std::uint8_t label : std::set(voxels.voxels.begin(), voxels.voxels.end())) {
+            if (label == 0) continue;
+            layer.segment_of[label] = meanings.size();
+            meanings.push_back(meaning(label));
+        }
+        layers.push_back(std::move(layer));
+    }
+
+    std::vector<SegmentMeaning> meanings;
+    std::vector<SegmentLayer> layers;
+};
+
+}  // namespace
+
+void write_case_segmentation(const PatientCase& patient, const fs::path& ct, const fs::path& file,
+                             const std::string& program_version, Job& job) {
+    if (patient.mask.voxels.empty() && patient.organs.voxels.empty())
+        throw InputError("holds no voxels of vessels or organs", patient.source.name,
+                         "Reconstruct the case from its CT");
+    const int series = found_image_of(patient, ct, job).series;
+    Segments segments;
+    segments.add(patient.mask,
+                 [](std::uint8_t label) { return meaning_of(static_cast<VascularSystem>(label)); });
+    segments.add(patient.organs, meaning_of_organ);
+    write_dicom_segmentation(file, segments.meanings, segments.layers, ct, series, program_version,
+                             job);
+}
+
+}  // namespace hepatica

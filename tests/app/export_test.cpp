@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case as a DICOM segmentation of its CT, through the real program.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/atomic_write.h"
+#include "core/image/volume_reader.h"
+#include "core/patient/patient_case.h"
+#include "tests/app/tour.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::answer;
+using test::run_cli;
+
+class Export : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        fs::remove_all(folder());
+        fs::create_directories(folder());
+        for (const char* seed : {"1", "2"})
+            answer({"phantom", (folder() / seed).string(), "--seed", seed, "--dims", "88,88,64",
+                    "--spacing", "2,2,2", "--generations", "3"});
+        answer({"reconstruct", ct().string(), "--liver-mask",
+                (folder() / "1/liver.nii.gz").string(), "--out", made().string(), "--tetrahedra",
+                "1500"});
+    }
+    static void TearDownTestSuite() { fs::remove_all(folder()); }
+    static fs::path folder() { return fs::path(testing::TempDir()) / "export verb"; }
+    static fs::path ct() { return folder() / "1" / "ct"; }
+    static fs::path made() { return folder() / "p.hep"; }
+};
+
+TEST_F(Export, WritesTheCasesVesselsAndItsLiver) {
+    const fs::path out = folder() / "vessels.dcm";
+    answer({"export", made().string(), "--ct", ct().string(), "--out", out.string()});
+    const PatientCase patient = read_case(made());
+    Job job;
+    const Volume image = read_volume(ct(), job);
+    const auto volume_mm3 = [](const Mask& mask, auto&& counts) {
+        std::size_t voxels = 0;
+        for (const std::uint8_t label : mask.voxels) voxels += counts(label) ? 1 : 0;
+        return static_cast<double>(voxels) * mask.grid.spacing_mm.prod();
+    };
+    // This phantom has one system, and the liver is the last of the organs that are known.
+    const std::vector<int> vessels{1}, liver{2};
+    const Mask vessel = on_grid_of(image.grid, read_mask(out, job, vessels), "out");
+    const Mask organ = on_grid_of(image.grid, read_mask(out, job, liver), "out");
+    const auto any = [](std::uint8_t label) { return label != 0; };
+    const auto of_liver = [](std::uint8_t label) { return label == organ_label::liver; };
+    EXPECT_NEAR(volume_mm3(vessel, any) / volume_mm3(patient.mask, any), 1.0, 0.05);
+    EXPECT_NEAR(volume_mm3(organ, any) / volume_mm3(patient.organs, of_liver), 1.0, 0.01);
+    // Written again over itself it is replaced.
+    answer({"export", made().string(), "--ct", ct().string(), "--out", out.string()});
+}
+
+TEST_F(Export, RefusesAnotherCtAndAFileThatIsNoSegmentation) {
+    const fs::path out = folder() / "of another.dcm";
+    const auto other = run_cli(
+        {"export", made().string(), "--ct", (folder() / "2/ct").string(), "--out", out.string()});
+    EXPECT_NE(other.exit_code, 0);
+    EXPECT_NE(other.errors.find("is not the CT that the patient was reconstructed from"),
+              std::string::npos)
+        << other.errors;
+    EXPECT_FALSE(fs::exists(out));
+    const fs::path slice = ct() / "slice_0001.dcm";
+    const auto size = fs::file_size(slice);
+    const auto over =
+        run_cli({"export", made().string(), "--ct", ct().string(), "--out", slice.string()});
+    EXPECT_NE(over.exit_code, 0);
+    EXPECT_NE(over.errors.find("is there and is no segmentation"), std::string::npos)
+        << over.errors;
+    EXPECT_EQ(fs::file_size(slice), size);
+}
+
+}  // namespace
+}  // namespace hepatica
