@@ -72,7 +72,7 @@ class CudaBackEnd final : public StepBackEnd {
     }
     int live_elements() const override { return cpu_->live_elements(); }
 
-    StepReport advance(double dt_s) override;
+    StepReport advance(double dt_s, const std::stop_token& stop) override;
 
     bool recover_from_inversion(StepReport& report) override {
         if (!cpu_->recover_from_inversion(report)) return false;
@@ -160,12 +160,12 @@ void CudaBackEnd::say_once(const std::optional<std::string>& reason) {
     cuda_.say("The processor makes the steps: " + said_);
 }
 
-StepReport CudaBackEnd::advance(double dt_s) {
+StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
     std::optional<std::string> reason = why_on_cpu();
     StepReport report;
     bool made = false;
     if (!reason) {
-        on_device([&] { made = device_->advance(dt_s, options_.linear, report); });
+        on_device([&] { made = device_->advance(dt_s, options_.linear, report, stop); });
         reason = why_on_cpu();  // the device may have failed
     }
     say_once(reason);
@@ -175,7 +175,7 @@ StepReport CudaBackEnd::advance(double dt_s) {
         return report;
     }
     ++cuda_.share->processor;
-    report = cpu_->advance(dt_s);
+    report = cpu_->advance(dt_s, stop);
     follow_cpu();
     return report;
 }

@@ -130,8 +130,8 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     follow_tear();
 }
 
-StepReport DeformPart::step(double dt_s) {
-    const StepReport report = stepper_->step(dt_s);
+StepReport DeformPart::step(double dt_s, const std::stop_token& stop) {
+    const StepReport report = stepper_->step(dt_s, stop);
     follow_tear();
     return report;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -131,7 +132,8 @@ class DeformPart {
     // Settings that are already in force cost nothing and do not change the bits of later steps.
     void use(const DeformSettings& settings);
 
-    StepReport step(double dt_s);
+    // As Stepper::step: after Cancelled only restore() may be called before another step.
+    StepReport step(double dt_s, const std::stop_token& stop = {});
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
     // Vertices that were split off lie at rest where those do that they come from.

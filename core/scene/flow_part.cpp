@@ -46,10 +46,11 @@ void FlowPart::inject(const Injection& injection) {
     start(injection, std::move(arrival));
 }
 
-void FlowPart::finish_injection() {
+void FlowPart::finish_injection(const std::stop_token& stop) {
     if (!run_) return;
     const std::unique_ptr<InjectionRun> run = std::move(run_);
     drug_.computing = false;
+    const std::stop_callback told(stop, [&run] { run->cancel(); });
     DrugArrival arrival = run->take();
     start(run->injection(), std::move(arrival));
 }

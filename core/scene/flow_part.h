@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/mesh/body_topology.h"
@@ -50,8 +51,9 @@ class FlowPart {
     bool injection_ready() const { return run_ != nullptr && run_->ready(); }
     // Puts the injection that is being computed in the place of the last one and starts the drug's
     // clock; waits for it where it is not done. Does nothing where none is being computed. Throws
-    // what computing it threw (InputError where nothing can flow); the last one then stays.
-    void finish_injection();
+    // what computing it threw (InputError where nothing can flow; Cancelled soon after a stop was
+    // asked for); the last one then stays.
+    void finish_injection(const std::stop_token& stop = {});
     // Takes the drug away and ends what is being computed.
     void remove_drug();
     // The clock runs until the drug's end_s and stops there.

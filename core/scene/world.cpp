@@ -108,13 +108,13 @@ void World::part_out_self_contact(const SelfCost& cost) {
     }
 }
 
-StepReport World::step() {
+StepReport World::step(const std::stop_token& stop) {
     StepReport report;
     report.dt_s = spec_.dt_s;
     for (PartCost& part : parts_) {
         if (part.name == "deform")
             part.frame_ms = milliseconds_of([&] {
-                report = deform_->step(spec_.dt_s);
+                report = deform_->step(spec_.dt_s, stop);
                 follow_tear();
             });
         else if (part.name == "flow")

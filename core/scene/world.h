@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,9 @@ class World {
     // Vertices at rest.
     const std::vector<Vec3>& rest_positions_mm() const;
 
-    // Advances all parts by the scene's time step; the report is the deforming body's.
-    StepReport step();
+    // Advances all parts by the scene's time step; the report is the deforming body's. Throws
+    // Cancelled soon after a stop was asked for, and is then to be restored before another step.
+    StepReport step(const std::stop_token& stop = {});
     double time_s() const { return time_s_; }
 
     // Shape at rest, no grab, no drug; time goes on.

@@ -24,6 +24,7 @@ double checked_share(double share) {
 struct Session::Apply {
     Session& session;
     World& world;
+    const std::stop_token& stop;
 
     // The parts, for commands that need them.
     DeformPart& deform() const {
@@ -110,7 +111,7 @@ void Session::Apply::operator()(const ShiftTool& c) const {
 // it no longer waits for the computation. So the command counts as applied, not as refused.
 void Session::Apply::operator()(const FinishInjection&) const {
     try {
-        flow().finish_injection();
+        flow().finish_injection(stop);
     } catch (const InputError& error) {
         session.message_ = error.what();
     }
@@ -169,8 +170,8 @@ void Session::Apply::operator()(const RestoreSnapshot&) const {
     session.forget_divergence();
 }
 
-void Session::apply(const Command& command) {
-    std::visit(Apply{*this, *world_}, command);
+void Session::apply(const Command& command, const std::stop_token& stop) {
+    std::visit(Apply{*this, *world_, stop}, command);
     world_->follow_tear();
 }
 

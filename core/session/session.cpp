@@ -7,7 +7,6 @@
 #include <cstring>
 #include <new>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "core/base/error.h"
@@ -86,7 +85,7 @@ void Session::on_frame(std::function<void()> tell) {
     tell_of_frame_ = std::move(tell);
 }
 
-void Session::apply_waiting_commands() {
+void Session::apply_waiting_commands(const std::stop_token& stop) {
     std::vector<Command> commands;
     std::optional<QualityDial> dial;
     {
@@ -100,7 +99,7 @@ void Session::apply_waiting_commands() {
         recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
     for (const Command& command : commands) {
         try {
-            apply(command);
+            apply(command, stop);
         } catch (const InputError& error) {
             message_ = error.what();
             continue;
@@ -213,6 +212,8 @@ template <class Work>
 void Session::shielded(const Work& work) noexcept {
     try {
         work();
+    } catch (const Cancelled&) {
+        stop_after("it was told to within a step", "What was done in the last second is lost");
     } catch (const std::bad_alloc&) {
         stop_after("there was not enough memory", "Close other programs or make the scene smaller");
     } catch (const std::exception& error) {
@@ -266,19 +267,25 @@ void Session::keep_step(SessionStep& step) {
     }
 }
 
-SessionStep Session::step() {
+SessionStep Session::step(const std::stop_token& stop) {
     const Clock::time_point start = Clock::now();
     SessionStep done;
     done.step = ++step_;
-    recorded_ = {};
+    if (!std::exchange(stopped_, false)) recorded_ = {};
     shielded([&] {
         if (failed_) recover();
-        apply_waiting_commands();
+        apply_waiting_commands(stop);
         done.paused = paused_;
         if (paused_) return;
-        done.deform = world_->step();
+        done.deform = world_->step(stop);
         guard_state();
     });
+    if (failed_ && stop.stop_requested()) {
+        stopped_ = true;
+        --step_;
+        done.stopped = true;
+        return done;
+    }
     if (failed_) shielded([&] { recover(); });
     shielded([&] { keep_step(done); });
     shielded([&] {
@@ -300,8 +307,20 @@ bool Session::rests_after(const SessionStep& done) const {
 
 void Session::wait_for_command(const std::stop_token& stop) {
     std::unique_lock lock(queue_mutex_);
-    command_waits_.wait(lock, stop,
-                        [this] { return !queue_.empty() || waiting_dial_.has_value(); });
+    waiting_ = true;
+    command_waits_.wait(lock, stop, [this] { return something_waits(); });
+    waiting_ = false;
+}
+
+bool Session::waits_for_command() const {
+    const std::scoped_lock lock(queue_mutex_);
+    return waiting_ && !something_waits();
+}
+
+// Hears a stop, which a thread that sleeps does not.
+void Session::sleep_until(Clock::time_point due, const std::stop_token& stop) {
+    std::unique_lock lock(queue_mutex_);
+    command_waits_.wait_until(lock, stop, due, [] { return false; });
 }
 
 void Session::finish_ready_injection() {
@@ -323,7 +342,7 @@ void Session::run(const std::stop_token& stop) {
         real_time_factor_ += smoothing * (factor - real_time_factor_);
         last = now;
         shielded([&] { finish_ready_injection(); });
-        step();
+        step(stop);
         if (resting_) {
             wait_for_command(stop);
             due = Clock::now();
@@ -331,7 +350,7 @@ void Session::run(const std::stop_token& stop) {
             continue;
         }
         due = std::max(due + period, Clock::now());  // lost time is not caught up
-        std::this_thread::sleep_until(due);
+        sleep_until(due, stop);
     }
 }
 

@@ -45,6 +45,7 @@ struct SessionStep {
     double step_ms = 0.0;          // wall time of commands, physics, recording and frame
     std::uint64_t state_hash = 0;  // of the world after the step; 0 unless recording
     bool paused = false;           // whether simulated time stood still
+    bool stopped = false;          // it was ended within and does not count, see Session::step
     StepReport deform;             // of the deforming body; empty where the scene has none
 };
 
@@ -75,6 +76,10 @@ class Session {
     // budget. May be called at any time from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
 
+    // Whether run() waits for a command: nothing happens until one is posted or a dial is given.
+    // May be called at any time from any thread.
+    bool waits_for_command() const;
+
     // Uses another dial of the same body from the next step on. Where the setting in use came from
     // the old dial and is not on the new one, it is replaced: by the choice of automatic quality,
     // or by the setting at the same position of the dial. May be called at any time from any
@@ -92,11 +97,16 @@ class Session {
     // commands change nothing and are named in the frame's message. Any other error (no memory, a
     // defect) pauses the session, drops the rest of the step and of its commands, and returns the
     // world to its last good state; the frame then has `diverged` and the reason.
-    SessionStep step();
-    // Steps at the scene's rate until asked to stop. Where a step takes longer than its period,
-    // simulated time falls behind wall time and is not caught up; real_time_factor of the frames
-    // says by how much it is slower. Where further steps would change nothing (the last frame is
-    // `resting`), it waits for a command instead.
+    // After a stop was asked for it ends within a few iterations of what it is at, which then is no
+    // step: nothing is published, recorded or shown to a watch, and the number of steps is as
+    // before. The world is half changed until the next step(), which begins by going back to the
+    // last good state as after an error; its recording begins with the commands of the step that
+    // was stopped, and a replay makes the same bits.
+    SessionStep step(const std::stop_token& stop = {});
+    // Steps at the scene's rate until asked to stop, which ends the step under way: see step().
+    // Where a step takes longer than its period, simulated time falls behind wall time and is not
+    // caught up; real_time_factor of the frames says by how much it is slower. Where further steps
+    // would change nothing (the last frame is `resting`), it waits for a command instead.
     void run(const std::stop_token& stop);
 
     // Passes every step to `keep`, on the thread that steps. Call it before the first step. Where
@@ -122,9 +132,9 @@ class Session {
 
   private:
     Keyframe keyframe() const;
-    void apply_waiting_commands();
+    void apply_waiting_commands(const std::stop_token& stop);
     struct Apply;  // one operator per command
-    void apply(const Command& command);
+    void apply(const Command& command, const std::stop_token& stop);
     // The form in which an applied command is recorded.
     Command as_recorded(const Command& command) const;
     // Calls `work`; any exception is passed to stop_after().
@@ -152,7 +162,10 @@ class Session {
     void forget_divergence();
     // Whether no later step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
+    // A command or a dial does; under queue_mutex_.
+    bool something_waits() const { return !queue_.empty() || waiting_dial_.has_value(); }
     void wait_for_command(const std::stop_token& stop);
+    void sleep_until(std::chrono::steady_clock::time_point due, const std::stop_token& stop);
     // Fills a frame in, hands it to the reader, and sets step.step_ms to the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
@@ -167,6 +180,7 @@ class Session {
     bool paused_ = false;
     bool diverged_ = false;  // set by a divergence, cleared by resuming, restoring or resetting
     bool failed_ = false;    // the world may be half changed; cleared by recover()
+    bool stopped_ = false;   // the last step was ended within; recorded_ still has its commands
     std::string message_;
     RecordedStep recorded_;           // of the present step
     std::uint64_t played_steps_ = 0;  // steps during which it was not paused
@@ -174,8 +188,9 @@ class Session {
     double real_time_factor_ = 1.0;
     bool resting_ = false;
 
-    std::mutex queue_mutex_;
+    mutable std::mutex queue_mutex_;
     std::condition_variable_any command_waits_;
+    bool waiting_ = false;  // run() does
     std::vector<Command> queue_;
     std::mutex listener_mutex_;
     std::function<void()> tell_of_frame_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/deform/solvers/error_bound.h"
 
 namespace hepatica::gpu {
@@ -60,7 +61,7 @@ void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
 template <class Real>
 SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
                                       const DeviceSkeleton<Real>* skeleton,
-                                      const SolveLimits& limits) {
+                                      const SolveLimits& limits, const std::stop_token& stop) {
     SolveReport report;
     report.method = skeleton != nullptr ? "skeleton" : "block-jacobi";
     begin(system, b, skeleton);
@@ -83,6 +84,7 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
     };
     std::array<IterationRecord, batch> records;
     while (!finished()) {
+        throw_if_stopped(stop);
         const int more = std::min(batch, limits.max_iterations - report.iterations);
         for (int k = 0; k < more; ++k) iterate(system, skeleton);
         now = scalars();

@@ -5,6 +5,8 @@
 // ConjugateGradient, so that a solve may do a few iterations more than it needs.
 #pragma once
 
+#include <stop_token>
+
 #include "core/deform/solvers/linear_solver.h"
 #include "gpu/kernels/solve_kernels.h"
 #include "gpu/step/device_skeleton.h"
@@ -19,9 +21,11 @@ class DeviceSolver {
     DeviceSolver(Machine& machine, const Partition& nodes, std::size_t node_count);
 
     // `skeleton`, prepared for this matrix, may be null.
-    // Solves A x = b from x = 0. Not converged where it broke down or ran out of iterations.
+    // Solves A x = b from x = 0. Not converged where it broke down or ran out of iterations. Throws
+    // Cancelled within a batch of iterations after a stop was asked for.
     SolveReport solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
-                      const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits);
+                      const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
+                      const std::stop_token& stop = {});
 
     View<const Vector3<Real>> solution() const { return x_.read(); }
     View<const Vector3<Real>> residual() const { return r_.read(); }  // b - A x

@@ -169,7 +169,8 @@ class Step final : public DeviceStep {
     }
     const BodyState& state() const override { return state_; }
 
-    bool advance(double dt_s, const SolveLimits& limits, StepReport& report) override;
+    bool advance(double dt_s, const SolveLimits& limits, StepReport& report,
+                 const std::stop_token& stop) override;
 
     double solver_memory() const override { return solver_.smallest_ritz(); }
     void set_solver_memory(double memory) override { solver_.remember(memory); }
@@ -192,7 +193,8 @@ class Step final : public DeviceStep {
     void begin(Underway& step);
     bool predict(Underway& step);
     void stand(Underway& step);
-    bool solve(Underway& step, const SolveLimits& limits, StepReport& report);
+    bool solve(Underway& step, const SolveLimits& limits, StepReport& report,
+               const std::stop_token& stop);
     bool accepted(Underway& step);
     void book(Underway& step, StepReport& report);
     void accept(const Underway& step, StepReport& report);
@@ -319,11 +321,13 @@ void Step<Real>::stand(Underway& step) {
 
 // Finds the direction and goes along it. False where the solver broke down.
 template <class Real>
-bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report) {
+bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report,
+                       const std::stop_token& stop) {
     const double dt = step.dt_s;
     if (skeleton_) skeleton_->prepare(step_matrix(dt), state_.positions_mm, held_);
-    const SolveReport solved = solver_.solve(
-        step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(), skeleton_.get(), limits);
+    const SolveReport solved =
+        solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(),
+                      skeleton_.get(), limits, stop);
     report.linear_solves = report.newton_iterations = 1;
     report.linear_iterations = solved.iterations;
     report.linear_residual = solved.relative_residual;
@@ -403,14 +407,15 @@ void Step<Real>::accept(const Underway& step, StepReport& report) {
 }
 
 template <class Real>
-bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report) {
+bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report,
+                         const std::stop_token& stop) {
     Underway step{.dt_s = dt_s};
     StepReport made;
     made.dt_s = dt_s;
     begin(step);
     if (!predict(step)) stand(step);
     evaluated_ = false;
-    if (!solve(step, limits, made) || !accepted(step)) return false;
+    if (!solve(step, limits, made, stop) || !accepted(step)) return false;
     made.predicted = step.predicted;
     book(step, made);
     accept(step, made);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 #include "core/deform/body/body.h"
 #include "core/deform/body/body_state.h"
@@ -35,7 +36,10 @@ class DeviceStep {
     // Makes a step of dt_s > 0 and fills the report as BackwardEuler::advance does. False where
     // its one iterate, taken whole, would make energy or could not be solved for: nothing has then
     // changed, and the step wants to be made by other means.
-    virtual bool advance(double dt_s, const SolveLimits& limits, StepReport& report) = 0;
+    // Throws Cancelled within some iterations after a stop was asked for; nothing has changed then,
+    // either.
+    virtual bool advance(double dt_s, const SolveLimits& limits, StepReport& report,
+                         const std::stop_token& stop = {}) = 0;
 
     // What the linear solver carries from one step to the next.
     virtual double solver_memory() const = 0;

@@ -14,6 +14,7 @@
 #include "core/flow/arrival_times.h"
 #include "core/flow/injection.h"
 #include "tests/session/small_patient.h"
+#include "tests/support/asked_to_stop.h"
 
 namespace hepatica {
 namespace {
@@ -233,6 +234,17 @@ TEST(FlowPart, ADrugUnlikeBloodIsComputedBesideThePlayAndShownWhenItIsAskedFor) 
 // A tree whose front takes far longer than this test may.
 VesselTree slow_tree() {
     return test::random_tree(7, 11, 6.0);
+}
+
+TEST(FlowPart, WaitingForAnInjectionHearsAStop) {
+    const VesselTree tree = slow_tree();
+    Shown made(tree);
+    made.part.inject({.at = {0, 0.0, 0.0}});  // like blood: there at once
+    const auto shown = made.part.drug().arrival_s;
+    made.part.inject(unlike_blood);
+    EXPECT_THROW(made.part.finish_injection(test::asked_to_stop()), Cancelled);
+    EXPECT_EQ(made.part.drug().arrival_s, shown);
+    EXPECT_FALSE(made.part.computing());
 }
 
 TEST(FlowPart, AnotherInjectionRemovingTheDrugAndTheEndCancelWhatIsComputed) {

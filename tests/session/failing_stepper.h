@@ -12,8 +12,8 @@
 
 namespace hepatica::test {
 
-// Called with the name of what is about to be done: "make", "step", "set_gravity", "positions",
-// "restore".
+// Called with the name of what is about to be done: "make", "begin step", "step" (has been made),
+// "set_gravity", "positions", "restore".
 // What it throws is what goes wrong.
 using Fault = std::function<void(const std::string& call)>;
 
@@ -36,8 +36,9 @@ class FailingStepper final : public Stepper {
     bool set_options(const StepperOptions& options) override {
         return stepper_->set_options(options);
     }
-    StepReport step(double dt_s) override {
-        const StepReport report = stepper_->step(dt_s);
+    StepReport step(double dt_s, const std::stop_token& stop) override {
+        meet("begin step");
+        const StepReport report = stepper_->step(dt_s, stop);
         meet("step");  // with the state changed already
         return report;
     }

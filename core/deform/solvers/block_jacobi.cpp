@@ -35,7 +35,7 @@ SolveReport BlockJacobiSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> 
     const auto inverse = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
         precondition(r, z);
     };
-    SolveReport report = iteration_.solve(*matrix_, inverse, rhs, x, limits);
+    SolveReport report = iteration_.solve(*matrix_, inverse, rhs, x, limits, stop());
     report.method = name();
     return report;
 }

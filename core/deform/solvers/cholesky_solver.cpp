@@ -46,11 +46,11 @@ template <class T>
 void CholeskySolver::factor(std::optional<TreeFactor<T>>& factor,
                             std::span<const int> changed_rows) {
     if (factor) {
-        factor->refactor(*matrix_, changed_rows);
+        factor->refactor(*matrix_, changed_rows, stop());
         return;
     }
     factor.emplace(*matrix_, tree_);
-    factor->factor(*matrix_);
+    factor->factor(*matrix_, stop());
 }
 
 void CholeskySolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
@@ -76,7 +76,7 @@ SolveReport CholeskySolver::polish(SolveReport direct,
                                    const ConjugateGradient::Preconditioner& precondition,
                                    std::span<const Vec3> rhs, std::span<Vec3> x,
                                    const SolveLimits& limits) {
-    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits);
+    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits, stop());
     report.method = direct.method;
     report.dropped_pivots = direct.dropped_pivots;
     return report;

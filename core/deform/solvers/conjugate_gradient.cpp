@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/deform/solvers/error_bound.h"
 #include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
@@ -12,11 +13,11 @@ namespace hepatica {
 
 SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                                      std::span<const Vec3> rhs, std::span<Vec3> x,
-                                     const SolveLimits& limits) {
+                                     const SolveLimits& limits, const std::stop_token& stop) {
     const auto apply = [&](const std::vector<Vec3>& a, std::vector<Vec3>& product) {
         multiply(matrix, a, product);
     };
-    return solve(apply, precondition, rhs, x, limits);
+    return solve(apply, precondition, rhs, x, limits, stop);
 }
 
 // Scales x to minimise the error in the energy norm, so that a warm start is never worse than zero;
@@ -55,7 +56,7 @@ double ConjugateGradient::advance(double step, std::span<Vec3> x) {
 
 SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner& precondition,
                                      std::span<const Vec3> rhs, std::span<Vec3> x,
-                                     const SolveLimits& limits) {
+                                     const SolveLimits& limits, const std::stop_token& stop) {
     SolveReport report;
     const double rhs_squared = dot(rhs, rhs);
     if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
@@ -83,6 +84,7 @@ SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner&
         return report.converged || report.iterations >= limits.max_iterations;
     };
     while (!finished()) {
+        throw_if_stopped(stop);
         apply(direction_, product_);
         const double curvature = dot(direction_, product_);
         if (!(curvature > 0.0) || !std::isfinite(curvature)) break;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/deform/solvers/linear_solver.h"
@@ -24,10 +25,14 @@ class ConjugateGradient {
     // Continues with the smallest_ritz() of another solver.
     void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
+    // Throws Cancelled before the iteration after a stop was asked for; what later solves remember
+    // is then as before.
     SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
-                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
+                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits,
+                      const std::stop_token& stop = {});
     SolveReport solve(const Product& apply, const Preconditioner& precondition,
-                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
+                      std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits,
+                      const std::stop_token& stop = {});
 
     // Smallest Ritz value of M^-1 A in the solves so far, raised a little at each solve because the
     // matrix changes; 0 before the first solve.

@@ -35,7 +35,8 @@ void correct_translation(const ConjugateGradient::Product& apply, std::span<cons
 
 SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const Coupling& coupling,
                           std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
-                          std::span<Vec3> x, const SolveLimits& limits) {
+                          std::span<Vec3> x, const SolveLimits& limits,
+                          const std::stop_token& stop) {
     const auto apply = [&](const std::vector<Vec3>& d, std::vector<Vec3>& product) {
         multiply(matrix, d, product);
         coupling(d, product);
@@ -44,7 +45,7 @@ SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const
         solver.precondition(r, z);
     };
     ConjugateGradient iteration;
-    SolveReport report = iteration.solve(apply, precondition, rhs, x, limits);
+    SolveReport report = iteration.solve(apply, precondition, rhs, x, limits, stop);
     report.method = "coupled";
     if (std::ranges::none_of(held, [](std::uint8_t h) { return h != 0; }))
         correct_translation(apply, rhs, x);

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/deform/solvers/linear_solver.h"
@@ -20,9 +21,11 @@ using Coupling = std::function<void(std::span<const Vec3> d, std::span<Vec3> pro
 // `solver` was given `matrix` last. A + C must be symmetric positive definite. As
 // LinearSolver::solve; the solver's own memory of earlier solves stays as it is. Where no row is
 // held, the common translation of all is solved for exactly at the end, so that the sum of the
-// residual vanishes to rounding: no momentum is made or lost.
+// residual vanishes to rounding: no momentum is made or lost. Throws Cancelled within an iteration
+// after a stop was asked for.
 SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const Coupling& coupling,
                           std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
-                          std::span<Vec3> x, const SolveLimits& limits);
+                          std::span<Vec3> x, const SolveLimits& limits,
+                          const std::stop_token& stop = {});
 
 }  // namespace hepatica

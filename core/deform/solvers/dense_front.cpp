@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/stop.h"
+
 namespace hepatica {
 
 namespace {
@@ -127,10 +129,12 @@ int eliminate_strip(T* panel, std::ptrdiff_t stride, int first, int columns,
 }  // namespace
 
 template <class T>
-int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule) {
+int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
+                 const std::stop_token& stop) {
     const std::ptrdiff_t stride = padded<T>(pivots + rest);
     int lost = 0;
     for (int j = 0; j < pivots; j += strip) {
+        throw_if_stopped(stop);
         const int columns = std::min(strip, pivots - j);
         std::array<T, strip> diagonal{};
         for (int c = 0; c < columns; ++c) diagonal[c] = panel[(j + c) * stride + j + c];
@@ -140,6 +144,7 @@ int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule) {
     }
     const std::ptrdiff_t rest_stride = padded<T>(rest);
     for (int j = 0; j < rest; j += strip) {
+        throw_if_stopped(stop);
         const T* rows = panel + pivots + j;
         subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
                          remainder + j * rest_stride + j, rest_stride, padded<T>(rest) - j);
@@ -175,8 +180,8 @@ void backward_front(const T* panel, int pivots, int rest, T* head, const T* tail
     }
 }
 
-template int factor_front(double*, double*, int, int, PivotRule);
-template int factor_front(float*, float*, int, int, PivotRule);
+template int factor_front(double*, double*, int, int, PivotRule, const std::stop_token&);
+template int factor_front(float*, float*, int, int, PivotRule, const std::stop_token&);
 template void forward_front(const double*, int, int, double*, double*);
 template void forward_front(const float*, int, int, float*, float*);
 template void backward_front(const double*, int, int, double*, const double*);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 namespace hepatica {
 
@@ -29,9 +30,10 @@ struct PivotRule {
 // L21 L21^T taken away; its rows of padding are garbage. Both need front_alignment scalars of slack
 // behind their end, which are read but not used.
 // Pivots not above `smallest` times their value on entry are treated as the rule says. Returns
-// their number.
+// their number. Throws Cancelled, between two strips of columns, after a stop was asked for.
 template <class T>
-int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule);
+int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
+                 const std::stop_token& stop = {});
 
 // head := L11^-1 head; tail -= L21 head.
 template <class T>

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,11 @@ struct SolveReport {
 class LinearSolver {
   public:
     virtual ~LinearSolver() = default;
+
+    // From now on update() and solve() throw Cancelled soon after a stop was asked for: within an
+    // iteration, or while some columns are eliminated. Of a solver that threw only restore() may be
+    // called next, which hears no stop.
+    void heed(const std::stop_token& stop) { stop_ = stop; }
 
     // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
     // must stay unchanged and alive until the next call. `changed_rows` must name every row with a
@@ -78,6 +84,12 @@ class LinearSolver {
     // be those of such a solver.
     virtual void restore(const BlockMatrix& matrix, bool made_from_it,
                          std::span<const Vec3> positions_mm, std::span<const double> memory) = 0;
+
+  protected:
+    const std::stop_token& stop() const { return stop_; }
+
+  private:
+    std::stop_token stop_;
 };
 
 enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };

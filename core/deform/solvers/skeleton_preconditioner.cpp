@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop.h"
 #include "core/deform/solvers/elimination_order.h"
 
 namespace hepatica {
@@ -61,8 +62,8 @@ bool SkeletonPreconditioner::planned_for(const BlockMatrix& matrix) const {
     return space_ && planned_columns_ == matrix.column && planned_rows_ == matrix.row_begin;
 }
 
-void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
-                                     std::span<const Vec3> positions_mm) {
+void SkeletonPreconditioner::prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                                     const std::stop_token& stop) {
     if (!planned_for(matrix)) {
         planned_columns_ = matrix.column;
         planned_rows_ = matrix.row_begin;
@@ -71,11 +72,13 @@ void SkeletonPreconditioner::prepare(const BlockMatrix& matrix,
         coarse_ = space_->coarse_pattern();
         coarse_factor_.emplace(coarse_, coarse_order(skeleton_));
     }
+    throw_if_stopped(stop);
     smoother_->prepare(matrix);
     lone_ = lone_vertices(matrix);
     space_->set_shape(positions_mm, lone_);
+    throw_if_stopped(stop);
     space_->project(matrix, coarse_);
-    coarse_factor_->factor(coarse_);
+    coarse_factor_->factor(coarse_, stop);
     remainder_.resize(positions_mm.size());
 }
 
@@ -97,7 +100,7 @@ void SkeletonSolver::update(const BlockMatrix& matrix, std::span<const Vec3> pos
 }
 
 void SkeletonSolver::prepare_anew() {
-    preconditioner_.prepare(*matrix_, positions_mm_);
+    preconditioner_.prepare(*matrix_, positions_mm_, stop());
     fresh_ = true;
     worn_ = false;
     spent_ = 0;
@@ -108,7 +111,7 @@ SolveReport SkeletonSolver::iterate(std::span<const Vec3> rhs, std::span<Vec3> x
     const auto precondition = [this](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
         preconditioner_.apply(r, z);
     };
-    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits);
+    SolveReport report = iteration_.solve(*matrix_, precondition, rhs, x, limits, stop());
     report.method = name();
     return report;
 }

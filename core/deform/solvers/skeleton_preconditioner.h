@@ -23,8 +23,10 @@ class SkeletonPreconditioner {
     // Throws InputError where the skeleton is empty or broken.
     SkeletonPreconditioner(CoarseSkeleton skeleton, std::span<const Vec3> rest_positions_mm);
 
-    // As LinearSolver::prepare. The first call, and one with another pattern, plans anew.
-    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
+    // As LinearSolver::prepare. The first call, and one with another pattern, plans anew. Throws
+    // Cancelled after a stop was asked for; it must then be prepared again.
+    void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
+                 const std::stop_token& stop = {});
 
     // Whether it was prepared for a matrix of this pattern, in which the same vertices stand alone.
     bool fits(const BlockMatrix& matrix) const;

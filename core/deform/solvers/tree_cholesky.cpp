@@ -95,7 +95,8 @@ std::size_t TreeFactor<T>::bytes() const {
 }
 
 template <class T>
-void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s) {
+void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s,
+                                     const std::stop_token& stop) {
     const Supernode& own = tree_.supernodes[s];
     const int columns = 3 * own.count, rest = 3 * own.rest();
     const std::ptrdiff_t stride = padded<T>(columns + rest), rest_stride = padded<T>(rest);
@@ -138,17 +139,18 @@ void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s) {
             }
         }
     }
-    dropped_[s] = factor_front(panel, remainder, columns, rest, pivot_rule<T>);
+    dropped_[s] = factor_front(panel, remainder, columns, rest, pivot_rule<T>, stop);
 }
 
 template <class T>
-void TreeFactor<T>::factor(const BlockMatrix& matrix) {
-    climb(tree_, [&](int s) { factor_supernode(matrix, s); });
+void TreeFactor<T>::factor(const BlockMatrix& matrix, const std::stop_token& stop) {
+    climb(tree_, [&](int s) { factor_supernode(matrix, s, stop); });
     eliminated_ = static_cast<int>(tree_.supernodes.size());
 }
 
 template <class T>
-void TreeFactor<T>::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices) {
+void TreeFactor<T>::refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
+                             const std::stop_token& stop) {
     std::fill(dirty_.begin(), dirty_.end(), 0);
     for (const int v : changed_vertices) dirty_[tree_.supernode_of[tree_.position_of[v]]] = 1;
     climb(tree_, [&](int s) {
@@ -156,7 +158,7 @@ void TreeFactor<T>::refactor(const BlockMatrix& matrix, std::span<const int> cha
         for (int k = own.children_begin; k < own.children_end; ++k) {
             if (dirty_[tree_.children[k]]) dirty_[s] = 1;
         }
-        if (dirty_[s]) factor_supernode(matrix, s);
+        if (dirty_[s]) factor_supernode(matrix, s, stop);
     });
     eliminated_ = static_cast<int>(std::count(dirty_.begin(), dirty_.end(), 1));
 }

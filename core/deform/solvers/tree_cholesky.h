@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
@@ -26,11 +27,13 @@ class TreeFactor {
     // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
     // 1e-14 of its diagonal entry is dropped: solves give zero for it. In float one that is not
     // above 1e-6 of it is raised to that entry.
-    void factor(const BlockMatrix& matrix);
+    // Throws Cancelled after a stop was asked for, and must then be factored whole.
+    void factor(const BlockMatrix& matrix, const std::stop_token& stop = {});
 
     // The same for a matrix that differs from the last one only in blocks between two
     // `changed_vertices`: the factor is that of factor() to the last bit.
-    void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices);
+    void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
+                  const std::stop_token& stop = {});
 
     // Number of pivots dropped or raised in the present factor.
     int dropped_pivots() const;
@@ -50,7 +53,7 @@ class TreeFactor {
     std::size_t bytes() const;
 
   private:
-    void factor_supernode(const BlockMatrix& matrix, int s);
+    void factor_supernode(const BlockMatrix& matrix, int s, const std::stop_token& stop);
     void forward(std::span<const Vec3> b);
 
     EliminationTree tree_;

@@ -60,7 +60,9 @@ void BackwardEuler::find_stress(const BodyState& state, std::vector<Mat3>& stres
     potential_.assembly().find_stress(stress_pa, energy_nj);
 }
 
-StepReport BackwardEuler::advance(BodyState& state, double dt_s, const PotentialList& potentials) {
+StepReport BackwardEuler::advance(BodyState& state, double dt_s, const PotentialList& potentials,
+                                  const std::stop_token& stop) {
+    stop_ = stop;
     const int halvings = settings_.line_search ? most_halvings : 0;
     std::optional<StepReport> report;
     double left_s = dt_s;
@@ -127,7 +129,8 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
                       .dt_s = dt_s,
                       .before = books_.energies(state, potentials),
                       .velocity = std::vector<Vec3>(state.positions_mm.size(), Vec3::Zero()),
-                      .positions = state.positions_mm};
+                      .positions = state.positions_mm,
+                      .stop = stop_};
     step.value = potential_.value(step);
     if (settings_.line_search) limiter_.begin(step, potential_.assembly());
     const bool stuck = !newton_.find_velocity(step, most_solves, report);

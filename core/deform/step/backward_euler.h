@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/deform/body/body.h"
@@ -32,7 +33,10 @@ class BackwardEuler {
     // published) and positions stay finite; the report says what was done. Where the body flies
     // against a tool, the step is cut where it touches, into four parts at most, which share the
     // solves. What potentials keep of a step is there until their end_step().
-    StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials);
+    // Throws Cancelled soon after a stop was asked for, within a few iterations. The state is then
+    // that of some moment of the step: it is to be set, and the solver restored, before the next.
+    StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials,
+                       const std::stop_token& stop = {});
 
     // Holds from the next step on. The change between one iterate and several needs a new object,
     // because the tangent differs.
@@ -89,6 +93,7 @@ class BackwardEuler {
     NewtonStep newton_;
     StepBooks books_;
     EnergyLimiter limiter_;
+    std::stop_token stop_;  // of the step that is being made
     // The potential was evaluated at the state: the energies of all elements, and the forces on
     // live nodes.
     bool energies_known_ = false, forces_known_ = false;

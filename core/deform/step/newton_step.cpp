@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/coupled_solve.h"
 #include "core/deform/solvers/finite_answer.h"
@@ -105,7 +106,7 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
                       [&](std::span<const Vec3> d, std::span<Vec3> product) {
                           add_coupling(step, d, product);
                       },
-                      potential_.live().held(), residual_, change_, settings_.linear)
+                      potential_.live().held(), residual_, change_, settings_.linear, step.stop)
                 : solver_->solve(residual_, change_, settings_.linear);
     if (solver_->made_from_latest()) {
         made_from_ = origin_of(step);
@@ -295,12 +296,13 @@ bool NewtonStep::search_line(StepUnderway& step) {
     damping_before_ = step.damping_force;
     step.free = free_length(step);
     const double shortest = meets_pads(step) ? shortest_onto_pad : shortest_step_length;
-    for (double length = step.free; length > shortest; length *= 0.5)
-        if (try_step_length(step, length, slope)) {
-            step.step_length = length;
-            step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
-            return true;
-        }
+    for (double length = step.free; length > shortest; length *= 0.5) {
+        throw_if_stopped(step.stop);
+        if (!try_step_length(step, length, slope)) continue;
+        step.step_length = length;
+        step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
+        return true;
+    }
     for (std::size_t i = 0; i < step.positions.size(); ++i)
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * step.velocity[i];
     potential_.evaluate_forces(step.positions);
@@ -308,6 +310,7 @@ bool NewtonStep::search_line(StepUnderway& step) {
 }
 
 bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
+    throw_if_stopped(step.stop);
     if (step.iterate == 0) first_mm_ = step.positions;
     if (step.iterate == 1 && body_.damping.beta_s > 0.0) {
         keep_damping(step);
@@ -419,6 +422,7 @@ void NewtonStep::stay_at_start(StepUnderway& step) {
 }
 
 bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& report) {
+    solver_->heed(step.stop);
     step.start_force = potential_.elastic_force();
     step.potentials.add_forces(step.positions, step.start_force);
     step.standing = step.value;

@@ -44,7 +44,8 @@ class NewtonStep {
 
     // Iterates as the settings say, with `most_solves` >= 1 linear solves at most; the report
     // counts them. False where not even the first direction lowers the potential at any step
-    // length: the velocity is then 0.
+    // length: the velocity is then 0. Throws Cancelled after the step's stop was asked for; the
+    // solver must then be restored before the next step.
     bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
 
     std::unique_ptr<LinearSolver> release_solver() { return std::move(solver_); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
@@ -47,8 +48,12 @@ double PathWork::power(double place, std::span<const Vec3> from_mm, std::span<co
 }
 
 PathWork::Result PathWork::along(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-                                 const PotentialList& potentials, double tolerance_nj) {
-    const auto at = [&](double place) { return power(place, from_mm, to_mm, potentials); };
+                                 const PotentialList& potentials, double tolerance_nj,
+                                 const std::stop_token& stop) {
+    const auto at = [&](double place) {
+        throw_if_stopped(stop);
+        return power(place, from_mm, to_mm, potentials);
+    };
     std::vector<Stretch> stretches{{0.0, 1.0, {at(0.0), at(0.25), at(0.5), at(0.75), at(1.0)}}};
     Result result;
     for (result.evaluations = 5;; result.evaluations += 4) {

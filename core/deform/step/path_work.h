@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/deform/potentials/potential_list.h"
@@ -25,8 +26,10 @@ class PathWork {
         int evaluations = 0;
     };
     // Refines until the error is at most `tolerance_nj`, or the limit of evaluations is reached.
+    // Throws Cancelled after a stop was asked for.
     Result along(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-                 const PotentialList& potentials, double tolerance_nj);
+                 const PotentialList& potentials, double tolerance_nj,
+                 const std::stop_token& stop = {});
 
   private:
     double power(double place, std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,

@@ -61,8 +61,9 @@ void StepBooks::book(StepUnderway& step, NewtonStep& newton, bool audit, StepRep
     if (audit) {
         if (!path_work_) path_work_ = std::make_unique<PathWork>(potential_.assembly());
         const double size = stored_energy(step.before) + energy_handled(ledger);
-        const PathWork::Result way = path_work_->along(step.start.positions_mm, step.positions,
-                                                       step.potentials, audit_tolerance * size);
+        const PathWork::Result way =
+            path_work_->along(step.start.positions_mm, step.positions, step.potentials,
+                              audit_tolerance * size, step.stop);
         report.audit_gap_nj = path_work - way.work_nj;
         path_work = way.work_nj;
         report.audit_error_nj = way.error_nj;

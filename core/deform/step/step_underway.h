@@ -3,6 +3,7 @@
 // are x_n + dt w.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -27,6 +28,7 @@ struct StepUnderway {
     EnergyLedger before;              // the energies at the start
     std::vector<Vec3> velocity;       // accepted so far
     std::vector<Vec3> positions;      // x_n + dt velocity
+    std::stop_token stop{};           // asks for the end of the step, which then throws Cancelled
     std::vector<Vec3> start_force{};  // elastic and of the potentials, at x_n [uN]
     // Where the first iterate begins: at w = v_n, where the body is on its way, or at w = 0.
     bool predicted = false;

@@ -97,8 +97,8 @@ class CpuBackEnd final : public StepBackEnd {
     void freeze(std::span<const std::uint8_t> frozen) override { integrator_->freeze(frozen); }
     int live_elements() const override { return integrator_->live().live_elements(); }
 
-    StepReport advance(double dt_s) override {
-        StepReport report = integrator_->advance(state_, dt_s, *potentials_);
+    StepReport advance(double dt_s, const std::stop_token& stop) override {
+        StepReport report = integrator_->advance(state_, dt_s, *potentials_, stop);
         potentials_->end_step();
         if (potentials_->ties()) {
             report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);

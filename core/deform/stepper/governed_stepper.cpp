@@ -233,7 +233,7 @@ EnergyLedger GovernedStepper::energies() const {
     return now;
 }
 
-StepReport GovernedStepper::step(double dt_s) {
+StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
     validate_time_step(dt_s);
     StepReport report;
     if (tool_led_) wake_near_tool();
@@ -256,7 +256,7 @@ StepReport GovernedStepper::step(double dt_s) {
         const double part_s = dt_s / options_.substeps;
         for (int s = 0; s < options_.substeps; ++s) {
             if (tool()) lead_tool_for(part_s, 1.0 / (options_.substeps - s));
-            const StepReport part = back_end_->advance(part_s);
+            const StepReport part = back_end_->advance(part_s, stop);
             report = s == 0 ? part : in_sequence(report, part);
         }
     }

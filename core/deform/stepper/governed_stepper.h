@@ -35,7 +35,7 @@ class GovernedStepper final : public LiveStepper {
     const std::optional<Tool>& tool() const override { return back_end_->tool(); }
     const ToolLoad& tool_load() const override { return tool_load_; }
     bool set_options(const StepperOptions& options) override;
-    StepReport step(double dt_s) override;
+    StepReport step(double dt_s, const std::stop_token& stop = {}) override;
     std::span<const Vec3> positions_mm() const override;
     std::span<const Vec3> velocities_mm_per_s() const override;
     EnergyLedger energies() const override;

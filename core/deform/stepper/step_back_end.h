@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -53,8 +54,9 @@ class StepBackEnd {
     virtual int live_elements() const = 0;
 
     // One step of dt_s > 0. The report has the energies of the whole body and everything else but
-    // tool_work. The cost of a step is bounded, see BackwardEuler::advance.
-    virtual StepReport advance(double dt_s) = 0;
+    // tool_work. The cost of a step is bounded, see BackwardEuler::advance; it throws Cancelled
+    // soon after a stop was asked for, and state and solver must then be set anew.
+    virtual StepReport advance(double dt_s, const std::stop_token& stop = {}) = 0;
 
     // Repairs inverted elements, books the energy in the report of the step just made and sets all
     // velocities to 0. Returns false where no element is inverted.

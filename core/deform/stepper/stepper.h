@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "core/base/vector.h"
 #include "core/deform/body/body_state.h"
@@ -50,8 +51,11 @@ class Stepper {
     // caller then gives the state. Throws InputError where the options are not valid.
     virtual bool set_options(const StepperOptions& options) = 0;
 
-    // Advances the state by dt_s > 0. The state stays finite for every input.
-    virtual StepReport step(double dt_s) = 0;
+    // Advances the state by dt_s > 0. The state stays finite for every input. Throws Cancelled soon
+    // after a stop was asked for: it looks before each substep, iterate and linear iteration, and
+    // between columns of a factorisation. The state is then that of some moment of the step, and
+    // only restore() may be called before another step.
+    virtual StepReport step(double dt_s, const std::stop_token& stop = {}) = 0;
 
     // One per vertex of the mesh the stepper was built on.
     virtual std::span<const Vec3> positions_mm() const = 0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A linear solver that counts what it is asked for, and whose first answers can be made to point
-// uphill, so that no step length along them lowers the potential of a step.
+// uphill, so that no step length along them lowers the potential of a step; and that tells of each.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/deform/solvers/linear_solver.h"
@@ -13,8 +15,9 @@ namespace hepatica::test {
 class OddSolver final : public LinearSolver {
   public:
     // Counts its solves in `count`; the first `uphill` of them give the answer with its sign
-    // turned.
-    explicit OddSolver(int& count, int uphill = 0) : count_(count), uphill_(uphill) {}
+    // turned. `told` is called behind each solve.
+    explicit OddSolver(int& count, int uphill = 0, std::function<void()> told = {})
+        : count_(count), uphill_(uphill), told_(std::move(told)) {}
 
     void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                 std::span<const int> changed_rows) override {
@@ -28,6 +31,7 @@ class OddSolver final : public LinearSolver {
             --uphill_;
             for (Vec3& value : x) value *= -1.0;
         }
+        if (told_) told_();
         return report;
     }
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
@@ -42,6 +46,7 @@ class OddSolver final : public LinearSolver {
   private:
     int& count_;
     int uphill_;
+    std::function<void()> told_;
     std::unique_ptr<LinearSolver> solver_ = make_block_jacobi_solver();
 };
 
