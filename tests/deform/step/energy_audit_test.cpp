@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An audited ledger notices a force that is not the gradient of the energy which is booked: of
 // every element, in each way that it is evaluated and in each branch it has, and of every
-// potential. What is measured here says how sensitive it is: 1 % of a force would leave at least
-// ten times as much open as is allowed.
+// potential, contact among them. What is measured here says how sensitive it is: 1 % of a force
+// would leave at least ten times as much open as is allowed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/element_choice.h"
 #include "tests/deform/support/random_field.h"
+#include "tests/deform/support/two_bars.h"
 
 namespace hepatica {
 namespace {
@@ -158,6 +159,112 @@ TEST(AuditedPotential, ForcesAreTheGradientOfWhatIsBooked) {
             integrator, state, potentials, 2e-3, 20,
             [&](const EnergyLedger& ledger) { return ledger.*pull.term; }, first.*pull.term);
         EXPECT_GT(0.01 * change, 10.0 * allowed);
+    }
+}
+
+// What is stored in pads, or taken by friction, in the course of the steps of a body that is
+// pressed against something when it is let go.
+struct Touch {
+    double largest_change = 0.0;  // of the energy in a step, in what was handled
+    int touched = 0;              // steps
+};
+
+template <class Taken>
+Touch audit_touching(const Body& body, BodyState state, const PotentialList& potentials,
+                     double dt_s, int steps, const Taken& taken) {
+    BackwardEuler integrator(body, {.linear = {.energy_tolerance = 1e-6}, .audit = true},
+                             make_block_jacobi_solver());
+    EnergyLedger before;
+    potentials.book(state.positions_mm, state.positions_mm, before);
+    Touch touch;
+    for (int i = 0; i < steps; ++i) {
+        const StepReport report = integrator.advance(state, dt_s, potentials);
+        potentials.end_step();
+        const double handled = energy_handled(report.energy);
+        EXPECT_LT(report.audit_error_nj, allowed * handled) << "step " << i;
+        EXPECT_LT(std::abs(report.energy.imbalance), allowed * handled) << "step " << i;
+        touch.largest_change =
+            std::max(touch.largest_change, std::abs(taken(before, report.energy)) / handled);
+        touch.touched += report.tool.contacts + report.self.contacts > 0 ? 1 : 0;
+        before = report.energy;
+    }
+    return touch;
+}
+
+double from_pads(const EnergyLedger& before, const EnergyLedger& after) {
+    return after.contact - before.contact;
+}
+
+// A ball or a capsule that stands in for a finger: the brick springs away from it.
+TEST(AuditedContact, AToolsPadIsTheGradientOfWhatIsBooked) {
+    BodyDescription description;
+    description.mesh = kuhn_brick(Vec3(12, 12, 6), {4, 4, 2});
+    description.material = {.young_modulus_pa = 1e4, .poisson_ratio = 0.42, .density_g_mm3 = 1e-3};
+    description.touchable = true;
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    for (const bool capsule : {false, true}) {
+        SCOPED_TRACE(capsule ? "capsule" : "ball");
+        Tool tool =
+            single_tool({.centre_mm = Vec3(6.3, 5.6, 6.0 + 4.0 + 0.4),
+                         .half_axis_mm = capsule ? Vec3(2.5, 1.0, 0.05) : Vec3(Vec3::Zero()),
+                         .radius_mm = 4.0});
+        tool.pad_mm = 1.0;
+        tool.pressure_pa = 3e4;
+        tool.target_mm = tool.centre_mm();
+        PotentialList potentials(body);
+        potentials.set_tool(tool);
+        const BodyState state{body.rest_positions_mm,
+                              std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+        const Touch touch = audit_touching(body, state, potentials, 1e-4, 20, from_pads);
+        EXPECT_GT(touch.touched, 5);
+        EXPECT_GT(0.01 * touch.largest_change, 10.0 * allowed);
+    }
+}
+
+// The brick slides along under a tool that was led aside.
+TEST(AuditedContact, AToolsFrictionTakesWhatIsBooked) {
+    BodyDescription description;
+    description.mesh = kuhn_brick(Vec3(12, 12, 6), {4, 4, 2});
+    description.material = {.young_modulus_pa = 1e5, .poisson_ratio = 0.42, .density_g_mm3 = 1e-3};
+    description.touchable = true;
+    description.fixed.assign(description.mesh.vertices_mm.size(), 0);
+    for (std::size_t v = 0; v < description.fixed.size(); ++v)
+        description.fixed[v] = description.mesh.vertices_mm[v].z() < 0.1 ? 1 : 0;
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    Tool tool = single_tool({.centre_mm = Vec3(6.3, 5.6, 6.0 + 4.0 + 0.5), .radius_mm = 4.0});
+    tool.pad_mm = 1.0;
+    tool.pressure_pa = 3e4;
+    tool.friction = 0.8;
+    tool.target_mm = tool.centre_mm();
+    PotentialList potentials(body);
+    potentials.set_tool(tool);
+    BodyState state{body.rest_positions_mm, std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+    for (std::size_t v = 0; v < description.fixed.size(); ++v)
+        state.velocities_mm_per_s[v].x() = 30.0 * body.rest_positions_mm[v].z();
+    const auto by_friction = [](const EnergyLedger&, const EnergyLedger& after) {
+        return after.friction_loss - after.tool_work;
+    };
+    const Touch touch = audit_touching(body, state, potentials, 1e-4, 20, by_friction);
+    EXPECT_GT(touch.touched, 10);
+    EXPECT_GT(0.01 * touch.largest_change, 10.0 * allowed);
+}
+
+// Two bars that are let go pressed against each other: across, and so nearly along each other that
+// edges are parallel and their pads fade out.
+TEST(AuditedContact, ThePadsBetweenSurfacesAreTheGradientOfWhatIsBooked) {
+    for (const double angle_rad : {1.4, 0.02}) {
+        SCOPED_TRACE(angle_rad);
+        BodyDescription bars = test::crossed_bars(1.0, angle_rad);
+        bars.material.damping_ratio = 0.0;
+        const Body body = build_body(bars, ElementModel::corotated, ElementOrder::linear);
+        const PotentialList potentials(body);
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+        for (std::size_t i = body.mass_g.size() / 2; i < body.mass_g.size(); ++i)
+            state.positions_mm[i].z() -= 0.85;
+        const Touch touch = audit_touching(body, state, potentials, 1e-4, 20, from_pads);
+        EXPECT_GT(touch.touched, 0);
+        EXPECT_GT(0.01 * touch.largest_change, 10.0 * allowed);
     }
 }
 
