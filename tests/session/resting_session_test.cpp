@@ -42,14 +42,16 @@ class Running {
     bool comes_to_rest() {
         return comes_to([](const Frame& frame) { return frame.statistics.resting; });
     }
-    // In a time in which it would have made a dozen steps.
+    // It waits for a command; a first one, which changes nothing, is the next step and the next
+    // frame, and it waits again.
     void expect_nothing_happens() {
+        ASSERT_TRUE(comes_to([this](const Frame&) { return session_->waits_for_command(); }));
         const std::uint64_t step = newest().step;
         const int told = told_;
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
-        EXPECT_FALSE(session_->update_frame());
-        EXPECT_EQ(told_, told);
-        EXPECT_EQ(session_->frame().step, step);
+        session_->post(PlayDrug{false});
+        EXPECT_TRUE(comes_to([this](const Frame&) { return session_->waits_for_command(); }));
+        EXPECT_EQ(newest().step, step + 1);
+        EXPECT_EQ(told_, told + 1);
     }
 
   private:
