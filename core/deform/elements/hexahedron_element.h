@@ -63,6 +63,42 @@ HEPATICA_HOST_DEVICE Matrix3<T> hooke_block(const Vector3<T>& a, const Vector3<T
     return lambda * outer(a, b) + mu * outer(b, a) + (mu * dot(a, b)) * identity_matrix<T>();
 }
 
+// Adds what one of the eight integration points has of the volume, of the sums of gradients and of
+// shares of the mass, and of the stiffness of the nodes and, behind them, the modes.
+template <class T>
+HEPATICA_HOST_DEVICE void add_integration_point(int q, const Matrix3<T>& centre_cofactors, T lambda,
+                                                T mu, T (*k)[33], HexahedronRest<T>& rest) {
+    int s[3];
+    hexahedron_corner(q, s);
+    T xi[3];
+    for (int i = 0; i < 3; ++i) xi[i] = T(s[i]) * gauss_coordinate<T>();
+    Vector3<T> d[8];
+    parent_gradients(xi, d);
+    const Matrix3<T> j = jacobian(rest.position, d);
+    const T det = determinant(j);
+    const Matrix3<T> cofactors = cofactor(j);
+    Vector3<T> g[11];
+    for (int a = 0; a < 8; ++a) g[a] = (T(1) / det) * (cofactors * d[a]);
+    // Modes 1 - xi_i^2, with the centre's Jacobian so that constant stress does no work on
+    // them.
+    for (int i = 0; i < 3; ++i) g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
+    for (int a = 0; a < 11; ++a)
+        for (int b = 0; b < 11; ++b) {
+            const Matrix3<T> block = det * hooke_block(g[a], g[b], lambda, mu);
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) k[3 * a + r][3 * b + c] += block(r, c);
+        }
+    rest.volume += det;
+    for (int a = 0; a < 8; ++a) {
+        int t[3];
+        hexahedron_corner(a, t);
+        T shape = T(0.125);
+        for (int i = 0; i < 3; ++i) shape *= T(1) + T(t[i]) * xi[i];
+        rest.mass_share[a] += det * shape;
+        rest.gradient[a] = rest.gradient[a] + det * g[a];
+    }
+}
+
 // Removes the last nine unknowns (the modes) from the 33 x 33 stiffness by elimination.
 template <class T>
 HEPATICA_HOST_DEVICE void condense_modes(T (*k)[33]) {
@@ -101,11 +137,10 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
                                           HexahedronRest<T>& rest) {
     using namespace detail;
     const T centre[3] = {T(0), T(0), T(0)};
-    Vector3<T> relative[8], d[8];
-    for (int a = 0; a < 8; ++a) relative[a] = rest.position[a] = x[a] - x[0];
+    Vector3<T> d[8];
+    for (int a = 0; a < 8; ++a) rest.position[a] = x[a] - x[0];
     parent_gradients(centre, d);
-    const Matrix3<T> centre_jacobian = jacobian(relative, d);
-    const Matrix3<T> centre_cofactors = cofactor(centre_jacobian);
+    const Matrix3<T> centre_cofactors = cofactor(jacobian(rest.position, d));
     const T local_lambda = smaller(lambda, T(4) * mu);
     T k[33][33];
     for (auto& row : k)
@@ -115,36 +150,8 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
         rest.gradient[a] = {{T(0), T(0), T(0)}};
         rest.mass_share[a] = T(0);
     }
-    for (int q = 0; q < 8; ++q) {
-        int s[3];
-        hexahedron_corner(q, s);
-        T xi[3];
-        for (int i = 0; i < 3; ++i) xi[i] = T(s[i]) * gauss_coordinate<T>();
-        parent_gradients(xi, d);
-        const Matrix3<T> j = jacobian(relative, d);
-        const T det = determinant(j);
-        const Matrix3<T> cofactors = cofactor(j);
-        Vector3<T> g[11];
-        for (int a = 0; a < 8; ++a) g[a] = (T(1) / det) * (cofactors * d[a]);
-        // Modes 1 - xi_i^2, with the centre's Jacobian so that constant stress does no work on
-        // them.
-        for (int i = 0; i < 3; ++i) g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
-        for (int a = 0; a < 11; ++a)
-            for (int b = 0; b < 11; ++b) {
-                const Matrix3<T> block = det * hooke_block(g[a], g[b], local_lambda, mu);
-                for (int r = 0; r < 3; ++r)
-                    for (int c = 0; c < 3; ++c) k[3 * a + r][3 * b + c] += block(r, c);
-            }
-        rest.volume += det;
-        for (int a = 0; a < 8; ++a) {
-            int t[3];
-            hexahedron_corner(a, t);
-            T shape = T(0.125);
-            for (int i = 0; i < 3; ++i) shape *= T(1) + T(t[i]) * xi[i];
-            rest.mass_share[a] += det * shape;
-            rest.gradient[a] = rest.gradient[a] + det * g[a];
-        }
-    }
+    for (int q = 0; q < 8; ++q)
+        add_integration_point(q, centre_cofactors, local_lambda, mu, k, rest);
     for (int a = 0; a < 8; ++a) {
         rest.gradient[a] = (T(1) / rest.volume) * rest.gradient[a];
         rest.mass_share[a] /= rest.volume;
