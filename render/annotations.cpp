@@ -4,7 +4,6 @@
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
@@ -12,7 +11,6 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +20,15 @@
 #include <sstream>
 #include <utility>
 
-#include "render/palette.h"
 #include "render/text_style.h"
 
 namespace hepatica {
 namespace {
 
-constexpr int legend_cells = 48;
 constexpr double margin_pt = 18.0;
 using std::numbers::pi;
 
-vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkUnsignedCharArray* colours,
-                                        vtkRenderer& renderer) {
+vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkRenderer& renderer) {
     vtkNew<vtkCellArray> cells;
     for (int q = 0; q < quads; ++q) {
         cells->InsertNextCell({4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3});
@@ -42,7 +37,6 @@ vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkUnsigne
     vtkNew<vtkPolyData> polydata;
     polydata->SetPoints(points);
     polydata->SetPolys(cells);
-    if (colours) polydata->GetCellData()->SetScalars(colours);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(polydata);
     auto actor = vtkSmartPointer<vtkActor2D>::New();
@@ -81,10 +75,6 @@ std::string formatted(double value, int decimals) {
     return text.str();
 }
 
-int decimals_for(double range) {
-    return range < 1.0 ? 2 : range < 20.0 ? 1 : 0;
-}
-
 }  // namespace
 
 double round_length_below(double length) {
@@ -94,26 +84,8 @@ double round_length_below(double length) {
 }
 
 Annotations::Annotations(vtkRenderer& renderer)
-    : legend_points_(vtkSmartPointer<vtkPoints>::New()),
-      marker_points_(vtkSmartPointer<vtkPoints>::New()),
-      bar_points_(vtkSmartPointer<vtkPoints>::New()) {
-    vtkNew<vtkUnsignedCharArray> colours;
-    colours->SetNumberOfComponents(3);
-    for (int c = 0; c < legend_cells; ++c) {
-        for (const double channel : palette::drug((c + 0.5) / legend_cells)) {
-            colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * channel)));
-        }
-    }
-    legend_ = quads_actor(legend_points_, legend_cells, colours, renderer);
-    marker_ = quads_actor(marker_points_, 1, nullptr, renderer);
-    bar_ = quads_actor(bar_points_, 3, nullptr, renderer);
-    legend_title_ = text_actor(renderer);
-    for (auto& tick : legend_ticks_) {
-        tick = text_actor(renderer);
-        tick->GetTextProperty()->SetJustificationToCentered();
-    }
-    legend_ticks_.front()->GetTextProperty()->SetJustificationToLeft();
-    legend_ticks_.back()->GetTextProperty()->SetJustificationToRight();
+    : legend_(renderer), bar_points_(vtkSmartPointer<vtkPoints>::New()) {
+    bar_ = quads_actor(bar_points_, 3, renderer);
     bar_label_ = text_actor(renderer);
     bar_label_->GetTextProperty()->SetJustificationToCentered();
     caption_ = text_actor(renderer);
@@ -123,8 +95,7 @@ Annotations::Annotations(vtkRenderer& renderer)
 
 void Annotations::set_look(const ViewLook& look) {
     look_ = look;
-    for (const auto& actor : {marker_, bar_})
-        actor->GetProperty()->SetColor(look.text[0], look.text[1], look.text[2]);
+    bar_->GetProperty()->SetColor(look.text[0], look.text[1], look.text[2]);
     shown_ = {};  // everything is placed anew
 }
 
@@ -132,54 +103,19 @@ void Annotations::set_caption(const std::string& text) {
     caption_text_ = text;
 }
 
-void Annotations::update(const PictureSize& size, vtkCamera& camera, const DrugView& drug) {
-    Shown now{size.width,
-              size.height,
-              size.pixel_ratio,
-              camera.GetDistance(),
-              camera.GetViewAngle(),
-              visible_,
-              drug.arrival_s != nullptr,
-              drug.time_s,
-              drug.end_s,
+void Annotations::update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
+                         const Legend::Count& count) {
+    Shown now{size.width,           size.height,           size.pixel_ratio, size.legend_point,
+              camera.GetDistance(), camera.GetViewAngle(), visible_,         legend,
               caption_text_};
-    if (now == shown_) return;
+    if (now == shown_ && !count) return;
     shown_ = std::move(now);
-    update_legend(size, drug);
+    legend_.update(visible_ ? legend_rows(legend) : std::vector<LegendRow>{},
+                   {size.width, size.height, size.legend_point}, look_, count);
     update_scale_bar(size, camera);
     const double r = size.pixel_ratio;
     place_text(*caption_, visible_ ? caption_text_ : std::string(), margin_pt * r,
                size.height - margin_pt * r, 12.0 * r, look_.faint_text);
-}
-
-void Annotations::update_legend(const PictureSize& size, const DrugView& drug) {
-    const bool shown = visible_ && drug.arrival_s && drug.end_s > 0.0;
-    legend_->SetVisibility(shown);
-    marker_->SetVisibility(shown);
-    const double r = size.pixel_ratio;
-    const double width = std::min(190.0 * r, 0.5 * size.width);
-    const double x = size.width - margin_pt * r - width;
-    const double y = (margin_pt + 16.0) * r;
-    const double height = 9.0 * r;
-    for (int c = 0; c < legend_cells; ++c) {
-        set_quad(*legend_points_, c, x + width * c / legend_cells, y,
-                 x + width * (c + 1) / legend_cells, y + height);
-    }
-    legend_points_->Modified();
-    const double now = shown ? std::sqrt(std::clamp(drug.time_s / drug.end_s, 0.0, 1.0)) : 0.0;
-    const double at = x + width * now;
-    set_quad(*marker_points_, 0, at - 1.2 * r, y - 3.0 * r, at + 1.2 * r, y + height + 3.0 * r);
-    marker_points_->Modified();
-    const int decimals = decimals_for(drug.end_s);
-    const std::string title =
-        "Drug arrival (s)   now " + formatted(std::min(drug.time_s, 1e6), decimals) + " s";
-    place_text(*legend_title_, shown ? title : "", x, y + height + 7.0 * r, 11.5 * r, look_.text);
-    for (std::size_t t = 0; t < legend_ticks_.size(); ++t) {
-        const double place = static_cast<double>(t) / static_cast<double>(legend_ticks_.size() - 1);
-        const std::string label = formatted(drug.end_s * place * place, t == 0 ? 0 : decimals);
-        place_text(*legend_ticks_[t], shown ? label : "", x + width * place,
-                   margin_pt * r - 2.0 * r, 11.0 * r, look_.faint_text);
-    }
 }
 
 void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
@@ -199,8 +135,10 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     set_quad(*bar_points_, 2, x + width - 1.5 * r, y, x + width, y + 6.0 * r);
     bar_points_->Modified();
     const int decimals = length_mm < 1.0 ? 1 : 0;
-    place_text(*bar_label_, formatted(length_mm, decimals) + " mm", x + 0.5 * width, y + 8.0 * r,
-               11.0 * r, look_.text);
+    // Nearer things look larger: the bar holds where the camera turns about.
+    const std::string label =
+        formatted(length_mm, decimals) + " mm at the depth of the view's centre";
+    place_text(*bar_label_, label, x + 0.5 * width, y + 8.0 * r, 12.0 * r, look_.text);
 }
 
 }  // namespace hepatica

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two-dimensional marks over the picture: the drug's legend with a mark at the present time, a
-// scale bar of a round length, and a caption. Sizes are in points and follow the screen's pixel
-// ratio.
+// The two-dimensional marks over the picture: the legend, a scale bar of a round length, and a
+// caption. Sizes are in points and follow the screen's pixel ratio.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <string>
 
-#include "core/scene/frame.h"
+#include "render/legend.h"
 #include "render/view_look.h"
 
 class vtkActor2D;
@@ -21,11 +19,13 @@ class vtkTextActor;
 
 namespace hepatica {
 
-// Size of the picture in device pixels, and of one point of the annotations in pixels.
+// Size of the picture in device pixels, and of one point of the annotations in pixels: of those
+// that shrink in small pictures, and of the legend, which must stay readable.
 struct PictureSize {
     int width = 0;
     int height = 0;
     double pixel_ratio = 1.0;
+    double legend_point = 1.0;
 };
 
 // Draws into the two-dimensional layer of one renderer; not thread-safe.
@@ -34,8 +34,10 @@ class Annotations {
     explicit Annotations(vtkRenderer& renderer);
 
     // Places every mark for the next picture; call before each. Costs nothing where all is as it
-    // was.
-    void update(const PictureSize& size, vtkCamera& camera, const DrugView& drug);
+    // was and no `count` is given, with which the legend looks for a corner (Legend::update()).
+    void update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
+                const Legend::Count& count);
+    const PictureBox& legend_box() const { return legend_.box(); }
     void set_caption(const std::string& text);
     void set_visible(bool visible) { visible_ = visible; }
     void set_look(const ViewLook& look);
@@ -44,25 +46,19 @@ class Annotations {
     // Everything that the marks show or depend on.
     struct Shown {
         int width = 0, height = 0;
-        double pixel_ratio = 0.0, distance_mm = 0.0, view_angle_deg = 0.0;
-        bool visible = false, injected = false;
-        double drug_time_s = 0.0, drug_end_s = 0.0;
+        double pixel_ratio = 0.0, legend_point = 0.0, distance_mm = 0.0, view_angle_deg = 0.0;
+        bool visible = false;
+        LegendContent legend;
         std::string caption;
         bool operator==(const Shown&) const = default;
     };
-    void update_legend(const PictureSize& size, const DrugView& drug);
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
 
     ViewLook look_ = dark_look;
     Shown shown_;
     bool visible_ = true;
     std::string caption_text_;
-    vtkSmartPointer<vtkPoints> legend_points_;
-    vtkSmartPointer<vtkActor2D> legend_;
-    vtkSmartPointer<vtkPoints> marker_points_;
-    vtkSmartPointer<vtkActor2D> marker_;
-    vtkSmartPointer<vtkTextActor> legend_title_;
-    std::array<vtkSmartPointer<vtkTextActor>, 5> legend_ticks_;
+    Legend legend_;
     vtkSmartPointer<vtkPoints> bar_points_;
     vtkSmartPointer<vtkActor2D> bar_;
     vtkSmartPointer<vtkTextActor> bar_label_;

@@ -26,7 +26,8 @@ DrawnSurface::DrawnSurface()
       arrival_(vtkSmartPointer<vtkFloatArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       mapper_(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New()),
-      actor_(vtkSmartPointer<vtkActor>::New()) {
+      actor_(vtkSmartPointer<vtkActor>::New()),
+      halo_(*polydata_) {
     positions_->SetNumberOfComponents(3);
     normals_->SetNumberOfComponents(3);
     normals_->SetName("normals");
@@ -58,6 +59,7 @@ void DrawnSurface::set_clip(vtkPlane* plane) {
     mapper_->RemoveAllClippingPlanes();
     if (plane) mapper_->AddClippingPlane(plane);
     actor_->GetProperty()->SetBackfaceCulling(plane == nullptr);
+    halo_.set_clip(plane);
 }
 
 vtkActor* DrawnSurface::actor() const {

@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "render/halo_actor.h"
+
 class vtkActor;
 class vtkFloatArray;
 class vtkOpenGLPolyDataMapper;
@@ -37,6 +39,8 @@ class DrawnSurface {
     void set_clip(vtkPlane* plane);
 
     vtkActor* actor() const;
+    HaloActor& halo() { return halo_; }
+    const HaloActor& halo() const { return halo_; }
     vtkOpenGLPolyDataMapper* mapper() const;
 
   private:
@@ -47,6 +51,7 @@ class DrawnSurface {
     vtkSmartPointer<vtkUnsignedCharArray> colours_;
     vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
     vtkSmartPointer<vtkActor> actor_;
+    HaloActor halo_;
 };
 
 }  // namespace hepatica

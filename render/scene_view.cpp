@@ -30,6 +30,8 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr double halo_points = 2.5;  // its width on the screen
+
 vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour,
                                     double intensity) {
     auto light = vtkSmartPointer<vtkLight>::New();
@@ -76,7 +78,9 @@ struct SceneView::Parts {
         const int* size = window.GetSize();
         // In small pictures the annotations shrink, so that they do not cover the patient.
         const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
-        return {size[0], size[1], pixel_ratio * room};
+        // Thumbnails apart, letters of the legend do not.
+        const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.6, 1.0);
+        return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room};
     }
     double aspect() const {
         const PictureSize size = picture_size();
@@ -94,13 +98,19 @@ struct SceneView::Parts {
     ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
     MarkActors marks{*renderer};
+    MeasureMarks measures{*renderer};
     Annotations annotations;
     OrientationMarker orientation;
     vtkNew<vtkPlane> clip_plane;
     std::optional<ClipPlane> clip;
-    DrugView drug;
+    std::vector<VascularSystem> systems;
+    std::vector<std::uint8_t> segments;
+    LegendContent legend;
+    ViewLook look = dark_look;
     double pixel_ratio = 1.0;
     bool annotated = true;
+    bool warned = false;
+    bool at_rest = true;        // nothing is saved on pictures
     bool looked = false;        // a camera was chosen for the present tree
     double shown_aspect = 0.0;  // of the picture for which the camera was chosen or kept; 0: none
 };
@@ -109,6 +119,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     vtkRenderer& renderer = *parts_->renderer;
     renderer.SetGradientBackground(true);
     set_look(dark_look);
+    set_colours_shown(parts_->legend, {}, {});
     renderer.AutomaticLightCreationOff();
     // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
     // one from the right, and a weak one from below, which keeps undersides readable where a card
@@ -117,6 +128,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     add_light(renderer, {1.0, 0.1, 0.8}, {0.80, 0.88, 1.0}, 0.35);
     parts_->light_from_below = add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);
     for (vtkActor* actor : parts_->tree.actors()) renderer.AddActor(actor);
+    renderer.AddActor(parts_->tree.halo().actor());
     renderer.AddActor(parts_->liver.actor());
     renderer.AddActor(parts_->grab.line());
     renderer.AddActor(parts_->grab.point());
@@ -136,7 +148,7 @@ bool SceneView::show(const Frame& frame) {
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
-    parts_->drug = frame.drug;
+    set_frame_shown(parts_->legend, frame, parts_->warned);
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
@@ -162,21 +174,38 @@ void SceneView::render(double pixel_ratio) {
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->marks.set_scale(per_pixel * pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
+        parts_->tree.halo().set_width(halo_points * pixel_ratio * per_pixel / distance);
+        parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
     }
+    parts_->measures.update(
+        [this, height = parts_->picture_size().height](const Vec3& position_mm) {
+            const Pixel pixel = pixel_of(position_mm);
+            return std::array{pixel.x, height - pixel.y};
+        },
+        pixel_ratio);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
-    parts_->annotations.update(parts_->picture_size(), eye, parts_->drug);
+    // While it moves the legend stays where it is.
+    parts_->annotations.update(
+        parts_->picture_size(), eye, parts_->legend,
+        parts_->at_rest
+            ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
+            : Legend::Count());
     parts_->orientation.update(eye, parts_->picture_size());
     parts_->window.Render();
 }
 
 void SceneView::set_vertex_systems(std::vector<VascularSystem> systems) {
+    set_colours_shown(parts_->legend, systems, parts_->segments);
+    parts_->systems = systems;
     parts_->tree.set_vertex_systems(std::move(systems));
 }
 
 void SceneView::set_vertex_segments(std::vector<std::uint8_t> segments) {
+    set_colours_shown(parts_->legend, parts_->systems, segments);
+    parts_->segments = segments;
     parts_->tree.set_vertex_segments(std::move(segments));
 }
 
@@ -196,6 +225,18 @@ bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
 
 bool SceneView::set_marks(const std::vector<Vec3>& places_mm) {
     return parts_->marks.update(places_mm);
+}
+
+bool SceneView::set_measures(std::vector<MeasureView> measures) {
+    return parts_->measures.show(std::move(measures));
+}
+
+const std::vector<MeasureView>& SceneView::measures() const {
+    return parts_->measures.shown();
+}
+
+void SceneView::set_halos_visible(bool visible) {
+    parts_->tree.set_halo(visible);
 }
 
 void SceneView::set_bridges(std::vector<BridgeView> bridges) {
@@ -221,6 +262,7 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
 }
 
 void SceneView::set_look(const ViewLook& look) {
+    parts_->look = look;
     parts_->renderer->SetBackground(look.bottom[0], look.bottom[1], look.bottom[2]);
     parts_->renderer->SetBackground2(look.top[0], look.top[1], look.top[2]);
     parts_->tree.set_distance(look.distance);
@@ -237,6 +279,8 @@ void SceneView::set_annotations_visible(bool visible) {
 }
 
 void SceneView::set_warnings_visible(bool visible) {
+    parts_->warned = visible;
+    if (!visible) parts_->legend.warned = false;
     parts_->tree.set_warnings(visible);
 }
 
@@ -244,7 +288,34 @@ void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->window.SetMultiSamples(smoothing == Smoothing::best ? 8 : 0);
     parts_->renderer->SetUseFXAA(smoothing == Smoothing::cheap);
     parts_->light_from_below->SetSwitch(smoothing == Smoothing::best);
-    parts_->tree.set_rounded(smoothing != Smoothing::none);
+    parts_->at_rest = smoothing != Smoothing::none;
+    parts_->tree.set_rounded(parts_->at_rest);
+}
+
+// Of those that are in front of the eye.
+std::vector<int> SceneView::vertices_within(const std::vector<PictureBox>& boxes) const {
+    const PictureSize size = parts_->picture_size();
+    const ViewAxes view = axes();
+    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
+    const Vec3 origin(eye.GetPosition());
+    const double per_depth = size.height / (2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0));
+    const std::vector<float>& at = parts_->tree.surface().positions_mm();
+    std::vector<int> counts(boxes.size(), 0);
+    for (std::size_t v = 0; v + 2 < at.size(); v += 3) {
+        const Vec3 offset = Vec3(at[v], at[v + 1], at[v + 2]) - origin;
+        const double depth = offset.dot(view.forward);
+        if (depth <= 0.0) continue;
+        const double x = 0.5 * size.width + per_depth * offset.dot(view.right) / depth;
+        const double y = 0.5 * size.height + per_depth * offset.dot(view.up) / depth;
+        for (std::size_t b = 0; b < boxes.size(); ++b)
+            counts[b] += x >= boxes[b].left && x <= boxes[b].right && y >= boxes[b].bottom &&
+                         y <= boxes[b].top;
+    }
+    return counts;
+}
+
+PictureBox SceneView::legend_box() const {
+    return parts_->annotations.legend_box();
 }
 
 // What was in sight stays in sight when the picture gets narrower, and comes back when it gets

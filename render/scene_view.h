@@ -15,6 +15,8 @@
 #include "render/bridge_actor.h"
 #include "render/camera.h"
 #include "render/clip_plane.h"
+#include "render/legend_rows.h"
+#include "render/measure_marks.h"
 #include "render/surface_geometry.h"
 #include "render/view_look.h"
 
@@ -77,6 +79,9 @@ class SceneView {
     bool set_crosshair(const std::optional<Vec3>& position_mm);
     // Places to be found, as a lesson's; true if the picture is another now.
     bool set_marks(const std::vector<Vec3>& places_mm);
+    // Lines that were measured; true if the picture is another now.
+    bool set_measures(std::vector<MeasureView> measures);
+    const std::vector<MeasureView>& measures() const;
     // Gaps that might be bridged; drawn as dashed lines.
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
@@ -84,6 +89,9 @@ class SceneView {
     // Cuts vessels and liver open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
     void set_look(const ViewLook& look);  // dark at first
+    // Whether vessels that pass in front of others are set off by a rim, as at first; pictures that
+    // must be quick (Smoothing::none) have none.
+    void set_halos_visible(bool visible);
     void set_caption(const std::string& text);
     void set_annotations_visible(bool visible);
     // Whether vessels that are near tearing are coloured, from the next frame on; not at first.
@@ -106,6 +114,9 @@ class SceneView {
     // Where a point of the patient appears in the picture.
     Pixel pixel_of(const Vec3& position_mm) const;
 
+    // Where the legend was drawn last.
+    PictureBox legend_box() const;
+
     // The bridge whose line passes nearest to a pixel, within `reach` pixels; -1 for none.
     int bridge_at(const Pixel& pixel, double reach) const;
 
@@ -116,6 +127,8 @@ class SceneView {
 
   private:
     void keep_in_sight();
+    // How many of the surface's vertices appear in each of the boxes.
+    std::vector<int> vertices_within(const std::vector<PictureBox>& boxes) const;
 
     struct Parts;
     std::unique_ptr<Parts> parts_;

@@ -95,6 +95,11 @@ void TreeActor::set_clip(vtkPlane* plane) {
     rounded_.set_clip(plane);
 }
 
+void TreeActor::set_halo(bool shown) {
+    has_halo_ = shown;
+    show_one();
+}
+
 void TreeActor::set_fade(double near_mm, double far_mm) {
     for (vtkActor* actor : actors()) drug_overlay::set_fade(*actor, near_mm, far_mm);
 }
@@ -107,6 +112,7 @@ void TreeActor::show_one() {
     const bool some = !surface_.triangles().empty();
     plain_.actor()->SetVisibility(some && !is_rounded_);
     rounded_.actor()->SetVisibility(some && is_rounded_);
+    rounded_.halo().actor()->SetVisibility(some && is_rounded_ && has_halo_);
 }
 
 void TreeActor::take_topology() {

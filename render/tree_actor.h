@@ -48,6 +48,10 @@ class TreeActor {
     void set_distance(const Colour& colour);
     // See DrawnSurface::set_clip().
     void set_clip(vtkPlane* plane);
+    // Whether the rounded surface has a halo (halo_actor.h), as it has at first. The plain one, for
+    // pictures that must be quick, has none.
+    void set_halo(bool shown);
+    HaloActor& halo() { return rounded_.halo(); }
 
     // One of them is visible at a time.
     std::array<vtkActor*, 2> actors() const { return {plain_.actor(), rounded_.actor()}; }
@@ -69,6 +73,7 @@ class TreeActor {
     DrawnSurface plain_;
     DrawnSurface rounded_;
     bool is_rounded_ = true;
+    bool has_halo_ = true;
     bool plain_is_old_ = false;    // its positions are those of an earlier frame
     bool rounded_is_old_ = false;  // the same
     std::vector<VascularSystem> systems_;

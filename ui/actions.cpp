@@ -68,7 +68,8 @@ constexpr std::array table{
     ActionSpec{close_or_open, "&Play", "&Close or open the forceps", "C",
                "The jaws close until they hold, or open again"},
     ActionSpec{put_tool_away, "&Play", "Put the tool a&way", "Esc",
-               "Take the tool out of the picture and pull with the mouse again"},
+               "Take the tool out of the picture, or end measuring, and pull with the mouse again; "
+               "once more takes measurements away"},
     ActionSpec{undo_edit, "&Play", "&Undo the last edit", "Ctrl+Z",
                "Take back the last correction of the tree", false, true},
     ActionSpec{redo_edit, "&Play", "Red&o the edit", "Ctrl+Shift+Z", "Do again what was taken back",
@@ -91,6 +92,8 @@ constexpr std::array table{
     ActionSpec{view_inferior, "&View", "&Inferior", "I", "Look from the feet"},
     ActionSpec{toggle_annotations, "&View", "Le&gend and scale", "G",
                "Show legend, scale bar and orientation", true},
+    ActionSpec{toggle_halos, "&View", "Rims at &crossings", "X",
+               "Set off the nearer of two crossing vessels by a thin rim", true},
     ActionSpec{toggle_liver, "&View", "Li&ver", "V",
                "Show the surface of the liver around the vessels", true, true},
     ActionSpec{toggle_clip, "&View", "&Open the view", "O",
@@ -112,6 +115,17 @@ constexpr std::array table{
     ActionSpec{theme_light, "&View", "L&ight", "", "Light, for lecture rooms and print", true},
     ActionSpec{theme_high_contrast, "&View", "&High contrast", "",
                "Black and white, for eyes that need more contrast", true},
+    ActionSpec{measure_distance, "&Measure", "&Distance", "M",
+               "Distance between two clicks on vessels, or in the slices", true, true},
+    ActionSpec{measure_angle, "&Measure", "&Angle", "Shift+M",
+               "Angle of three clicks on vessels, its vertex second", true, true},
+    ActionSpec{measure_diameter, "&Measure", "D&iameter and stenosis", "Ctrl+M",
+               "Diameter at the centreline of the vessel that is clicked, with its stenosis", true,
+               true},
+    ActionSpec{remove_measurement, "&Measure", "&Take the last back", "Shift+Del",
+               "Remove the last point or measurement", false, true},
+    ActionSpec{clear_measurements, "&Measure", "&Remove all", "",
+               "Remove everything that was measured", false, true},
     ActionSpec{guide, "&Help", "&Guide", "Shift+F1",
                "How to load a patient, correct the vessels, practise and make lessons"},
     ActionSpec{cheat_sheet, "&Help", "&Keys and mouse", "F1", "All keys and mouse gestures"},
@@ -120,7 +134,7 @@ constexpr std::array table{
     ActionSpec{about, "&Help", "&About Hepatica", "", "Version, renderer and licence"},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 17> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 18> gestures{{
     {"Left drag on a vessel", "pull it (in Pull mode)"},
     {"Left drag beside the vessels, right drag", "orbit"},
     {"Middle drag, Shift + left drag", "pan"},
@@ -130,6 +144,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> gestures{{
     {"Mouse with a tool in hand", "lead its tip, in the plane of the picture"},
     {"Wheel with a tool in hand", "move it in depth; Ctrl + wheel zooms"},
     {"Left drag with blade or cut line", "across a vessel: cut it, or let it tear there"},
+    {"Click on vessels while measuring", "set the points of a distance, an angle or a diameter"},
     {"Click on a dashed line", "bridge that gap"},
     {"Hover", "show what lies downstream, and its share of the flow"},
     {"Shift + hover with slices beside", "the slices go there"},

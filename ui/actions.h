@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QKeySequence>
 #include <QString>
+#include <array>
 #include <functional>
 #include <map>
 #include <span>
@@ -55,6 +56,7 @@ enum class ActionId {
     view_superior,
     view_inferior,
     toggle_annotations,
+    toggle_halos,
     toggle_liver,
     toggle_clip,
     clip_deeper,
@@ -67,6 +69,11 @@ enum class ActionId {
     theme_dark,
     theme_light,
     theme_high_contrast,
+    measure_distance,
+    measure_angle,
+    measure_diameter,
+    remove_measurement,
+    clear_measurements,
     guide,
     cheat_sheet,
     messages,
@@ -84,6 +91,10 @@ struct ActionSpec {
 };
 
 std::span<const ActionSpec> action_table();
+
+// In the order of MeasurementKind.
+inline constexpr std::array measuring_actions{ActionId::measure_distance, ActionId::measure_angle,
+                                              ActionId::measure_diameter};
 
 // The actions themselves, made once per window.
 class Actions {

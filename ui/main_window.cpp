@@ -45,8 +45,8 @@
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 #include "ui/tool_panel.h"
+#include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 
@@ -116,6 +116,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_tools();
     connect_views();
     connect_context();
+    connect_measuring();
     connect_themes();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
@@ -146,6 +147,8 @@ void MainWindow::build_view() {
          [this](const SurfacePick& pick) {
              if (!patient_) return;
              if (view_->mouse().mode() == MouseMode::place) return set_lesson_place(pick);
+             if (view_->mouse().mode() == MouseMode::measure)
+                 return ruler_->click(pick, view_->scene().axes());
              editing_->click(patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
          },
          [this](int bridge) { editing_->accept(bridge); },
@@ -287,6 +290,7 @@ void MainWindow::build_tool_bar() {
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&(*actions_)[id])))
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
+    for (const ActionId id : measuring_actions) modes->addAction(&(*actions_)[id]);
     bar->addSeparator();
     bar->addAction(&(*actions_)[ActionId::play_pause]);
     bar->addAction(&(*actions_)[ActionId::reset]);
@@ -365,62 +369,11 @@ void MainWindow::connect_tools() {
     actions_->on(ActionId::put_tool_away, [this] {
         const MouseMode mode = view_->mouse().mode();
         const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
-        if (draws || view_->mouse().hand().holds()) (*actions_)[ActionId::pull_mode].trigger();
+        if (draws || mode == MouseMode::measure || view_->mouse().hand().holds())
+            (*actions_)[ActionId::pull_mode].trigger();
+        else
+            view_layout_->slices().measurements().clear();
     });
-}
-
-// What stands around the vessels, and the plane that opens the view.
-void MainWindow::connect_context() {
-    QAction& liver = (*actions_)[ActionId::toggle_liver];
-    LiverKeeper::Screen screen;
-    screen.show = [this](const TriangleMesh& surface) {
-        view_->scene().set_liver(surface);
-        view_->draw_again();
-    };
-    screen.none = [this] {
-        messages_->show_notice(
-            "This case knows no liver. Reconstruct the CT, with a mask of the liver where the "
-            "program does not find it by itself.");
-    };
-    screen.failed = [this](const Failure& failure) { fail("The liver's surface", failure); };
-    liver_ = std::make_unique<LiverKeeper>(std::move(screen));
-    actions_->on(ActionId::toggle_liver, [this, &liver] {
-        view_->scene().set_liver_visible(liver.isChecked());
-        liver_->set_wanted(liver.isChecked());
-        view_->draw_again();
-    });
-    QAction& open = (*actions_)[ActionId::toggle_clip];
-    actions_->on(ActionId::toggle_clip, [this, &open] {
-        ClipControl& clip = view_->mouse().clip();
-        open.isChecked() ? clip.open_at(view_->scene().axes().focus_mm) : clip.close();
-        view_->draw_again();
-    });
-    const auto shift = [this](double by_mm) {
-        view_->mouse().clip().shift(by_mm);
-        view_->draw_again();
-    };
-    actions_->on(ActionId::clip_deeper, [shift] { shift(clip_step_mm); });
-    actions_->on(ActionId::clip_less_deep, [shift] { shift(-clip_step_mm); });
-}
-
-void MainWindow::connect_themes() {
-    constexpr std::array ids{ActionId::theme_dark, ActionId::theme_light,
-                             ActionId::theme_high_contrast};
-    auto* group = new QActionGroup(this);
-    const Theme& now = theme_named(settings_.theme());
-    for (std::size_t t = 0; t < ids.size(); ++t) {
-        const Theme& theme = themes()[t];
-        QAction& action = (*actions_)[ids[t]];
-        group->addAction(&action);
-        action.setChecked(&theme == &now);
-        actions_->on(ids[t], [this, &theme] {
-            settings_.set_theme(theme.name);
-            apply_theme(*qApp, theme);
-            view_->scene().set_look(theme.view);
-            view_->draw_again();
-        });
-    }
-    view_->scene().set_look(now.view);
 }
 
 void MainWindow::connect_views() {
@@ -434,6 +387,12 @@ void MainWindow::connect_views() {
     annotations.setChecked(true);
     actions_->on(ActionId::toggle_annotations, [this, &annotations] {
         view_->scene().set_annotations_visible(annotations.isChecked());
+        view_->draw_again();
+    });
+    QAction& halos = (*actions_)[ActionId::toggle_halos];
+    halos.setChecked(true);
+    actions_->on(ActionId::toggle_halos, [this, &halos] {
+        view_->scene().set_halos_visible(halos.isChecked());
         view_->draw_again();
     });
     QAction& slices = (*actions_)[ActionId::toggle_slices];

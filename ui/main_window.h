@@ -39,6 +39,7 @@ class SecondView;
 class StatusLine;
 class ToolPanel;
 class ViewLayout;
+class ViewRuler;
 class VtkWidget;
 class Welcome;
 struct PictureTime;
@@ -101,7 +102,11 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_tools();
     void connect_views();
+
+    // main_window_views.cpp: what stands around the vessels, what is measured, how it looks.
     void connect_context();
+    void connect_measuring();
+    void follow_measuring();
     void connect_themes();
 
     // main_window_slices.cpp: slices of the CT, and corrections.
@@ -202,6 +207,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
     std::unique_ptr<LiverKeeper> liver_;
+    std::unique_ptr<ViewRuler> ruler_;
 };
 
 }  // namespace hepatica

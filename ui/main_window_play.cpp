@@ -23,6 +23,7 @@
 #include "ui/slices/view_layout.h"
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
+#include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 #include "ui/window_words.h"
@@ -39,6 +40,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     welcome_->hide();
     scene.set_highlight({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
+    ruler_->show_patient(patient_->patient);
     actions_->set_patient_shown(true);
     quality_->post_choices();
     inject_->post_choices();
@@ -147,6 +149,7 @@ void MainWindow::show_newest_frame() {
     if (!patient_ || !patient_->simulation->update_frame()) return;
     const bool marks_moved = show_marks();
     view_->show_frame(frame());
+    ruler_->follow();
     if (marks_moved) view_->draw_again();
     follow(frame());
     show_figures_soon();
@@ -258,17 +261,20 @@ void MainWindow::post(Command command) {
 
 void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
+    Measurements& measurements = view_layout_->slices().measurements();
+    if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
     tool_panel_->show_kind(view_->mouse().hand().kind());
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
-    statusBar()->showMessage(mode == MouseMode::pull     ? "Drag a vessel to pull it"
-                             : mode == MouseMode::inject ? "Click on a vessel to inject there"
-                             : mode == MouseMode::edit   ? "Click on a vessel to correct the tree"
-                             : mode == MouseMode::place  ? "Click on a vessel: the place is there"
-                             : mode == MouseMode::cut    ? "Draw a line across a vessel to cut it"
+    statusBar()->showMessage(mode == MouseMode::pull      ? "Drag a vessel to pull it"
+                             : mode == MouseMode::inject  ? "Click on a vessel to inject there"
+                             : mode == MouseMode::edit    ? "Click on a vessel to correct the tree"
+                             : mode == MouseMode::place   ? "Click on a vessel: the place is there"
+                             : mode == MouseMode::measure ? ruler_->guidance().c_str()
+                             : mode == MouseMode::cut     ? "Draw a line across a vessel to cut it"
                              : mode == MouseMode::weaken
                                  ? "Draw a line across a vessel: it tears there when pulled"
                                  : "The mouse leads the tool, the wheel moves it in depth",

@@ -126,7 +126,7 @@ void MouseTool::click_at(const Pixel& at) {
     if (pressed_bridge_ >= 0) return callbacks_.accept_bridge(pressed_bridge_);
     const SurfacePick pick = view_.pick(at);
     if (pick.triangle < 0) return callbacks_.missed();
-    if (mode_ == MouseMode::edit || mode_ == MouseMode::place)
+    if (chooses())
         callbacks_.edit(pick);
     else
         callbacks_.inject(pick);

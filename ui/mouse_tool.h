@@ -10,8 +10,9 @@
 // the tool in depth, Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
 // vessel tears more easily there.
-// In inject, edit and place mode a plain click on a vessel injects, edits or sets a place there,
-// and a drag that began on it orbits. In every mode a click on the dashed line of a gap bridges it.
+// In inject, edit, place and measure mode a plain click on a vessel injects, edits, sets a place or
+// a point of what is measured there, and a drag that began on it orbits. In every mode a click on
+// the dashed line of a gap bridges it.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@
 namespace hepatica {
 
 enum class MouseButton { left, middle, right };
-enum class MouseMode { pull, inject, edit, tool, cut, weaken, place };
+enum class MouseMode { pull, inject, edit, tool, cut, weaken, place, measure };
 
 struct MouseModifiers {
     bool shift = false;
@@ -41,14 +42,14 @@ class MouseTool {
         std::function<void(Command)> post;                    // to the simulation
         std::function<void(const SurfacePick& pick)> inject;  // the user chose this point
         std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
-        // The user chose it in edit or place mode.
+        // The user chose it in edit, place or measure mode.
         std::function<void(const SurfacePick& pick)> edit;
         std::function<void(int bridge)> accept_bridge;  // of those that the view shows
         // Which way the vessel runs there; 0 where that is not known.
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
         // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
-        // A click for a vessel, in inject, edit or place mode, met none.
+        // A click for a vessel, in inject, edit, place or measure mode, met none.
         std::function<void()> missed = [] {};
     };
     MouseTool(SceneView& view, Callbacks callbacks);
@@ -82,8 +83,10 @@ class MouseTool {
 
     void click_at(const Pixel& at);
     // Whether a plain click is for a vessel.
-    bool clicks_vessels() const {
-        return mode_ == MouseMode::inject || mode_ == MouseMode::edit || mode_ == MouseMode::place;
+    bool clicks_vessels() const { return mode_ == MouseMode::inject || chooses(); }
+    // Whether it is told to callbacks_.edit.
+    bool chooses() const {
+        return mode_ == MouseMode::edit || mode_ == MouseMode::place || mode_ == MouseMode::measure;
     }
     bool draws() const { return mode_ == MouseMode::cut || mode_ == MouseMode::weaken; }
     // Between where the line that is drawn first and last meets the vessels, at their depth.

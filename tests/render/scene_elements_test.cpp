@@ -149,6 +149,30 @@ TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
     EXPECT_FALSE(look_alike(picture(), plain));
 }
 
+TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
+    const Picture plain = picture_of(fake_frame());
+    const MeasureView measure{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, "40.0 mm"};
+    MeasureView without_value = measure;
+    without_value.text.clear();
+    EXPECT_TRUE(view_.set_measures({measure}));
+    EXPECT_FALSE(view_.set_measures({measure})) << "nothing is new";
+    const Picture whole = picture();
+    EXPECT_TRUE(view_.set_measures({without_value}));
+    const Picture line = picture();
+    EXPECT_FALSE(look_alike(line, whole));
+    EXPECT_FALSE(look_alike(line, plain));
+    // From end to end.
+    for (const Vec3& end : without_value.points_mm) {
+        const Pixel at = view_.pixel_of(end);
+        const std::size_t pixel =
+            3 * static_cast<std::size_t>(static_cast<int>(at.y) * width + static_cast<int>(at.x));
+        EXPECT_GT(line.rgb[pixel], 240);
+        EXPECT_LT(line.rgb[pixel + 2], 100);
+    }
+    EXPECT_TRUE(view_.set_measures({}));
+    EXPECT_EQ(picture().rgb, plain.rgb);
+}
+
 TEST(Screenshot, another_drivers_smoothing_of_edges_is_not_seen) {
     OsmesaContext context(width, height);
     SceneView view(context.window());

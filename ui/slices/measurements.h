@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person measures in the slices: distances, angles, and the diameter of a vessel at its
-// centreline with the stenosis there (core/tree/lumen_calibre.h). No widget.
+// What a person measures in slices and in the three-dimensional view: distances, angles, and the
+// diameter of a vessel at its centreline with the stenosis there (core/tree/lumen_calibre.h). No
+// widget.
 #pragma once
 
 #include <functional>
@@ -22,7 +23,7 @@ struct Measurement {
     std::string text;  // empty while it is being made
 };
 
-// The slice in which a point is set.
+// The slice, or the plane of the picture, in which a point is set.
 struct SlicePlane {
     Vec3 normal = Vec3::UnitZ();
     Vec3 right = Vec3::UnitX();  // on the screen

@@ -110,7 +110,8 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
 void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
-    if (scene_.empty()) return;
+    // What was measured in the view alone goes with the tree, too.
+    if (scene_.empty()) return scene_.measurements().remove_diameters();
     // Voxels in memory may be others than those that are shown.
     if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/legend.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/text_style.h"
+
+namespace hepatica {
+namespace {
+
+// In points.
+constexpr double margin = 18.0;
+constexpr double line = 22.0;  // from one line of text to the next
+constexpr double bar = 10.0, gap = 5.0;
+constexpr double swatch = 13.0;
+constexpr double text_after_swatch = 21.0;
+constexpr double letter = 0.62 * legend_letters_pt;  // at most, on the average of a text
+constexpr double widest_bar = 236.0;
+
+double height_of(const LegendRow& row) {
+    return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
+}
+
+// What all rows need, in points.
+double width_of(const std::vector<LegendRow>& rows) {
+    double width = 0.0;
+    for (const LegendRow& row : rows) {
+        const double text = letter * static_cast<double>(row.text.size() + row.at_right.size());
+        width = std::max(width, text + (row.at_right.empty() ? 0.0 : letter) +
+                                    (row.colours.size() == 1 ? text_after_swatch : 0.0));
+        if (row.colours.size() > 1) width = std::max(width, widest_bar);
+    }
+    return width;
+}
+
+vtkSmartPointer<vtkActor2D> flat_actor(vtkPolyData* polydata, vtkRenderer& renderer) {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(polydata);
+    auto actor = vtkSmartPointer<vtkActor2D>::New();
+    actor->SetMapper(mapper);
+    renderer.AddActor2D(actor);
+    return actor;
+}
+
+}  // namespace
+
+Legend::Legend(vtkRenderer& renderer)
+    : renderer_(renderer),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      quads_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
+      polydata_(vtkSmartPointer<vtkPolyData>::New()),
+      ground_points_(vtkSmartPointer<vtkPoints>::New()) {
+    ground_points_->SetNumberOfPoints(4);
+    vtkNew<vtkCellArray> one;
+    one->InsertNextCell({0, 1, 2, 3});
+    vtkNew<vtkPolyData> ground;
+    ground->SetPoints(ground_points_);
+    ground->SetPolys(one);
+    ground_ = flat_actor(ground, renderer);
+    ground_->SetVisibility(false);
+    colours_->SetNumberOfComponents(3);
+    polydata_->SetPoints(points_);
+    polydata_->SetPolys(quads_);
+    polydata_->GetCellData()->SetScalars(colours_);
+    actor_ = flat_actor(polydata_, renderer);
+}
+
+void Legend::add_quad(const PictureBox& box, const Colour& colour) {
+    const vtkIdType first = points_->InsertNextPoint(box.left, box.bottom, 0);
+    points_->InsertNextPoint(box.right, box.bottom, 0);
+    points_->InsertNextPoint(box.right, box.top, 0);
+    points_->InsertNextPoint(box.left, box.top, 0);
+    quads_->InsertNextCell({first, first + 1, first + 2, first + 3});
+    for (const double channel : colour)
+        colours_->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * channel)));
+}
+
+void Legend::write(const std::string& text, double x, double y, int justification,
+                   const Colour& colour, double size) {
+    if (text.empty()) return;  // VTK warns about empty ones
+    if (texts_used_ == texts_.size()) {
+        texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
+        renderer_.AddActor2D(texts_.back());
+    }
+    vtkTextActor& actor = *texts_[texts_used_++];
+    style_text(*actor.GetTextProperty(), static_cast<int>(std::lround(size)), colour);
+    actor.GetTextProperty()->SetJustification(justification);
+    actor.SetInput(text.c_str());
+    actor.SetPosition(std::round(x), std::round(y));
+    actor.SetVisibility(true);
+}
+
+void Legend::draw_row(const LegendRow& row, double left, double top, double width, double point,
+                      const ViewLook& look) {
+    const double size = legend_letters_pt * point;
+    const double base = top - 16.0 * point;  // on which the letters stand
+    const bool swatched = row.colours.size() == 1;
+    write(row.text, left + (swatched ? text_after_swatch * point : 0.0), base, VTK_TEXT_LEFT,
+          row.faint ? look.faint_text : look.text, size);
+    write(row.at_right, left + width, base, VTK_TEXT_RIGHT, look.text, size);
+    if (swatched)
+        add_quad({left, base, left + swatch * point, base + swatch * point}, row.colours[0]);
+    if (row.colours.size() < 2) return;
+    const double upper = top - line * point, lower = upper - bar * point;
+    const auto cells = static_cast<double>(row.colours.size());
+    for (std::size_t c = 0; c < row.colours.size(); ++c)
+        add_quad({left + width * static_cast<double>(c) / cells, lower,
+                  left + width * static_cast<double>(c + 1) / cells, upper},
+                 row.colours[c]);
+    if (row.marker) {
+        const double at = left + width * *row.marker;
+        add_quad({at - 1.2 * point, lower - 3.0 * point, at + 1.2 * point, upper + 3.0 * point},
+                 look.text);
+    }
+    // A narrow bar has room for every second label.
+    const bool narrow = width < 180.0 * point;
+    for (std::size_t t = 0; t < row.ticks.size(); ++t) {
+        const auto& [place, label] = row.ticks[t];
+        if (narrow && row.ticks.size() % 2 == 1 && t % 2 == 1) continue;
+        write(label, left + width * place, lower - (gap + 13.0) * point,
+              place == 0.0   ? VTK_TEXT_LEFT
+              : place == 1.0 ? VTK_TEXT_RIGHT
+                             : VTK_TEXT_CENTERED,
+              look.text, size);
+    }
+}
+
+void Legend::update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
+                    const Count& count) {
+    points_->Reset();
+    quads_->Reset();
+    colours_->Reset();
+    texts_used_ = 0;
+    const double p = room.point;
+    const double width = std::min(width_of(rows) * p, room.width - 2.0 * margin * p);
+    double height = 0.0;
+    for (const LegendRow& row : rows) height += height_of(row) * p;
+    if (!rows.empty()) {
+        const double right = room.width - margin * p, top = room.height - margin * p;
+        const double below_caption = top - line * p;
+        // Right below, right above, left above: left below stands the cube.
+        const std::vector<PictureBox> corners{
+            {right - width, margin * p, right, margin * p + height},
+            {right - width, top - height, right, top},
+            {margin * p, below_caption - height, margin * p + width, below_caption}};
+        if (count) {
+            const std::vector<int> held = count(corners);
+            corner_ = least_covered(held);
+            ground_->SetVisibility(held[corner_] > 0);
+        }
+        box_ = corners[corner_];
+        double y = box_.top;
+        for (const LegendRow& row : rows) {
+            draw_row(row, box_.left, y, width, p, look);
+            y -= height_of(row) * p;
+        }
+    }
+    for (std::size_t t = texts_used_; t < texts_.size(); ++t) texts_[t]->SetVisibility(false);
+    actor_->SetVisibility(!rows.empty());
+    if (rows.empty()) ground_->SetVisibility(false);
+    const double pad = 6.0 * p;
+    ground_points_->SetPoint(0, box_.left - pad, box_.bottom - pad, 0);
+    ground_points_->SetPoint(1, box_.right + pad, box_.bottom - pad, 0);
+    ground_points_->SetPoint(2, box_.right + pad, box_.top + pad, 0);
+    ground_points_->SetPoint(3, box_.left - pad, box_.top + pad, 0);
+    ground_->GetProperty()->SetColor(look.bottom[0], look.bottom[1], look.bottom[2]);
+    ground_->GetProperty()->SetOpacity(0.7);
+    ground_points_->Modified();
+    points_->Modified();
+    quads_->Modified();
+    colours_->Modified();
+    polydata_->Modified();
+}
+
+}  // namespace hepatica

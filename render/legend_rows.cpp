@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/legend_rows.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <locale>
+#include <set>
+#include <sstream>
+
+namespace hepatica {
+namespace {
+
+constexpr int ramp_cells = 48;
+
+std::string formatted(double value, int decimals) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(decimals) << value;
+    return text.str();
+}
+
+int decimals_for(double range) {
+    return range < 1.0 ? 2 : range < 20.0 ? 1 : 0;
+}
+
+std::string with_capital(std::string text) {
+    if (!text.empty())
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+// The map goes with the square root of time (drug_overlay.h), and its axis says so.
+void add_drug(const LegendContent& content, std::vector<LegendRow>& rows) {
+    LegendRow ramp;
+    const int decimals = decimals_for(content.drug_end_s);
+    ramp.text = "Drug arrival (s)";
+    ramp.at_right = "now " + formatted(std::min(content.drug_time_s, 1e6), decimals);
+    for (int c = 0; c < ramp_cells; ++c)
+        ramp.colours.push_back(palette::drug((c + 0.5) / ramp_cells));
+    for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0})
+        ramp.ticks.emplace_back(
+            place, formatted(content.drug_end_s * place * place, place == 0.0 ? 0 : decimals));
+    ramp.marker = std::sqrt(std::clamp(content.drug_time_s / content.drug_end_s, 0.0, 1.0));
+    rows.push_back(std::move(ramp));
+    LegendRow axis;
+    axis.text = "axis: square root of time";
+    axis.faint = true;
+    rows.push_back(std::move(axis));
+    rows.push_back({"The drug's front", {}, {Colour{1.0, 1.0, 1.0}}, {}, {}, false});
+}
+
+void add_segments(const LegendContent& content, std::vector<LegendRow>& rows) {
+    LegendRow bar;
+    bar.text = "Liver segment";
+    const auto count = static_cast<double>(content.segments.size());
+    for (std::size_t s = 0; s < content.segments.size(); ++s) {
+        bar.colours.push_back(palette::liver_segment(content.segments[s]));
+        bar.ticks.emplace_back((static_cast<double>(s) + 0.5) / count,
+                               std::to_string(content.segments[s]));
+    }
+    // One colour alone would stand before the text.
+    if (bar.colours.size() == 1) {
+        bar.text += " " + bar.ticks[0].second;
+        bar.ticks.clear();
+    }
+    rows.push_back(std::move(bar));
+}
+
+void add_warnings(std::vector<LegendRow>& rows) {
+    constexpr double from = 0.5;  // of the limit: below it a vessel has its own colour
+    LegendRow ramp;
+    ramp.text = "Load (% of what tears)";
+    const Colour own = palette::vessel_system(VascularSystem::unknown);
+    for (int c = 0; c < ramp_cells; ++c)
+        ramp.colours.push_back(palette::warning(own, from + (1.0 - from) * (c + 0.5) / ramp_cells));
+    ramp.ticks = {{0.0, "50"}, {0.5, "75"}, {1.0, "100"}};
+    rows.push_back(std::move(ramp));
+}
+
+}  // namespace
+
+void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
+                       const std::vector<std::uint8_t>& segments) {
+    std::set<VascularSystem> shown;
+    std::set<int> numbers;
+    const std::size_t count = std::max(systems.size(), segments.size());
+    for (std::size_t v = 0; v < count; ++v) {
+        if (v < segments.size() && segments[v] != 0)
+            numbers.insert(segments[v]);
+        else
+            shown.insert(v < systems.size() ? systems[v] : VascularSystem::unknown);
+    }
+    if (count == 0) shown.insert(VascularSystem::unknown);
+    content.systems.clear();
+    std::ranges::copy_if(vascular_systems, std::back_inserter(content.systems),
+                         [&](VascularSystem system) { return shown.contains(system); });
+    content.segments.assign(numbers.begin(), numbers.end());
+}
+
+void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings) {
+    content.injected = frame.drug.arrival_s != nullptr && frame.drug.end_s > 0.0;
+    content.drug_time_s = content.injected ? frame.drug.time_s : 0.0;
+    content.drug_end_s = content.injected ? frame.drug.end_s : 0.0;
+    content.touched = frame.tool.has_value() || frame.grab.has_value();
+    content.warned = warnings && frame.tear && frame.tear->loads;
+    content.torn = frame.tear && frame.tear->joints_broken > 0;
+}
+
+std::vector<LegendRow> legend_rows(const LegendContent& content) {
+    std::vector<LegendRow> rows;
+    const auto swatch = [&](const std::string& text, const Colour& colour) {
+        rows.push_back({text, {}, {colour}, {}, {}, false});
+    };
+    if (content.touched) swatch("Touch and force", palette::touch);
+    if (content.torn) swatch("Torn", palette::torn);
+    if (content.warned) add_warnings(rows);
+    if (content.injected) {
+        add_drug(content, rows);
+        return rows;
+    }
+    if (!content.segments.empty()) add_segments(content, rows);
+    for (const VascularSystem system : content.systems)
+        swatch(with_capital(title_of(system)), palette::vessel_system(system));
+    return rows;
+}
+
+std::size_t least_covered(const std::vector<int>& vertices_within) {
+    return static_cast<std::size_t>(std::ranges::min_element(vertices_within) -
+                                    vertices_within.begin());
+}
+
+}  // namespace hepatica

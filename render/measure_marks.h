@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was measured, over the picture: a line through its points, wherever vessels lie, and the
+// value beside the last of them.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/vector.h"
+
+class vtkActor2D;
+class vtkCellArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkUnsignedCharArray;
+
+namespace hepatica {
+
+struct MeasureView {
+    std::vector<Vec3> points_mm;
+    std::string text;  // empty: none stands beside it
+    bool operator==(const MeasureView&) const = default;
+};
+
+// Draws into the two-dimensional layer of one renderer, which must outlive it; not thread-safe.
+class MeasureMarks {
+  public:
+    explicit MeasureMarks(vtkRenderer& renderer);
+
+    // True if the picture is another now.
+    bool show(std::vector<MeasureView> measures);
+    const std::vector<MeasureView>& shown() const { return measures_; }
+
+    // x and y of a point of the patient in device pixels, y upwards.
+    using Place = std::function<std::array<double, 2>(const Vec3& position_mm)>;
+    // For the next picture; call before each. `point`: one of the screen's in device pixels.
+    void update(const Place& place, double point);
+
+  private:
+    void add_line(const std::vector<std::array<double, 2>>& line, double width,
+                  const std::array<unsigned char, 3>& colour);
+
+    vtkRenderer& renderer_;
+    std::vector<MeasureView> measures_;
+    vtkSmartPointer<vtkPoints> points_;
+    vtkSmartPointer<vtkCellArray> quads_;
+    vtkSmartPointer<vtkUnsignedCharArray> colours_;
+    vtkSmartPointer<vtkPolyData> polydata_;
+    vtkSmartPointer<vtkActor2D> actor_;
+    std::vector<vtkSmartPointer<vtkTextActor>> texts_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The legend says what is shown and nothing else, in letters that can be read, beside the vessels.
+#include "render/legend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "render/osmesa_context.h"
+#include "render/scene_view.h"
+#include "tests/render/fake_frame.h"
+
+namespace hepatica {
+namespace {
+
+using testing::fake_frame;
+
+std::vector<std::string> texts_of(const LegendContent& content) {
+    std::vector<std::string> texts;
+    for (const LegendRow& row : legend_rows(content)) texts.push_back(row.text);
+    return texts;
+}
+
+LegendContent content_of(const Frame& frame, bool warnings = false) {
+    LegendContent content;
+    set_frame_shown(content, frame, warnings);
+    return content;
+}
+
+TEST(LegendRows, NameTheSystemsThatThePatientHas) {
+    LegendContent content;
+    set_colours_shown(content, {}, {});
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"Unknown system"});
+    set_colours_shown(
+        content, {VascularSystem::hepatic, VascularSystem::portal, VascularSystem::hepatic}, {});
+    EXPECT_EQ(texts_of(content), (std::vector<std::string>{"Portal vein", "Hepatic veins"}));
+    const std::vector<LegendRow> rows = legend_rows(content);
+    EXPECT_EQ(rows[0].colours, std::vector{palette::vessel_system(VascularSystem::portal)});
+    EXPECT_EQ(rows[1].colours, std::vector{palette::vessel_system(VascularSystem::hepatic)});
+    set_colours_shown(content, {VascularSystem::artery}, {});
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"Artery"});
+}
+
+// A vessel in the colour of its segment is not in that of its system.
+TEST(LegendRows, NumberTheLiversSegmentsInTheirColours) {
+    LegendContent content;
+    set_colours_shown(content,
+                      {VascularSystem::portal, VascularSystem::portal, VascularSystem::artery},
+                      {7, 2, 0});
+    EXPECT_EQ(texts_of(content), (std::vector<std::string>{"Liver segment", "Artery"}));
+    const LegendRow bar = legend_rows(content)[0];
+    EXPECT_EQ(bar.colours, (std::vector{palette::liver_segment(2), palette::liver_segment(7)}));
+    ASSERT_EQ(bar.ticks.size(), 2u);
+    EXPECT_EQ(bar.ticks[0], std::pair(0.25, std::string("2")));
+    EXPECT_EQ(bar.ticks[1], std::pair(0.75, std::string("7")));
+    set_colours_shown(content, {VascularSystem::portal}, {7});
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"Liver segment 7"});
+}
+
+// Colour, axis and mark go with the square root of the arrival time, and the axis says so.
+TEST(LegendRows, ShowTheDrugInPlaceOfTheSystems) {
+    LegendContent content = content_of(fake_frame(0.0, 0.8));  // of 3.2 s
+    set_colours_shown(content, {VascularSystem::portal}, {});
+    EXPECT_EQ(texts_of(content),
+              (std::vector<std::string>{"Drug arrival (s)", "axis: square root of time",
+                                        "The drug's front"}));
+    const LegendRow ramp = legend_rows(content)[0];
+    EXPECT_EQ(ramp.at_right, "now 0.8");
+    EXPECT_DOUBLE_EQ(ramp.marker.value(), 0.5);
+    for (const auto& [place, label] : ramp.ticks)
+        EXPECT_NEAR(std::stod(label), 3.2 * place * place, 0.05) << label;
+    EXPECT_EQ(ramp.ticks.size(), 5u);
+    EXPECT_EQ(ramp.colours.front(), palette::drug(0.5 / 48));
+    EXPECT_TRUE(std::ranges::is_sorted(ramp.colours, {}, [](const Colour& colour) {
+        return 0.21 * colour[0] + 0.72 * colour[1] + 0.07 * colour[2];
+    })) << "a perceptual ramp";
+}
+
+TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
+    EXPECT_FALSE(content_of(fake_frame()).touched);
+    EXPECT_TRUE(content_of(testing::touched_frame()).touched);
+    Frame pulled = fake_frame();
+    pulled.grab = GrabView{};
+    EXPECT_TRUE(content_of(pulled).touched);
+    Frame near_tearing = fake_frame();
+    near_tearing.tear = TearView{};
+    EXPECT_FALSE(content_of(near_tearing, true).warned);
+    near_tearing.tear->loads = std::make_shared<const std::vector<float>>(9, 0.8f);
+    EXPECT_TRUE(content_of(near_tearing, true).warned);
+    EXPECT_FALSE(content_of(near_tearing, false).warned) << "no colour shows it";
+    near_tearing.tear->joints_broken = 3;
+    LegendContent content = content_of(near_tearing, true);
+    content.systems = {VascularSystem::portal};
+    EXPECT_EQ(texts_of(content),
+              (std::vector<std::string>{"Torn", "Load (% of what tears)", "Portal vein"}));
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::torn});
+    content.touched = true;
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
+}
+
+TEST(LegendPlace, IsTheFirstThatIsFreeOrTheFreest) {
+    EXPECT_EQ(least_covered({0, 0, 0}), 0u);
+    EXPECT_EQ(least_covered({3, 0, 0}), 1u);
+    EXPECT_EQ(least_covered({3, 4, 0}), 2u);
+    EXPECT_EQ(least_covered({3, 2, 5}), 1u);
+}
+
+// Of the vessels in the picture, counted here by the view's own mapping of points to pixels.
+int vertices_under_the_legend(const SceneView& view, const Frame& frame, int height) {
+    const PictureBox box = view.legend_box();
+    int count = 0;
+    for (std::size_t v = 0; v < frame.positions_mm.size(); v += 3) {
+        const float* at = &frame.positions_mm[v];
+        const Pixel pixel = view.pixel_of(Vec3(at[0], at[1], at[2]));
+        const double y = height - pixel.y;
+        count += pixel.x > box.left && pixel.x < box.right && y > box.bottom && y < box.top;
+    }
+    return count;
+}
+
+TEST(LegendPlace, IsBesideTheVesselsHoweverTheyLie) {
+    constexpr int width = 800, height = 600;
+    OsmesaContext context(width, height);
+    SceneView view(context.window());
+    const Frame frame = fake_frame();
+    view.show(frame);
+    view.render();
+    const PictureBox at_first = view.legend_box();
+    EXPECT_GT(at_first.right - at_first.left, 60.0);
+    EXPECT_GT(at_first.left, 0.5 * width);
+    EXPECT_LT(at_first.top, 0.5 * height);
+    EXPECT_EQ(vertices_under_the_legend(view, frame, height), 0);
+    // The tree is led under it: it goes out of the way.
+    view.drag_pan({400, 300}, {700, 560});
+    view.render();
+    EXPECT_NE(view.legend_box().bottom, at_first.bottom);
+    EXPECT_EQ(vertices_under_the_legend(view, frame, height), 0);
+    // While the picture moves it stays.
+    const PictureBox aside = view.legend_box();
+    view.set_smoothing(Smoothing::none);
+    view.drag_pan({700, 560}, {400, 300});
+    view.render();
+    EXPECT_EQ(view.legend_box().bottom, aside.bottom);
+    view.set_smoothing(Smoothing::best);
+    view.render();
+    EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
+}
+
+// 12 points of print are 16 of a screen with 96 dots to an inch: a line of the legend is never
+// lower, in a quarter of a small window neither, and twice as high where a point has two pixels.
+TEST(LegendPlace, HasLettersOfTwelvePointsOfPrint) {
+    EXPECT_GE(legend_letters_pt, 16.0);
+    const Frame frame = fake_frame();
+    const auto height_of_one_row = [&](int width, int height, double pixel_ratio) {
+        OsmesaContext context(width, height);
+        SceneView view(context.window());
+        view.show(frame);
+        view.render(pixel_ratio);
+        return view.legend_box().top - view.legend_box().bottom;
+    };
+    const double row = height_of_one_row(870, 680, 1.0);
+    EXPECT_GE(row, 16.0);
+    EXPECT_DOUBLE_EQ(height_of_one_row(430, 330, 1.0), row);
+    EXPECT_DOUBLE_EQ(height_of_one_row(1740, 1360, 2.0), 2.0 * row);
+}
+
+}  // namespace
+}  // namespace hepatica

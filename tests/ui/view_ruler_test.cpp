@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measuring by clicks on the vessels in the three-dimensional view, with real mouse and keys.
+#include "ui/view_ruler.h"
+
+#include <QComboBox>
+#include <QStatusBar>
+#include <cmath>
+#include <numbers>
+
+#include "core/tree/lumen_calibre.h"
+#include "tests/ui/fake_window_test.h"
+#include "ui/slices/view_layout.h"
+
+namespace hepatica::testing {
+namespace {
+
+class Measuring : public FakeWindowTest {
+  protected:
+    Measuring() { open_built_in(); }
+
+    Measurements& measurements() { return window_.view_layout().slices().measurements(); }
+    const std::vector<MeasureView>& drawn() { return window_.view().scene().measures(); }
+    // On the trunk's front, whose axis runs along z.
+    void click_trunk_at(double height_mm) {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(0, 0, height_mm)));
+    }
+    QString said() { return window_.statusBar()->currentMessage(); }
+    bool chosen(ActionId id) { return window_.actions()[id].isChecked(); }
+};
+
+TEST_F(Measuring, ADistanceIsThatOfTwoClicksOnVessels) {
+    QTest::keyClick(&window_, Qt::Key_M);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::measure);
+    EXPECT_TRUE(chosen(ActionId::measure_distance));
+    EXPECT_FALSE(chosen(ActionId::pull_mode));
+    EXPECT_TRUE(said().contains("begins"));
+    click_trunk_at(-50.0);
+    ASSERT_NE(measurements().half_made(), nullptr);
+    EXPECT_TRUE(said().contains("ends"));
+    EXPECT_EQ(drawn().size(), 1u) << "its first point is seen";
+    click_trunk_at(-25.0);
+    ASSERT_EQ(measurements().made().size(), 1u);
+    const Measurement& made = measurements().made()[0];
+    // Two points of the trunk's front, as high as was clicked but for the mouse's whole pixels.
+    EXPECT_NEAR((made.points_mm[1] - made.points_mm[0]).norm(), 25.0, 1.0);
+    for (const Vec3& point : made.points_mm)
+        EXPECT_NEAR(std::hypot(point.x(), point.y()), 5.5, 0.8) << "on the wall";
+    EXPECT_EQ(said().toStdString(), made.text);
+    ASSERT_EQ(drawn().size(), 1u);
+    EXPECT_EQ(drawn()[0].text, made.text);
+    EXPECT_EQ(drawn()[0].points_mm.size(), 2u);
+    EXPECT_TRUE(commands_of_type<GrabPoint>().empty()) << "nothing was pulled";
+}
+
+TEST_F(Measuring, AnAngleIsThatOfThreeClicks) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_TRUE(chosen(ActionId::measure_angle));
+    for (const double height : {-50.0, -25.0, -45.0}) click_trunk_at(height);
+    ASSERT_EQ(measurements().made().size(), 1u);
+    const auto& points = measurements().made()[0].points_mm;
+    const Vec3 a = points[0] - points[1], b = points[2] - points[1];
+    const double degrees = std::acos(a.normalized().dot(b.normalized())) * 180.0 / std::numbers::pi;
+    EXPECT_NEAR(degrees, 0.0, 5.0) << "along one straight vessel";
+    EXPECT_EQ(measurements().made()[0].text,
+              QString("%1\u00b0").arg(degrees, 0, 'f', 0).toStdString());
+}
+
+TEST_F(Measuring, ADiameterIsThatAtTheCentreline) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    click_trunk_at(-37.5);  // half way: 5.5 mm of radius
+    ASSERT_EQ(measurements().made().size(), 1u);
+    const Measurement& made = measurements().made()[0];
+    EXPECT_NEAR((made.points_mm[1] - made.points_mm[0]).norm(), 11.0, 0.1);
+    EXPECT_LT((0.5 * (made.points_mm[0] + made.points_mm[1])).head<2>().norm(), 1e-9)
+        << "about the axis";
+    // Across the vessel, in the plane of the picture.
+    const Vec3 along = (made.points_mm[1] - made.points_mm[0]).normalized();
+    EXPECT_NEAR(std::abs(along.x()), 1.0, 1e-9);
+    EXPECT_TRUE(QString::fromStdString(made.text).startsWith("\u2300 11.0 mm, stenosis 0 %"))
+        << made.text;
+}
+
+TEST_F(Measuring, AClickBesideTheVesselsSaysSoAndADragTurnsTheView) {
+    QTest::keyClick(&window_, Qt::Key_M);
+    const QPoint beside = on_widget(Vec3(-60, 0, -60));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, beside);
+    EXPECT_TRUE(said().contains("No vessel there"));
+    EXPECT_EQ(measurements().half_made(), nullptr);
+    const Vec3 forward = window_.view().scene().axes().forward;
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    QTest::mouseMove(&window_.view(), on_trunk() + QPoint(60, 0));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk() + QPoint(60, 0));
+    EXPECT_GT((window_.view().scene().axes().forward - forward).norm(), 0.1);
+    EXPECT_EQ(measurements().half_made(), nullptr);
+}
+
+TEST_F(Measuring, EscapeEndsItAndTheNextOneTakesTheLinesAway) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    click_trunk_at(-30.0);
+    click_trunk_at(-40.0);
+    QTest::keyClick(&window_, Qt::Key_M);
+    click_trunk_at(-30.0);  // half made
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+    EXPECT_TRUE(chosen(ActionId::pull_mode));
+    EXPECT_FALSE(measurements().chosen());
+    EXPECT_EQ(measurements().half_made(), nullptr);
+    EXPECT_EQ(drawn().size(), 2u);
+    QTest::keyClick(&window_, Qt::Key_Delete, Qt::ShiftModifier);
+    EXPECT_EQ(drawn().size(), 1u);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_TRUE(measurements().made().empty());
+    EXPECT_TRUE(drawn().empty());
+}
+
+// What is pulled keeps the value of its rest shape, and says so; its line goes along.
+TEST_F(Measuring, HoldsForTheShapeAtRest) {
+    QTest::keyClick(&window_, Qt::Key_M);
+    click_trunk_at(-50.0);
+    click_trunk_at(-30.0);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    const MeasureView before = drawn()[0];
+    EXPECT_FALSE(QString::fromStdString(before.text).contains("rest"));
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    ASSERT_TRUE(wait_for([this] { return window_.frame().grab.has_value(); }));
+    QTest::mouseMove(&window_.view(), on_trunk() + QPoint(60, 0));
+    ASSERT_TRUE(
+        wait_for([&] { return (drawn()[0].points_mm[0] - before.points_mm[0]).norm() > 3.0; }));
+    EXPECT_EQ(drawn()[0].text, before.text + " (at rest)");
+    // A click on the vessel where it is now measures where it was.
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk() + QPoint(60, 0));
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    const Frame& frame = window_.frame();
+    const auto& rest = window_.workspace().patient()->mesh.vertices_mm;
+    std::size_t front = 0;  // a vertex that is seen and was moved
+    for (std::size_t v = 0; v < rest.size(); ++v)
+        if (rest[v].y() < -4.0 &&
+            (rest[v] - Vec3(0, -5.5, -40)).norm() < (rest[front] - Vec3(0, -5.5, -40)).norm())
+            front = v;
+    const float* at = &frame.positions_mm[3 * front];
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(at[0], at[1], at[2])));
+    ASSERT_EQ(measurements().made().size(), 2u);
+    const auto& points = measurements().made()[1].points_mm;
+    EXPECT_LT((0.5 * (points[0] + points[1])).head<2>().norm(), 1e-9) << "about the axis at rest";
+    EXPECT_TRUE(QString::fromStdString(drawn()[1].text).endsWith("(at rest)"));
+}
+
+// One choice and one list for the view and the slices; another mode of the mouse ends it.
+TEST_F(Measuring, IsOneWithThatInTheSlices) {
+    auto* choice = window_.findChild<QComboBox*>("measure");
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_EQ(choice->currentText(), "Angle");
+    emit choice->activated(3);
+    EXPECT_TRUE(chosen(ActionId::measure_diameter));
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::measure);
+    click_trunk_at(-40.0);
+    EXPECT_EQ(measurements().made().size(), 1u);
+    emit choice->activated(0);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+    emit choice->activated(1);
+    QTest::keyClick(&window_, Qt::Key_2);
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::inject);
+    EXPECT_EQ(choice->currentText(), "Crosshair");
+    EXPECT_FALSE(measurements().chosen());
+    EXPECT_EQ(measurements().made().size(), 1u);
+    open_built_in();
+    EXPECT_TRUE(measurements().made().empty()) << "they were another patient's";
+    EXPECT_TRUE(drawn().empty());
+}
+
+}  // namespace
+}  // namespace hepatica::testing

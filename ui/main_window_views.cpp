@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands around the vessels in the view, what is measured there, and how window and view look.
+#include <QActionGroup>
+#include <QApplication>
+#include <QStatusBar>
+#include <array>
+#include <utility>
+
+#include "ui/liver_keeper.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/slices/view_layout.h"
+#include "ui/theme.h"
+#include "ui/view_ruler.h"
+#include "ui/vtk_widget.h"
+
+namespace hepatica {
+
+// What stands around the vessels, and the plane that opens the view.
+void MainWindow::connect_context() {
+    QAction& liver = (*actions_)[ActionId::toggle_liver];
+    LiverKeeper::Screen screen;
+    screen.show = [this](const TriangleMesh& surface) {
+        view_->scene().set_liver(surface);
+        view_->draw_again();
+    };
+    screen.none = [this] {
+        messages_->show_notice(
+            "This case knows no liver. Reconstruct the CT, with a mask of the liver where the "
+            "program does not find it by itself.");
+    };
+    screen.failed = [this](const Failure& failure) { fail("The liver's surface", failure); };
+    liver_ = std::make_unique<LiverKeeper>(std::move(screen));
+    actions_->on(ActionId::toggle_liver, [this, &liver] {
+        view_->scene().set_liver_visible(liver.isChecked());
+        liver_->set_wanted(liver.isChecked());
+        view_->draw_again();
+    });
+    QAction& open = (*actions_)[ActionId::toggle_clip];
+    actions_->on(ActionId::toggle_clip, [this, &open] {
+        ClipControl& clip = view_->mouse().clip();
+        open.isChecked() ? clip.open_at(view_->scene().axes().focus_mm) : clip.close();
+        view_->draw_again();
+    });
+    const auto shift = [this](double by_mm) {
+        view_->mouse().clip().shift(by_mm);
+        view_->draw_again();
+    };
+    actions_->on(ActionId::clip_deeper, [shift] { shift(clip_step_mm); });
+    actions_->on(ActionId::clip_less_deep, [shift] { shift(-clip_step_mm); });
+}
+
+void MainWindow::connect_themes() {
+    constexpr std::array ids{ActionId::theme_dark, ActionId::theme_light,
+                             ActionId::theme_high_contrast};
+    auto* group = new QActionGroup(this);
+    const Theme& now = theme_named(settings_.theme());
+    for (std::size_t t = 0; t < ids.size(); ++t) {
+        const Theme& theme = themes()[t];
+        QAction& action = (*actions_)[ids[t]];
+        group->addAction(&action);
+        action.setChecked(&theme == &now);
+        actions_->on(ids[t], [this, &theme] {
+            settings_.set_theme(theme.name);
+            apply_theme(*qApp, theme);
+            view_->scene().set_look(theme.view);
+            view_->draw_again();
+        });
+    }
+    view_->scene().set_look(now.view);
+}
+
+void MainWindow::connect_measuring() {
+    Measurements& measurements = view_layout_->slices().measurements();
+    ViewRuler::Screen screen;
+    screen.show = [this](std::vector<MeasureView> measures) {
+        if (view_->scene().set_measures(std::move(measures))) view_->draw_again();
+    };
+    screen.say = [this](const std::string& text) {
+        statusBar()->showMessage(QString::fromStdString(text), 8000);
+    };
+    screen.frame = [this] { return patient_ ? &frame() : nullptr; };
+    ruler_ = std::make_unique<ViewRuler>(measurements, std::move(screen));
+    for (std::size_t k = 0; k < measuring_actions.size(); ++k)
+        actions_->on(measuring_actions[k],
+                     [&measurements, k] { measurements.choose(static_cast<MeasurementKind>(k)); });
+    actions_->on(ActionId::remove_measurement, [&measurements] { measurements.remove_last(); });
+    actions_->on(ActionId::clear_measurements, [&measurements] { measurements.clear(); });
+    measurements.on_change([this, last = std::optional<MeasurementKind>()]() mutable {
+        const auto chosen = view_layout_->slices().measurements().chosen();
+        if (std::exchange(last, chosen) != chosen) follow_measuring();
+    });
+}
+
+// A choice in the menu and one over the slices are one choice, and hold in all views.
+void MainWindow::follow_measuring() {
+    const auto chosen = view_layout_->slices().measurements().chosen();
+    const bool measures = view_->mouse().mode() == MouseMode::measure;
+    if (chosen) {
+        (*actions_)[measuring_actions[static_cast<std::size_t>(*chosen)]].setChecked(true);
+        if (!measures) set_mouse_mode(MouseMode::measure);
+        statusBar()->showMessage(QString::fromStdString(ruler_->guidance()), 8000);
+    } else if (measures) {
+        (*actions_)[ActionId::pull_mode].trigger();
+    }
+}
+
+}  // namespace hepatica

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view_ruler.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+// A point of a slice that is farther from all vessels does not go along with one.
+constexpr double reach_mm = 10.0;
+// Of a point of the list from where it is at rest: less is not seen.
+constexpr double moved_mm = 0.5;
+
+int nearest_vertex(const std::vector<Vec3>& vertices_mm, const Vec3& point_mm) {
+    int nearest = -1;
+    double least = reach_mm * reach_mm;
+    for (std::size_t v = 0; v < vertices_mm.size(); ++v) {
+        const double square = (vertices_mm[v] - point_mm).squaredNorm();
+        if (square >= least) continue;
+        least = square;
+        nearest = static_cast<int>(v);
+    }
+    return nearest;
+}
+
+std::vector<const Measurement*> all_of(const Measurements& measurements) {
+    std::vector<const Measurement*> all;
+    for (const Measurement& made : measurements.made()) all.push_back(&made);
+    if (measurements.half_made()) all.push_back(measurements.half_made());
+    return all;
+}
+
+}  // namespace
+
+ViewRuler::ViewRuler(Measurements& measurements, Screen screen)
+    : measurements_(measurements), screen_(std::move(screen)) {
+    measurements_.on_change([this] {
+        anchored_to_ = nullptr;
+        follow();
+    });
+}
+
+void ViewRuler::show_patient(std::shared_ptr<const PatientCase> patient) {
+    patient_ = std::move(patient);
+    anchored_to_ = nullptr;
+}
+
+// A scene in which nothing moves shows the surface's vertices, not the body's.
+const std::vector<Vec3>& ViewRuler::rest_of(const Frame& frame) const {
+    const std::vector<Vec3>& body = patient_->mesh.vertices_mm;
+    const bool moves = !body.empty() && frame.positions_mm.size() >= 3 * body.size();
+    return moves ? body : patient_->surface.vertices_mm;
+}
+
+void ViewRuler::find_anchors(const std::vector<Vec3>& rest) {
+    if (anchored_to_ == &rest) return;
+    anchored_to_ = &rest;
+    anchors_.clear();
+    for (const Measurement* measurement : all_of(measurements_))
+        for (const Vec3& point : measurement->points_mm)
+            anchors_.push_back(nearest_vertex(rest, point));
+}
+
+void ViewRuler::click(const SurfacePick& pick, const ViewAxes& axes) {
+    const Frame* frame = screen_.frame();
+    if (!patient_ || !frame || pick.triangle < 0) return;
+    const std::vector<Vec3>& rest = rest_of(*frame);
+    Vec3 place = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int vertex = frame->origin_of(pick.vertices[i]);
+        if (vertex < 0 || static_cast<std::size_t>(vertex) >= rest.size()) return;
+        place += pick.weights[i] * rest[static_cast<std::size_t>(vertex)];
+    }
+    const std::string told =
+        measurements_.add_point(place, SlicePlane{axes.forward, axes.right}, patient_->tree);
+    screen_.say(told.empty() ? guidance() : told);
+}
+
+void ViewRuler::follow() {
+    const Frame* frame = screen_.frame();
+    std::vector<MeasureView> views;
+    if (patient_ && frame) {
+        const std::vector<Vec3>& rest = rest_of(*frame);
+        find_anchors(rest);
+        std::size_t next = 0;
+        for (const Measurement* measurement : all_of(measurements_)) {
+            MeasureView view{measurement->points_mm, measurement->text};
+            bool moved = false;
+            for (Vec3& point : view.points_mm) {
+                const int anchor = anchors_[next++];
+                if (anchor < 0) continue;
+                const auto v = static_cast<std::size_t>(anchor);
+                if (3 * v + 2 >= frame->positions_mm.size()) continue;
+                const float* at = &frame->positions_mm[3 * v];
+                const Vec3 by = Vec3(at[0], at[1], at[2]) - rest[v];
+                moved |= by.norm() > moved_mm;
+                point += by;
+            }
+            if (moved && !view.text.empty()) view.text += " (at rest)";
+            views.push_back(std::move(view));
+        }
+    }
+    screen_.show(std::move(views));
+}
+
+std::string ViewRuler::guidance() const {
+    if (!measurements_.chosen()) return {};
+    const Measurement* half = measurements_.half_made();
+    const std::size_t points = half ? half->points_mm.size() : 0;
+    switch (*measurements_.chosen()) {
+        case MeasurementKind::distance:
+            return points == 0 ? "Click on a vessel where the distance begins"
+                               : "Click where it ends";
+        case MeasurementKind::angle:
+            return points == 0   ? "Click on one arm of the angle"
+                   : points == 1 ? "Click on its vertex"
+                                 : "Click on the other arm";
+        case MeasurementKind::diameter:
+            return "Click on a vessel: its diameter there, and the stenosis against the vessel "
+                   "beside";
+    }
+    return {};
+}
+
+}  // namespace hepatica
