@@ -135,9 +135,11 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     set_quad(*bar_points_, 2, x + width - 1.5 * r, y, x + width, y + 6.0 * r);
     bar_points_->Modified();
     const int decimals = length_mm < 1.0 ? 1 : 0;
-    // Nearer things look larger: the bar holds where the camera turns about.
+    // Nearer things look larger: the bar holds where the camera turns about. A narrow picture has
+    // no room to say so.
+    const bool wide = size.width > 640.0 * size.legend_point;
     const std::string label =
-        formatted(length_mm, decimals) + " mm at the depth of the view's centre";
+        formatted(length_mm, decimals) + (wide ? " mm at the depth of the view's centre" : " mm");
     place_text(*bar_label_, label, x + 0.5 * width, y + 8.0 * r, 12.0 * r, look_.text);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 const char* const widen = R"(//VTK::PositionVC::Impl
   gl_Position = MCDCMatrix *
-      vec4(vertexMC.xyz + haloWidth * gl_Position.w * normalMC, vertexMC.w);
+      vec4(vertexMC.xyz + haloBehind + haloWidth * gl_Position.w * normalMC, vertexMC.w);
 )";
 
 const char* const colour_as_background = R"(//VTK::Light::Impl
@@ -41,13 +41,16 @@ HaloActor::HaloActor(vtkPolyData& surface)
     vtkShaderProperty* shader = actor_->GetShaderProperty();
     shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, widen, false);
     shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, colour_as_background, false);
-    set_width(0.0);
+    set_place(0.0, Vec3::Zero());
     set_background({}, {}, 1);
 }
 
-void HaloActor::set_width(double mm_per_depth) {
-    actor_->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf(
-        "haloWidth", static_cast<float>(mm_per_depth));
+void HaloActor::set_place(double mm_per_depth, const Vec3& behind_mm) {
+    vtkUniforms* uniforms = actor_->GetShaderProperty()->GetVertexCustomUniforms();
+    uniforms->SetUniformf("haloWidth", static_cast<float>(mm_per_depth));
+    const float behind[] = {static_cast<float>(behind_mm.x()), static_cast<float>(behind_mm.y()),
+                            static_cast<float>(behind_mm.z())};
+    uniforms->SetUniform3f("haloBehind", behind);
 }
 
 void HaloActor::set_background(const Colour& top, const Colour& bottom, int height) {

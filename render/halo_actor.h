@@ -7,6 +7,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include "core/base/vector.h"
 #include "render/palette.h"
 
 class vtkActor;
@@ -23,8 +24,9 @@ class HaloActor {
     // else draws it.
     explicit HaloActor(vtkPolyData& surface);
 
-    // Its width in mm for each mm of depth, so that it is the same everywhere on the screen.
-    void set_width(double mm_per_depth);
+    // Its width in mm for each mm of depth, so that it is the same everywhere on the screen, and by
+    // what it is moved away from the eye, so that a vessel has none on itself.
+    void set_place(double mm_per_depth, const Vec3& behind_mm);
     // The colours of the background at the picture's upper and lower edge, and the picture's height
     // in pixels.
     void set_background(const Colour& top, const Colour& bottom, int height);

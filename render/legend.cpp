@@ -7,7 +7,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -27,32 +26,10 @@ constexpr double line = 22.0;  // from one line of text to the next
 constexpr double bar = 10.0, gap = 5.0;
 constexpr double swatch = 13.0;
 constexpr double text_after_swatch = 21.0;
-constexpr double letter = 0.62 * legend_letters_pt;  // at most, on the average of a text
 constexpr double widest_bar = 236.0;
 
 double height_of(const LegendRow& row) {
     return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
-}
-
-// What all rows need, in points.
-double width_of(const std::vector<LegendRow>& rows) {
-    double width = 0.0;
-    for (const LegendRow& row : rows) {
-        const double text = letter * static_cast<double>(row.text.size() + row.at_right.size());
-        width = std::max(width, text + (row.at_right.empty() ? 0.0 : letter) +
-                                    (row.colours.size() == 1 ? text_after_swatch : 0.0));
-        if (row.colours.size() > 1) width = std::max(width, widest_bar);
-    }
-    return width;
-}
-
-vtkSmartPointer<vtkActor2D> flat_actor(vtkPolyData* polydata, vtkRenderer& renderer) {
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(polydata);
-    auto actor = vtkSmartPointer<vtkActor2D>::New();
-    actor->SetMapper(mapper);
-    renderer.AddActor2D(actor);
-    return actor;
 }
 
 }  // namespace
@@ -63,20 +40,37 @@ Legend::Legend(vtkRenderer& renderer)
       quads_(vtkSmartPointer<vtkCellArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
-      ground_points_(vtkSmartPointer<vtkPoints>::New()) {
-    ground_points_->SetNumberOfPoints(4);
-    vtkNew<vtkCellArray> one;
-    one->InsertNextCell({0, 1, 2, 3});
-    vtkNew<vtkPolyData> ground;
-    ground->SetPoints(ground_points_);
-    ground->SetPolys(one);
-    ground_ = flat_actor(ground, renderer);
-    ground_->SetVisibility(false);
+      actor_(vtkSmartPointer<vtkActor2D>::New()),
+      measure_(vtkSmartPointer<vtkTextActor>::New()) {
     colours_->SetNumberOfComponents(3);
     polydata_->SetPoints(points_);
     polydata_->SetPolys(quads_);
     polydata_->GetCellData()->SetScalars(colours_);
-    actor_ = flat_actor(polydata_, renderer);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(polydata_);
+    actor_->SetMapper(mapper);
+    renderer.AddActor2D(actor_);
+}
+
+double Legend::width_of(const std::string& text, double size) {
+    if (text.empty()) return 0.0;
+    style_text(*measure_->GetTextProperty(), static_cast<int>(std::lround(size)), Colour{});
+    measure_->SetInput(text.c_str());
+    double extent[2] = {0.0, 0.0};
+    measure_->GetSize(&renderer_, extent);
+    return extent[0];
+}
+
+double Legend::width_of(const std::vector<LegendRow>& rows, double point) {
+    double width = 0.0;
+    for (const LegendRow& row : rows) {
+        const double size = legend_letters_pt * point;
+        double text = width_of(row.text, size);
+        if (!row.at_right.empty()) text += width_of("m" + row.at_right, size);
+        if (row.colours.size() == 1) text += text_after_swatch * point;
+        width = std::max({width, text, row.colours.size() > 1 ? widest_bar * point : 0.0});
+    }
+    return std::ceil(width);
 }
 
 void Legend::add_quad(const PictureBox& box, const Colour& colour) {
@@ -99,6 +93,8 @@ void Legend::write(const std::string& text, double x, double y, int justificatio
     vtkTextActor& actor = *texts_[texts_used_++];
     style_text(*actor.GetTextProperty(), static_cast<int>(std::lround(size)), colour);
     actor.GetTextProperty()->SetJustification(justification);
+    actor.GetTextProperty()->SetBackgroundColor(ground_[0], ground_[1], ground_[2]);
+    actor.GetTextProperty()->SetBackgroundOpacity(covers_ ? 0.75 : 0.0);
     actor.SetInput(text.c_str());
     actor.SetPosition(std::round(x), std::round(y));
     actor.SetVisibility(true);
@@ -116,16 +112,7 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
         add_quad({left, base, left + swatch * point, base + swatch * point}, row.colours[0]);
     if (row.colours.size() < 2) return;
     const double upper = top - line * point, lower = upper - bar * point;
-    const auto cells = static_cast<double>(row.colours.size());
-    for (std::size_t c = 0; c < row.colours.size(); ++c)
-        add_quad({left + width * static_cast<double>(c) / cells, lower,
-                  left + width * static_cast<double>(c + 1) / cells, upper},
-                 row.colours[c]);
-    if (row.marker) {
-        const double at = left + width * *row.marker;
-        add_quad({at - 1.2 * point, lower - 3.0 * point, at + 1.2 * point, upper + 3.0 * point},
-                 look.text);
-    }
+    draw_bar(row, {left, lower, left + width, upper}, point, look.text);
     // A narrow bar has room for every second label.
     const bool narrow = width < 180.0 * point;
     for (std::size_t t = 0; t < row.ticks.size(); ++t) {
@@ -139,28 +126,50 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
     }
 }
 
+// Nothing lies over anything else: which of two flat things is seen is for VTK's version to decide.
+void Legend::draw_bar(const LegendRow& row, const PictureBox& bar, double point,
+                      const Colour& mark) {
+    const double width = bar.right - bar.left;
+    const auto cells = static_cast<double>(row.colours.size());
+    const double at = row.marker ? bar.left + width * *row.marker : -1e9;
+    const double before = at - 1.2 * point, behind = at + 1.2 * point;
+    if (row.marker)
+        add_quad({before, bar.bottom - 3.0 * point, behind, bar.top + 3.0 * point}, mark);
+    for (std::size_t c = 0; c < row.colours.size(); ++c) {
+        const double from = bar.left + width * static_cast<double>(c) / cells;
+        const double to = bar.left + width * static_cast<double>(c + 1) / cells;
+        if (from < before)
+            add_quad({from, bar.bottom, std::min(to, before), bar.top}, row.colours[c]);
+        if (to > behind)
+            add_quad({std::max(from, behind), bar.bottom, to, bar.top}, row.colours[c]);
+    }
+}
+
 void Legend::update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
                     const Count& count) {
     points_->Reset();
     quads_->Reset();
     colours_->Reset();
     texts_used_ = 0;
+    ground_ = look.bottom;
     const double p = room.point;
-    const double width = std::min(width_of(rows) * p, room.width - 2.0 * margin * p);
+    const double width = std::min(width_of(rows, p), room.width - 2.0 * margin * p);
     double height = 0.0;
     for (const LegendRow& row : rows) height += height_of(row) * p;
     if (!rows.empty()) {
         const double right = room.width - margin * p, top = room.height - margin * p;
         const double below_caption = top - line * p;
+        // In a narrow picture the scale bar stands below it.
+        const double foot = room.width < 640.0 * p ? (margin + 36.0) * p : margin * p;
         // Right below, right above, left above: left below stands the cube.
         const std::vector<PictureBox> corners{
-            {right - width, margin * p, right, margin * p + height},
+            {right - width, foot, right, foot + height},
             {right - width, top - height, right, top},
             {margin * p, below_caption - height, margin * p + width, below_caption}};
         if (count) {
             const std::vector<int> held = count(corners);
             corner_ = least_covered(held);
-            ground_->SetVisibility(held[corner_] > 0);
+            covers_ = held[corner_] > 0;
         }
         box_ = corners[corner_];
         double y = box_.top;
@@ -171,15 +180,6 @@ void Legend::update(const std::vector<LegendRow>& rows, const Room& room, const 
     }
     for (std::size_t t = texts_used_; t < texts_.size(); ++t) texts_[t]->SetVisibility(false);
     actor_->SetVisibility(!rows.empty());
-    if (rows.empty()) ground_->SetVisibility(false);
-    const double pad = 6.0 * p;
-    ground_points_->SetPoint(0, box_.left - pad, box_.bottom - pad, 0);
-    ground_points_->SetPoint(1, box_.right + pad, box_.bottom - pad, 0);
-    ground_points_->SetPoint(2, box_.right + pad, box_.top + pad, 0);
-    ground_points_->SetPoint(3, box_.left - pad, box_.top + pad, 0);
-    ground_->GetProperty()->SetColor(look.bottom[0], look.bottom[1], look.bottom[2]);
-    ground_->GetProperty()->SetOpacity(0.7);
-    ground_points_->Modified();
     points_->Modified();
     quads_->Modified();
     colours_->Modified();

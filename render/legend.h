@@ -45,6 +45,12 @@ class Legend {
     void add_quad(const PictureBox& box, const Colour& colour);
     void write(const std::string& text, double x, double y, int justification, const Colour& colour,
                double size);
+    // Of a text in pixels, in letters of so many.
+    double width_of(const std::string& text, double size);
+    // What all rows need, in pixels.
+    double width_of(const std::vector<LegendRow>& rows, double point);
+    // A bar of colours, with the mark across it.
+    void draw_bar(const LegendRow& row, const PictureBox& bar, double point, const Colour& mark);
     void draw_row(const LegendRow& row, double left, double top, double width, double point,
                   const ViewLook& look);
 
@@ -56,8 +62,9 @@ class Legend {
     vtkSmartPointer<vtkUnsignedCharArray> colours_;
     vtkSmartPointer<vtkPolyData> polydata_;
     vtkSmartPointer<vtkActor2D> actor_;
-    vtkSmartPointer<vtkPoints> ground_points_;
-    vtkSmartPointer<vtkActor2D> ground_;  // behind the letters where vessels are in every corner
+    Colour ground_{};
+    bool covers_ = false;  // vessels are in every corner: the letters have a ground
+    vtkSmartPointer<vtkTextActor> measure_;  // never drawn
     std::vector<vtkSmartPointer<vtkTextActor>> texts_;
     std::size_t texts_used_ = 0;
 };

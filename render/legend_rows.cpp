@@ -115,6 +115,8 @@ std::vector<LegendRow> legend_rows(const LegendContent& content) {
         rows.push_back({text, {}, {colour}, {}, {}, false});
     };
     if (content.touched) swatch("Touch and force", palette::touch);
+    if (content.places) swatch("A place of the lesson", palette::torn_circle);
+    if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Torn", palette::torn);
     if (content.warned) add_warnings(rows);
     if (content.injected) {

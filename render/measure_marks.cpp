@@ -3,20 +3,18 @@
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "render/palette.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -24,33 +22,27 @@ namespace {
 
 using Place2 = std::array<double, 2>;
 
-constexpr std::array<unsigned char, 3> shadow{0, 0, 0};
-
-std::array<unsigned char, 3> bytes_of(const Colour& colour) {
-    std::array<unsigned char, 3> bytes{};
-    for (std::size_t c = 0; c < 3; ++c)
-        bytes[c] = static_cast<unsigned char>(std::lround(255.0 * colour[c]));
-    return bytes;
-}
-
 }  // namespace
 
 MeasureMarks::MeasureMarks(vtkRenderer& renderer)
     : renderer_(renderer),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
-      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
       actor_(vtkSmartPointer<vtkActor2D>::New()) {
-    colours_->SetNumberOfComponents(3);
     polydata_->SetPoints(points_);
     polydata_->SetPolys(quads_);
-    polydata_->GetCellData()->SetScalars(colours_);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(polydata_);
     actor_->SetMapper(mapper);
     actor_->SetVisibility(false);
     renderer_.AddActor2D(actor_);
+}
+
+void MeasureMarks::set_colours(const Colour& lines, const Colour& ground) {
+    lines_colour_ = lines;
+    ground_colour_ = ground;
+    actor_->GetProperty()->SetColor(lines[0], lines[1], lines[2]);
 }
 
 bool MeasureMarks::show(std::vector<MeasureView> measures) {
@@ -60,14 +52,12 @@ bool MeasureMarks::show(std::vector<MeasureView> measures) {
 }
 
 // Of rectangles, because not every driver draws lines wider than a pixel; a point is a square.
-void MeasureMarks::add_line(const std::vector<Place2>& line, double width,
-                            const std::array<unsigned char, 3>& colour) {
+void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
     const auto add = [&](const std::array<Place2, 4>& corners) {
         std::array<vtkIdType, 4> ids{};
         for (std::size_t c = 0; c < 4; ++c)
             ids[c] = points_->InsertNextPoint(corners[c][0], corners[c][1], 0);
         quads_->InsertNextCell({ids[0], ids[1], ids[2], ids[3]});
-        for (const unsigned char channel : colour) colours_->InsertNextValue(channel);
     };
     for (std::size_t i = 1; i < line.size(); ++i) {
         const auto& [ax, ay] = line[i - 1];
@@ -92,14 +82,12 @@ void MeasureMarks::update(const Place& place, double point) {
     if (!shown) return;
     points_->Reset();
     quads_->Reset();
-    colours_->Reset();
     std::size_t used = 0;
     for (const MeasureView& measure : measures_) {
         std::vector<Place2> line;
         for (const Vec3& position : measure.points_mm) line.push_back(place(position));
         if (line.empty()) continue;
-        add_line(line, 3.6 * point, shadow);
-        add_line(line, 1.8 * point, bytes_of(palette::measure));
+        add_line(line, 2.0 * point);
         if (measure.text.empty()) continue;
         if (used == texts_.size()) {
             texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
@@ -107,10 +95,11 @@ void MeasureMarks::update(const Place& place, double point) {
         }
         vtkTextActor& text = *texts_[used++];
         style_text(*text.GetTextProperty(), static_cast<int>(std::lround(16.0 * point)),
-                   palette::measure);
-        // Readable before vessels and light backgrounds alike.
-        text.GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
-        text.GetTextProperty()->SetBackgroundOpacity(0.6);
+                   lines_colour_);
+        // Readable before vessels, too.
+        text.GetTextProperty()->SetBackgroundColor(ground_colour_[0], ground_colour_[1],
+                                                   ground_colour_[2]);
+        text.GetTextProperty()->SetBackgroundOpacity(0.7);
         text.SetInput(measure.text.c_str());
         text.SetPosition(std::round(line.back()[0] + 8.0 * point),
                          std::round(line.back()[1] + 6.0 * point));
@@ -118,7 +107,6 @@ void MeasureMarks::update(const Place& place, double point) {
     }
     points_->Modified();
     quads_->Modified();
-    colours_->Modified();
     polydata_->Modified();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "render/palette.h"
 
 class vtkActor2D;
 class vtkCellArray;
@@ -18,7 +19,6 @@ class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkTextActor;
-class vtkUnsignedCharArray;
 
 namespace hepatica {
 
@@ -33,6 +33,8 @@ class MeasureMarks {
   public:
     explicit MeasureMarks(vtkRenderer& renderer);
 
+    // The colours of lines and letters, and of the ground behind the letters.
+    void set_colours(const Colour& lines, const Colour& ground);
     // True if the picture is another now.
     bool show(std::vector<MeasureView> measures);
     const std::vector<MeasureView>& shown() const { return measures_; }
@@ -43,14 +45,13 @@ class MeasureMarks {
     void update(const Place& place, double point);
 
   private:
-    void add_line(const std::vector<std::array<double, 2>>& line, double width,
-                  const std::array<unsigned char, 3>& colour);
+    void add_line(const std::vector<std::array<double, 2>>& line, double width);
 
     vtkRenderer& renderer_;
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;
-    vtkSmartPointer<vtkUnsignedCharArray> colours_;
+    Colour lines_colour_ = palette::measure, ground_colour_{};
     vtkSmartPointer<vtkPolyData> polydata_;
     vtkSmartPointer<vtkActor2D> actor_;
     std::vector<vtkSmartPointer<vtkTextActor>> texts_;

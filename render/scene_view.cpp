@@ -30,7 +30,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double halo_points = 2.5;  // its width on the screen
+constexpr double halo_points = 2.5;     // its width on the screen
+constexpr double halo_behind_mm = 1.5;  // its vessel, so that bends have none
 
 vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour,
                                     double intensity) {
@@ -174,7 +175,8 @@ void SceneView::render(double pixel_ratio) {
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->marks.set_scale(per_pixel * pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
-        parts_->tree.halo().set_width(halo_points * pixel_ratio * per_pixel / distance);
+        parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
+                                      halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
     }
     parts_->measures.update(
@@ -224,6 +226,7 @@ bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
 }
 
 bool SceneView::set_marks(const std::vector<Vec3>& places_mm) {
+    parts_->legend.places = !places_mm.empty();
     return parts_->marks.update(places_mm);
 }
 
@@ -240,6 +243,7 @@ void SceneView::set_halos_visible(bool visible) {
 }
 
 void SceneView::set_bridges(std::vector<BridgeView> bridges) {
+    parts_->legend.gaps = !bridges.empty();
     parts_->bridges.set_bridges(std::move(bridges));
 }
 void SceneView::set_liver(const TriangleMesh& surface) {
@@ -267,6 +271,7 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->renderer->SetBackground2(look.top[0], look.top[1], look.top[2]);
     parts_->tree.set_distance(look.distance);
     parts_->annotations.set_look(look);
+    parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
 }
 

@@ -96,8 +96,14 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_EQ(texts_of(content),
               (std::vector<std::string>{"Torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::torn});
-    content.touched = true;
+    content.touched = content.gaps = content.places = true;
+    EXPECT_EQ(
+        texts_of(content),
+        (std::vector<std::string>{"Touch and force", "A place of the lesson", "A gap, and how sure",
+                                  "Torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
+    EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
+    EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});
 }
 
 TEST(LegendPlace, IsTheFirstThatIsFreeOrTheFreest) {

@@ -21,6 +21,11 @@ using testing::worst_tile_difference;
 
 constexpr int width = 320, height = 240;
 
+struct Box {
+    const char* element;
+    int left, top, right, bottom;
+};
+
 class SceneElements : public ::testing::Test {
   protected:
     Picture picture() {
@@ -32,13 +37,18 @@ class SceneElements : public ::testing::Test {
         return picture();
     }
 
+    // Of the legend of a drug as it was drawn last, by its points from the top: four lines of 22
+    // and a bar of 10 with a gap of 5.
+    Box of_legend(const char* element, double from_pt, double to_pt) const {
+        const PictureBox legend = view_.legend_box();
+        const double point = (legend.top - legend.bottom) / 103.0;
+        const double top = height - legend.top;
+        return {element, static_cast<int>(legend.left), static_cast<int>(top + from_pt * point),
+                static_cast<int>(legend.right), static_cast<int>(top + to_pt * point)};
+    }
+
     OsmesaContext context_{width, height};
     SceneView view_{context_.window()};
-};
-
-struct Box {
-    const char* element;
-    int left, top, right, bottom;
 };
 
 // The picture with one box of it as it is in another picture.
@@ -111,11 +121,13 @@ TEST_F(SceneElements, the_drug_and_the_place_of_its_front_are_seen) {
 TEST_F(SceneElements, each_annotation_is_seen) {
     view_.set_caption("Patient");
     const Picture full = picture_of(fake_frame(1.0, 0.5));
+    EXPECT_NEAR(view_.legend_box().top - view_.legend_box().bottom, 0.8 * 103.0, 1e-9);
     view_.set_annotations_visible(false);
     const Picture bare = picture();
     for (const Box& box :
-         {Box{"legend's title", 190, 200, 312, 211}, Box{"legend's colours", 190, 212, 312, 221},
-          Box{"legend's ticks", 190, 222, 312, 232}, Box{"scale's label", 140, 214, 180, 223},
+         {of_legend("legend's title", 0, 22), of_legend("legend's colours", 22, 32),
+          of_legend("legend's ticks", 37, 59), of_legend("legend's axis", 59, 81),
+          of_legend("legend's front", 81, 103), Box{"scale's label", 140, 214, 180, 223},
           Box{"scale's bar", 118, 223, 189, 232}, Box{"orientation", 10, 190, 50, 230},
           Box{"caption", 5, 5, 80, 25}}) {
         const Picture without = with_box_of(bare, box, full);
@@ -127,9 +139,16 @@ TEST_F(SceneElements, each_annotation_is_seen) {
 TEST_F(SceneElements, the_mark_of_now_on_the_legend_is_seen) {
     const Picture later = picture_of(fake_frame(1.0, 2.0));
     const Picture now = picture_of(fake_frame(1.0, 0.5));
-    const Box mark{"mark", 236, 210, 244, 223};
+    Box mark = of_legend("mark", 22, 32);
+    const double at = mark.left + (mark.right - mark.left) * std::sqrt(0.5 / 3.2);
+    mark.left = static_cast<int>(at) - 4;
+    mark.right = static_cast<int>(at) + 4;
     EXPECT_GT(worst_tile_difference(with_box_of(later, mark, now), now),
               testing::unnoticed_difference);
+    // Across the colours, not behind them.
+    const std::size_t middle =
+        3 * static_cast<std::size_t>((mark.top + mark.bottom) / 2 * width + static_cast<int>(at));
+    EXPECT_GT(now.rgb[middle + 2], 180);
 }
 
 TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {

@@ -136,6 +136,7 @@ TEST_F(SceneViewPicture, pixel_and_point_are_inverse_to_each_other) {
 }
 
 TEST_F(SceneViewPicture, picks_the_point_it_draws) {
+    view_.set_annotations_visible(false);
     view_.show(fake_frame());
     const Picture with_tree = picture();
     int hits = 0;
