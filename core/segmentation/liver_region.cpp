@@ -2,140 +2,52 @@
 #include "core/segmentation/liver_region.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/segmentation/enclosed_tissue.h"
+#include "core/segmentation/liver_neighbours.h"
+#include "core/segmentation/organ_border.h"
 #include "core/segmentation/organ_surroundings.h"
+#include "core/segmentation/parenchyma.h"
+#include "core/segmentation/soft_organ.h"
 
 namespace hepatica {
 
 namespace {
 
-constexpr double coarse_spacing_mm = 3.0;
-constexpr double liver_smoothing_mm = 3.0;
-constexpr double soft_organ_from_hu = 30.0;
-constexpr double soft_organ_to_hu = 250.0;
-constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
-constexpr int histogram_bin_hu = 2;
-// Half the band of intensities of an organ, in standard deviations of its peak in the smoothed
-// histogram: narrow enough to leave out a heart that is 20 HU brighter, where the noise permits it.
-constexpr double band_deviations = 2.2;
-constexpr double narrowest_band_hu = 12.0;
-constexpr double widest_band_hu = 24.0;
-constexpr double neck_radius_mm = 6.0;  // organs that touch through less are cut apart
-constexpr double vessel_closing_mm = 9.0;
-constexpr double rim_mm = 4.0;  // lost to the smoothing at the surface, where fat pulls it down
-constexpr double rim_below_hu = 90.0;
-constexpr double rim_above_hu = 30.0;
+constexpr double organ_smoothing_mm = 3.0;   // to find the organ
+constexpr double border_smoothing_mm = 2.0;  // to find its border
+constexpr double reach_mm = 60.0;            // of the liver beyond its core
 constexpr double smallest_core_ml = 40.0;
+constexpr double vessel_closing_mm = 9.0;
 
-// Mean over blocks of whole voxels of about coarse_spacing_mm.
-FloatVolume coarsened(const Volume& ct, Job& job) {
-    std::array<int, 3> block{};
-    Grid grid = ct.grid;
-    Vec3 first_centre;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const auto axis = static_cast<Eigen::Index>(a);
-        block[a] =
-            std::clamp(static_cast<int>(std::lround(coarse_spacing_mm / ct.grid.spacing_mm[axis])),
-                       1, ct.grid.dims[a]);
-        grid.dims[a] = ct.grid.dims[a] / block[a];
-        grid.spacing_mm[axis] *= block[a];
-        first_centre[axis] = 0.5 * (block[a] - 1);
-    }
-    grid.origin_mm = ct.grid.to_mm(first_centre);
-    FloatVolume mean(grid);
-    const float share = 1.0f / static_cast<float>(block[0] * block[1] * block[2]);
-    parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 2,
-                    [&](std::size_t begin, std::size_t end) {
-                        job.throw_if_cancelled();
-                        for (auto z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-                            for (int dz = 0; dz < block[2]; ++dz)
-                                for (int y = 0; y < grid.dims[1] * block[1]; ++y) {
-                                    const std::int16_t* row = &ct.at(0, y, z * block[2] + dz);
-                                    float* out = &mean.at(0, y / block[1], z);
-                                    for (int x = 0; x < grid.dims[0] * block[0]; ++x)
-                                        out[x / block[0]] += share * static_cast<float>(row[x]);
-                                }
-                    });
-    return mean;
-}
+// The border's costs were found on synthetic bodies (tests/segmentation/random_abdomen.h). A voxel
+// of the parenchyma's intensity is worth 0.6 faces of surface.
+constexpr double data_weight = 0.6;
+constexpr double even_spreads = 2.4;  // where inside and outside are as likely
+constexpr double most_dark = 2.0;
+constexpr double most_bright = 0.6;  // vessels are bright, too
+constexpr double outside_cost = 2.0;
+constexpr double least_support = 0.01;
+constexpr double edge_hu_per_mm = 4.0;
+constexpr double least_area = 0.02;
+// Within these the intensity of a slope is a mixture that says nothing.
+constexpr double mixture_from_hu = -80.0, mixture_to_hu = 100.0;
+constexpr double bright_spreads = 4.0, bright_radius_mm = 8.0;  // kidneys, chambers of the heart
+constexpr double leash_mm = 8.0;  // the border stays so near to the parenchyma
+constexpr double neighbour_rim_mm = 3.0;
+constexpr int border_iterations = 80;
+constexpr std::size_t block = 8192;
 
-// Length of the gradient by central differences, HU per mm; 0 on the border of the grid.
-float slope(const FloatVolume& volume, int x, int y, int z) {
-    const Grid& grid = volume.grid;
-    const auto along = [&](int dx, int dy, int dz, double spacing) {
-        if (!grid.contains(x + dx, y + dy, z + dz) || !grid.contains(x - dx, y - dy, z - dz))
-            return 0.0;
-        return (volume.at(x + dx, y + dy, z + dz) - volume.at(x - dx, y - dy, z - dz)) /
-               (2.0 * spacing);
-    };
-    const Vec3 gradient(along(1, 0, 0, grid.spacing_mm[0]), along(0, 1, 0, grid.spacing_mm[1]),
-                        along(0, 0, 1, grid.spacing_mm[2]));
-    return static_cast<float>(gradient.norm());
-}
-
-// A peak in the histogram of homogeneous soft tissue: an organ, or a group of them.
-struct TissueMode {
-    double hu = 0.0;
-    double half_band_hu = 0.0;
-};
-
-// Half the width of a peak at half its height, towards the side where that is narrower.
-double half_width_hu(const std::vector<double>& histogram, std::size_t peak) {
-    std::size_t reach = 1;
-    while (peak >= reach && peak + reach < histogram.size() &&
-           std::min(histogram[peak - reach], histogram[peak + reach]) > 0.5 * histogram[peak])
-        ++reach;
-    return static_cast<double>(reach) * histogram_bin_hu;
-}
-
-std::vector<TissueMode> tissue_modes(const FloatVolume& smooth) {
-    constexpr int bins = static_cast<int>(soft_organ_to_hu - soft_organ_from_hu) / histogram_bin_hu;
-    std::vector<double> histogram(bins, 0.0);
-    const Grid& grid = smooth.grid;
-    for (int z = 0; z < grid.dims[2]; ++z)
-        for (int y = 0; y < grid.dims[1]; ++y)
-            for (int x = 0; x < grid.dims[0]; ++x) {
-                const double v = smooth.at(x, y, z);
-                if (v < soft_organ_from_hu || v >= soft_organ_to_hu) continue;
-                if (slope(smooth, x, y, z) > homogeneous_hu_per_mm) continue;
-                const auto bin = static_cast<int>((v - soft_organ_from_hu) / histogram_bin_hu);
-                histogram[static_cast<std::size_t>(std::min(bin, bins - 1))] += 1.0;
-            }
-    std::vector<double> even(histogram.size(), 0.0);
-    for (int i = 0; i < bins; ++i)
-        for (int k = -6; k <= 6; ++k)
-            if (i + k >= 0 && i + k < bins)
-                even[static_cast<std::size_t>(i)] +=
-                    histogram[static_cast<std::size_t>(i + k)] * std::exp(-k * k / 8.0);
-    const double highest = *std::max_element(even.begin(), even.end());
-    std::vector<TissueMode> modes;
-    for (std::size_t i = 1; i + 1 < even.size(); ++i)
-        if (even[i] > even[i - 1] && even[i] >= even[i + 1] && even[i] > 0.05 * highest)
-            modes.push_back({soft_organ_from_hu + (static_cast<double>(i) + 0.5) * histogram_bin_hu,
-                             std::clamp(band_deviations * half_width_hu(even, i) / 1.177,
-                                        narrowest_band_hu, widest_band_hu)});
-    return modes;
-}
-
-Mask band(const FloatVolume& smooth, double centre, double half_width) {
-    Mask mask(smooth.grid);
-    std::transform(smooth.voxels.begin(), smooth.voxels.end(), mask.voxels.begin(), [&](float v) {
-        return static_cast<std::uint8_t>(std::abs(v - centre) < half_width);
-    });
-    return mask;
-}
-
-void intersect(Mask& mask, const Mask& with) {
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-        if (!with.voxels[i]) mask.voxels[i] = 0;
+void remove(const Mask& what, Mask& from) {
+    for (std::size_t i = 0; i < from.voxels.size(); ++i)
+        if (what.voxels[i] != 0) from.voxels[i] = 0;
 }
 
 void unite(Mask& mask, const Mask& with) {
@@ -143,31 +55,75 @@ void unite(Mask& mask, const Mask& with) {
         if (with.voxels[i]) mask.voxels[i] = 1;
 }
 
-double volume_ml(const Mask& mask) {
-    const auto voxels =
-        mask.voxels.size() - static_cast<std::size_t>(std::count(
-                                 mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
-    return static_cast<double>(voxels) * mask.grid.spacing_mm.prod() / 1000.0;
+// Bodies that are brighter than the liver and wider than its vessels.
+Mask bright_bodies(const FloatVolume& smooth, const Parenchyma& tissue, Job& job) {
+    Mask bright(smooth.grid);
+    const auto rise = static_cast<float>(bright_spreads * tissue.spread_hu);
+    for (std::size_t i = 0; i < bright.voxels.size(); ++i)
+        bright.voxels[i] = smooth.voxels[i] > tissue.hu.voxels[i] + rise;
+    return open(bright, bright_radius_mm, job);
 }
 
-struct Organ {
-    TissueMode mode;
-    double core_ml = 0.0;
-    Mask core;  // what is left of its band of intensities after eroding by neck_radius_mm
-};
+// What one voxel gains or costs inside: by its intensity, the less the steeper the image is there.
+double inside_cost(double above_hu, double support, double spread_hu, double edge) {
+    const double spreads = above_hu / (even_spreads * spread_hu);
+    double cost = support < least_support ? outside_cost
+                                          : std::clamp(spreads * spreads - 1.0, -1.0,
+                                                       above_hu > 0.0 ? most_bright : most_dark);
+    if (above_hu > mixture_from_hu && above_hu < mixture_to_hu) cost *= edge;
+    return data_weight * cost;
+}
 
-Organ largest_soft_organ(const FloatVolume& smooth, Job& job) {
-    Organ largest;
-    const std::vector<TissueMode> modes = tissue_modes(smooth);
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-        Mask core = largest_components(
-            erode(band(smooth, modes[i].hu, modes[i].half_band_hu), neck_radius_mm, job),
-            Connectivity::faces6);
-        const double ml = volume_ml(core);
-        if (ml > largest.core_ml) largest = {modes[i], ml, std::move(core)};
-        job.advance(0.7 * static_cast<double>(i + 1) / static_cast<double>(modes.size()));
-    }
-    return largest;
+BorderCost border_cost(const FloatVolume& smooth, const Parenchyma& tissue, const Mask& neighbours,
+                       Job& job) {
+    const Mask bright = bright_bodies(smooth, tissue, job);
+    const Mask reached = dilate(tissue.voxels, leash_mm, job);
+    const Mask foreign = erode(neighbours, neighbour_rim_mm, job);
+    BorderCost cost{FloatVolume(smooth.grid), FloatVolume(smooth.grid)};
+    parallel_blocks(smooth.voxels.size(), block, [&](std::size_t begin, std::size_t end) {
+        job.throw_if_cancelled();
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto [x, y, z] = smooth.grid.index_of(i);
+            const double steepness =
+                static_cast<double>(slope_at(smooth, x, y, z)) / edge_hu_per_mm;
+            const double edge = 1.0 / (1.0 + steepness * steepness);
+            const bool outside =
+                bright.voxels[i] != 0 || reached.voxels[i] == 0 || foreign.voxels[i] != 0;
+            cost.inside.voxels[i] = static_cast<float>(
+                outside ? data_weight * outside_cost
+                        : inside_cost(static_cast<double>(smooth.voxels[i] - tissue.hu.voxels[i]),
+                                      static_cast<double>(tissue.support.voxels[i]),
+                                      tissue.spread_hu, edge));
+            cost.area.voxels[i] = static_cast<float>(edge + least_area);
+        }
+    });
+    return cost;
+}
+
+// The liver about its core, all on one grid.
+Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
+    const Mask seat = seat_of(core, job);
+    Parenchyma tissue = grow_parenchyma(smooth, seat, job);
+    job.advance(0.5);
+    const Mask neighbours =
+        neighbours_in(tissue.voxels, enclosed_tissue(smooth, tissue.voxels, job), seat, job);
+    remove(neighbours, tissue.voxels);
+    job.advance(0.6);
+    Mask liver = fit_border(border_cost(smooth, tissue, neighbours, job), tissue.voxels,
+                            border_iterations, job);
+    liver = largest_components(liver, Connectivity::faces6);
+    job.advance(0.8);
+    unite(liver, enclosed_tissue(smooth, liver, job));
+    return close_liver(liver, vessel_closing_mm, job);
+}
+
+Mask placed(const Mask& part, const IndexBox& box, const Grid& whole) {
+    Mask mask(whole);
+    for (int z = box.begin[2]; z < box.end[2]; ++z)
+        for (int y = box.begin[1]; y < box.end[1]; ++y)
+            std::copy_n(&part.voxels[part.grid.offset(0, y - box.begin[1], z - box.begin[2])],
+                        part.grid.dims[0], &mask.at(box.begin[0], y, z));
+    return mask;
 }
 
 }  // namespace
@@ -179,23 +135,20 @@ Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
 }
 
 Mask find_liver(const Volume& ct, Job& job) {
-    FloatVolume smooth = coarsened(ct, job);
-    gaussian_smooth(smooth, Vec3::Constant(liver_smoothing_mm), job);
-    const Organ organ = largest_soft_organ(smooth, job);
+    const FloatVolume coarse = coarsened(ct, job);
+    FloatVolume smooth = coarse;
+    gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
+    const SoftOrgan organ = largest_soft_organ(smooth, job);
     if (organ.core_ml < smallest_core_ml)
         throw InputError("no liver was found: the largest soft organ between " +
                              std::to_string(static_cast<int>(soft_organ_from_hu)) + " and " +
                              std::to_string(static_cast<int>(soft_organ_to_hu)) + " HU has " +
                              std::to_string(static_cast<int>(organ.core_ml)) + " ml",
                          "CT", "Check that the scan shows the liver, or give a liver mask.");
-    // Grows the core back to the organ and adds the rim that smoothing removed.
-    Mask liver = dilate(organ.core, neck_radius_mm, job);
-    intersect(liver, band(smooth, organ.mode.hu, organ.mode.half_band_hu));
-    Mask rim = dilate(liver, rim_mm, job);
-    intersect(rim, band(smooth, organ.mode.hu + 0.5 * (rim_above_hu - rim_below_hu),
-                        0.5 * (rim_above_hu + rim_below_hu)));
-    unite(liver, rim);
-    liver = close_liver(largest_components(liver, Connectivity::faces6), vessel_closing_mm, job);
+    const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, reach_mm);
+    FloatVolume near = crop(coarse, box);
+    gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job);
+    const Mask liver = placed(liver_about(crop(organ.core, box), near, job), box, coarse.grid);
     require_surroundings_of_liver(surroundings_of(liver, smooth, job));
     job.advance(0.9);
     return resample(liver, ct.grid, Interpolation::linear, job);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The liver as the region that vessels are looked for in: found in a CT without any mask (seeded
-// growth in smoothed Hounsfield units, the largest soft organ), or closed where one is given.
+// The liver as the region that vessels are looked for in: found in a CT without any mask (parenchyma
+// grown from the deepest part of the largest soft organ, parted from its neighbours, with a border
+// of least weighted area), or closed where one is given.
 #pragma once
 
 #include "core/base/job.h"
@@ -8,11 +9,12 @@
 
 namespace hepatica {
 
-// A good enough liver, on the grid of the CT: it need not be exact at its border, but it holds the
-// liver's vessels and leaves out heart, kidneys, spleen, bone and gut as far as intensity and shape
-// tell. Works on voxels of about 3 mm. Throws InputError if the CT shows no organ of that kind, or
-// one that bone or lungs enclose (organ_surroundings.h);
-// Cancelled.
+// The liver on the grid of the CT, vessels and tumours that it encloses included; how good it is on
+// synthetic and on real patients says docs/accuracy.md. What it may take in are the parts of
+// pancreas, cava and heart that touch it without an edge; what it may miss are tumours at its
+// surface and the tip of a left lobe that bends round the spleen. Works on voxels of about 3 mm.
+// Throws InputError if the CT shows no organ of that kind, or one that bone or lungs enclose
+// (organ_surroundings.h); Cancelled.
 Mask find_liver(const Volume& ct, Job& job);
 
 // Expert liver masks often have their vessels carved out: closes channels up to twice radius_mm

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/enclosed_tissue.h"
+
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double reach_mm = 60.0;
+constexpr double least_share = 0.65;
+constexpr int least_ways = 9;
+constexpr float tissue_from_hu = -10.0f, tissue_to_hu = 250.0f;
+constexpr float fat_below_hu = -40.0f;  // lower than where a voxel may begin: noise on the way
+constexpr double thinnest_radius_mm = 4.0;
+
+struct Way {
+    Index3 step;
+    int steps;
+};
+
+std::vector<Way> ways_of(const Grid& grid) {
+    std::vector<Way> ways;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) {
+                if (x == 0 && y == 0 && z == 0) continue;
+                const double length = Vec3(x, y, z).cwiseProduct(grid.spacing_mm).norm();
+                ways.push_back({{x, y, z}, static_cast<int>(reach_mm / length)});
+            }
+    return ways;
+}
+
+enum class End { organ, elsewhere, unseen };
+
+End end_of(const Way& way, Index3 at, const FloatVolume& smooth, const Mask& organ) {
+    for (int step = 0; step < way.steps; ++step) {
+        for (std::size_t a = 0; a < 3; ++a) at[a] += way.step[a];
+        if (!smooth.grid.contains(at[0], at[1], at[2]))
+            return way.step[2] != 0 ? End::unseen : End::elsewhere;
+        if (organ.at(at[0], at[1], at[2]) != 0) return End::organ;
+        const float hu = smooth.at(at[0], at[1], at[2]);
+        if (hu < fat_below_hu || hu > tissue_to_hu) return End::elsewhere;
+    }
+    return End::elsewhere;
+}
+
+bool encloses(const Mask& organ, const FloatVolume& smooth, const Index3& at,
+              const std::vector<Way>& ways) {
+    int seen = 0, reached = 0;
+    for (const Way& way : ways) {
+        const End end = end_of(way, at, smooth, organ);
+        if (end == End::unseen) continue;
+        ++seen;
+        if (end == End::organ) ++reached;
+    }
+    return seen >= least_ways && reached >= least_share * seen;
+}
+
+}  // namespace
+
+Mask enclosed_tissue(const FloatVolume& smooth, const Mask& organ, Job& job) {
+    const Grid& grid = smooth.grid;
+    const std::vector<Way> ways = ways_of(grid);
+    Mask enclosed = organ;
+    parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t slice, std::size_t) {
+        job.throw_if_cancelled();
+        const auto z = static_cast<int>(slice);
+        for (int y = 0; y < grid.dims[1]; ++y)
+            for (int x = 0; x < grid.dims[0]; ++x) {
+                const float hu = smooth.at(x, y, z);
+                if (organ.at(x, y, z) == 0 && hu >= tissue_from_hu && hu <= tissue_to_hu &&
+                    encloses(organ, smooth, {x, y, z}, ways))
+                    enclosed.at(x, y, z) = 1;
+            }
+    });
+    // Opened together with the organ: what only looks thin, because it is the rest of a wide piece,
+    // stays.
+    enclosed = open(enclosed, thinnest_radius_mm, job);
+    for (std::size_t i = 0; i < enclosed.voxels.size(); ++i)
+        if (organ.voxels[i] != 0) enclosed.voxels[i] = 0;
+    return enclosed;
+}
+
+}  // namespace hepatica

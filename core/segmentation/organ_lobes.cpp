@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/organ_lobes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/image/morphology.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double least_rise_mm = 2.0;
+constexpr double widest_neck = 0.9;  // of the shallower basin's depth
+constexpr float bottomless_mm = 1000.0f;
+constexpr std::size_t voxels_a_check = 65536;
+
+struct Neck {
+    std::size_t a = 0, b = 0;
+    double depth_mm = 0.0;
+};
+
+// Grows basins from the deepest voxel to the surface (Vincent and Soille's flooding, upside down)
+// and joins those whose neck is hardly one.
+class Flood {
+  public:
+    explicit Flood(const FloatVolume& depth) : depth_(depth), labels_(depth.grid) {}
+
+    void add(std::size_t voxel) {
+        const auto depth_mm = static_cast<double>(depth_.voxels[voxel]);
+        std::array<std::size_t, 6> around{};
+        const std::size_t count = basins_around(voxel, around);
+        if (count == 0) {
+            root_.push_back(root_.size());
+            peak_mm_.push_back(depth_mm);
+            labels_.voxels[voxel] = static_cast<std::uint32_t>(root_.size());
+            return;
+        }
+        std::size_t deepest = around[0];
+        for (std::size_t k = 1; k < count; ++k)
+            if (peak_mm_[around[k]] > peak_mm_[deepest]) deepest = around[k];
+        for (std::size_t k = 0; k < count; ++k) meet(around[k], deepest, depth_mm);
+        labels_.voxels[voxel] = static_cast<std::uint32_t>(root_of(deepest) + 1);
+    }
+
+    // The basins that are left, in the order of their first voxel, with the ways between them.
+    Lobes result();
+    std::vector<Neck> necks() {
+        std::vector<Neck> between;
+        for (const Neck& neck : necks_) {
+            const int a = number_[root_of(neck.a)], b = number_[root_of(neck.b)];
+            if (a != b)
+                between.push_back(
+                    {static_cast<std::size_t>(a), static_cast<std::size_t>(b), neck.depth_mm});
+        }
+        std::stable_sort(between.begin(), between.end(), [](const Neck& first, const Neck& second) {
+            return first.depth_mm > second.depth_mm;
+        });
+        return between;
+    }
+
+  private:
+    std::size_t root_of(std::size_t basin) {
+        while (root_[basin] != basin) basin = root_[basin] = root_[root_[basin]];
+        return basin;
+    }
+
+    std::size_t basins_around(std::size_t voxel, std::array<std::size_t, 6>& around) {
+        const Grid& grid = depth_.grid;
+        const Index3 at = grid.index_of(voxel);
+        std::size_t count = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int step : {1, -1}) {
+                Index3 n = at;
+                n[axis] += step;
+                if (!grid.contains(n[0], n[1], n[2])) continue;
+                const std::uint32_t label = labels_.at(n[0], n[1], n[2]);
+                if (label != 0) around[count++] = root_of(label - 1);
+            }
+        return count;
+    }
+
+    void meet(std::size_t first, std::size_t second, double neck_mm) {
+        const std::size_t a = root_of(first), b = root_of(second);
+        if (a == b) return;
+        const std::size_t shallow = peak_mm_[a] <= peak_mm_[b] ? a : b;
+        const double peak_mm = peak_mm_[shallow];
+        if (peak_mm - neck_mm < least_rise_mm || neck_mm > widest_neck * peak_mm)
+            root_[shallow] = shallow == a ? b : a;
+        else
+            necks_.push_back({a, b, neck_mm});
+    }
+
+    const FloatVolume& depth_;
+    Image<std::uint32_t> labels_;
+    std::vector<std::size_t> root_;
+    std::vector<double> peak_mm_;
+    std::vector<int> number_;  // of the lobe, by root
+    std::vector<Neck> necks_;
+};
+
+Lobes Flood::result() {
+    Lobes found;
+    number_.assign(root_.size(), -1);
+    for (std::size_t i = 0; i < labels_.voxels.size(); ++i) {
+        if (labels_.voxels[i] == 0) continue;
+        const std::size_t root = root_of(labels_.voxels[i] - 1);
+        if (number_[root] < 0) {
+            number_[root] = static_cast<int>(found.lobes.size());
+            found.lobes.push_back({});
+            found.lobes.back().depth_mm = peak_mm_[root];
+        }
+        const auto lobe = static_cast<std::size_t>(number_[root]);
+        labels_.voxels[i] = static_cast<std::uint32_t>(lobe + 1);
+        const auto [x, y, z] = labels_.grid.index_of(i);
+        found.lobes[lobe].centre_mm += labels_.grid.to_mm(x, y, z);
+        ++found.lobes[lobe].voxels;
+    }
+    for (Lobe& lobe : found.lobes) lobe.centre_mm /= static_cast<double>(lobe.voxels);
+    found.labels = std::move(labels_);
+    return found;
+}
+
+// Hangs every lobe on the deepest one by the widest ways, one after the other (Prim).
+void hang(const std::vector<Neck>& necks, std::vector<Lobe>& lobes) {
+    if (lobes.empty()) return;
+    std::vector<char> hangs(lobes.size(), 0);
+    const auto deepest =
+        std::max_element(lobes.begin(), lobes.end(),
+                         [](const Lobe& a, const Lobe& b) { return a.depth_mm < b.depth_mm; });
+    hangs[static_cast<std::size_t>(deepest - lobes.begin())] = 1;
+    const auto joins = [&](const Neck& neck) { return hangs[neck.a] != hangs[neck.b]; };
+    for (auto neck = std::find_if(necks.begin(), necks.end(), joins); neck != necks.end();
+         neck = std::find_if(necks.begin(), necks.end(), joins)) {
+        const std::size_t child = hangs[neck->a] != 0 ? neck->b : neck->a;
+        lobes[child].parent = static_cast<int>(hangs[neck->a] != 0 ? neck->a : neck->b);
+        lobes[child].neck_mm = neck->depth_mm;
+        hangs[child] = 1;
+    }
+}
+
+}  // namespace
+
+Lobes lobes_of(const Mask& region, Job& job) {
+    Mask outside(region.grid);
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < region.voxels.size(); ++i) {
+        outside.voxels[i] = region.voxels[i] == 0;
+        if (region.voxels[i] != 0) order.push_back(i);
+    }
+    FloatVolume depth = distance_to(outside, job);
+    for (float& mm : depth.voxels) mm = std::min(mm, bottomless_mm);
+    job.throw_if_cancelled();
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return depth.voxels[a] > depth.voxels[b];
+    });
+    Flood flood(depth);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k % voxels_a_check == 0) job.throw_if_cancelled();
+        flood.add(order[k]);
+    }
+    Lobes found = flood.result();
+    hang(flood.necks(), found.lobes);
+    return found;
+}
+
+}  // namespace hepatica
