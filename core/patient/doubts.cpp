@@ -31,9 +31,12 @@ std::string listed(const std::vector<int>& numbers) {
 }
 
 constexpr const char* found_liver_sentence =
-    "The liver was found by its brightness, and its mask may take in neighbours as bright as it, "
-    "such as the spleen or the stomach: segments there, mostly 2 and 3, may lie largely outside of "
-    "the liver. Where their volumes matter, give a mask of the liver.";
+    "The liver was found by the program: on real patients about 6 % of such a liver lay outside of "
+    "an expert's, and 10 % of the expert's were missed, mostly tumours at its surface. Small "
+    "segments "
+    "beside stomach, pancreas and vena cava are off by up to a quarter. Where volumes matter, give "
+    "a "
+    "mask of the liver.";
 
 void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {
     if (doubts.veins_known < 3)
