@@ -113,7 +113,8 @@ Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
                             border_iterations, job);
     liver = largest_components(liver, Connectivity::faces6);
     job.advance(0.8);
-    unite(liver, enclosed_tissue(smooth, liver, job));
+    // Tumours that it encloses are left to the closing: their dark lines would raise the level
+    // above which lines are vessels (false_line_threshold.h).
     return close_liver(liver, vessel_closing_mm, job);
 }
 
