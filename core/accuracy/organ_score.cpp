@@ -22,7 +22,7 @@ Mask united(const Mask& a, const Mask& b) {
 }
 
 // Object voxels with a face that leads into background. What the image cuts off is no surface.
-Mask surface_of(const Mask& mask) {
+Mask border_of(const Mask& mask) {
     const Grid& grid = mask.grid;
     Mask surface(grid);
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
@@ -71,7 +71,7 @@ OrganScore organ_score(const Mask& found, const Mask& truth, Job& job) {
     // A layer of background around both, so that their surfaces stay surfaces.
     const IndexBox box =
         grow_box(bounding_box(united(found, truth)), found.grid, found.grid.spacing_mm.maxCoeff());
-    const Mask a = surface_of(crop(found, box)), b = surface_of(crop(truth, box));
+    const Mask a = border_of(crop(found, box)), b = border_of(crop(truth, box));
     Distances distances;
     add_distances(a, b, distances, job);
     add_distances(b, a, distances, job);

@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 60.0;
+constexpr double way_mm = 60.0;
 constexpr double least_share = 0.65;
 constexpr int least_ways = 9;
 constexpr float tissue_from_hu = -10.0f, tissue_to_hu = 250.0f;
@@ -29,7 +29,7 @@ std::vector<Way> ways_of(const Grid& grid) {
             for (int x = -1; x <= 1; ++x) {
                 if (x == 0 && y == 0 && z == 0) continue;
                 const double length = Vec3(x, y, z).cwiseProduct(grid.spacing_mm).norm();
-                ways.push_back({{x, y, z}, static_cast<int>(reach_mm / length)});
+                ways.push_back({{x, y, z}, static_cast<int>(way_mm / length)});
             }
     return ways;
 }

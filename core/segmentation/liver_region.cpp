@@ -23,7 +23,7 @@ namespace {
 
 constexpr double organ_smoothing_mm = 3.0;   // to find the organ
 constexpr double border_smoothing_mm = 2.0;  // to find its border
-constexpr double reach_mm = 60.0;            // of the liver beyond its core
+constexpr double beyond_core_mm = 60.0;      // of the liver beyond its core
 constexpr double smallest_core_ml = 40.0;
 constexpr double vessel_closing_mm = 9.0;
 
@@ -33,8 +33,8 @@ constexpr double data_weight = 0.6;
 constexpr double even_spreads = 2.4;  // where inside and outside are as likely
 constexpr double most_dark = 2.0;
 constexpr double most_bright = 0.6;  // vessels are bright, too
-constexpr double outside_cost = 2.0;
-constexpr double least_support = 0.01;
+constexpr double foreign_cost = 2.0;
+constexpr double supported_from = 0.01;
 constexpr double edge_hu_per_mm = 4.0;
 constexpr double least_area = 0.02;
 // Within these the intensity of a slope is a mixture that says nothing.
@@ -43,7 +43,7 @@ constexpr double bright_spreads = 4.0, bright_radius_mm = 8.0;  // kidneys, cham
 constexpr double leash_mm = 8.0;  // the border stays so near to the parenchyma
 constexpr double neighbour_rim_mm = 3.0;
 constexpr int border_iterations = 80;
-constexpr std::size_t block = 8192;
+constexpr std::size_t cost_block = 8192;
 
 void remove(const Mask& what, Mask& from) {
     for (std::size_t i = 0; i < from.voxels.size(); ++i)
@@ -67,9 +67,9 @@ Mask bright_bodies(const FloatVolume& smooth, const Parenchyma& tissue, Job& job
 // What one voxel gains or costs inside: by its intensity, the less the steeper the image is there.
 double inside_cost(double above_hu, double support, double spread_hu, double edge) {
     const double spreads = above_hu / (even_spreads * spread_hu);
-    double cost = support < least_support ? outside_cost
-                                          : std::clamp(spreads * spreads - 1.0, -1.0,
-                                                       above_hu > 0.0 ? most_bright : most_dark);
+    double cost = support < supported_from ? foreign_cost
+                                           : std::clamp(spreads * spreads - 1.0, -1.0,
+                                                        above_hu > 0.0 ? most_bright : most_dark);
     if (above_hu > mixture_from_hu && above_hu < mixture_to_hu) cost *= edge;
     return data_weight * cost;
 }
@@ -80,7 +80,7 @@ BorderCost border_cost(const FloatVolume& smooth, const Parenchyma& tissue, cons
     const Mask reached = dilate(tissue.voxels, leash_mm, job);
     const Mask foreign = erode(neighbours, neighbour_rim_mm, job);
     BorderCost cost{FloatVolume(smooth.grid), FloatVolume(smooth.grid)};
-    parallel_blocks(smooth.voxels.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(smooth.voxels.size(), cost_block, [&](std::size_t begin, std::size_t end) {
         job.throw_if_cancelled();
         for (std::size_t i = begin; i < end; ++i) {
             const auto [x, y, z] = smooth.grid.index_of(i);
@@ -90,7 +90,7 @@ BorderCost border_cost(const FloatVolume& smooth, const Parenchyma& tissue, cons
             const bool outside =
                 bright.voxels[i] != 0 || reached.voxels[i] == 0 || foreign.voxels[i] != 0;
             cost.inside.voxels[i] = static_cast<float>(
-                outside ? data_weight * outside_cost
+                outside ? data_weight * foreign_cost
                         : inside_cost(static_cast<double>(smooth.voxels[i] - tissue.hu.voxels[i]),
                                       static_cast<double>(tissue.support.voxels[i]),
                                       tissue.spread_hu, edge));
@@ -146,7 +146,7 @@ Mask find_liver(const Volume& ct, Job& job) {
                              std::to_string(static_cast<int>(soft_organ_to_hu)) + " HU has " +
                              std::to_string(static_cast<int>(organ.core_ml)) + " ml",
                          "CT", "Check that the scan shows the liver, or give a liver mask.");
-    const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, reach_mm);
+    const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, beyond_core_mm);
     FloatVolume near = crop(coarse, box);
     gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job);
     const Mask liver = placed(liver_about(crop(organ.core, box), near, job), box, coarse.grid);

@@ -16,7 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr double seat_depth_share = 0.5;
-constexpr double near_mm = 10.0;  // deviation of the Gaussian that says what is near
+constexpr double field_mm = 10.0;  // deviation of the Gaussian that says what is near
 constexpr double least_support = 0.03;
 constexpr double widest_field_hu = 35.0;  // from the seat's mean
 // Brighter neighbours (heart, spleen, cava) are more often as smooth as the liver than darker ones.
@@ -29,7 +29,7 @@ constexpr double most_spread_hu = 9.0;
 constexpr double neck_mm = 7.0;  // radius of what parenchyma does not grow through
 constexpr int most_rounds = 12;
 constexpr double still_growing = 1.003;
-constexpr std::size_t block = 8192;
+constexpr std::size_t tissue_block = 8192;
 
 double mean_in(const FloatVolume& hu, const Mask& mask) {
     double sum = 0.0;
@@ -53,8 +53,8 @@ void measure_field(const FloatVolume& smooth, double far_hu, Parenchyma& grown, 
             grown.hu.voxels[i] = smooth.voxels[i] - base;
             grown.support.voxels[i] = 1.0f;
         }
-    gaussian_smooth(grown.hu, Vec3::Constant(near_mm), job);
-    gaussian_smooth(grown.support, Vec3::Constant(near_mm), job);
+    gaussian_smooth(grown.hu, Vec3::Constant(field_mm), job);
+    gaussian_smooth(grown.support, Vec3::Constant(field_mm), job);
     for (std::size_t i = 0; i < smooth.voxels.size(); ++i) {
         const float support = grown.support.voxels[i];
         grown.hu.voxels[i] = base + (support > far_support ? grown.hu.voxels[i] / support : 0.0f);
@@ -76,7 +76,7 @@ double spread_of(const FloatVolume& smooth, const Parenchyma& grown) {
 Mask like_parenchyma(const FloatVolume& smooth, const Parenchyma& grown, double seat_hu) {
     Mask alike(smooth.grid);
     const double most = spreads_above * grown.spread_hu, least = -spreads_below * grown.spread_hu;
-    parallel_blocks(alike.voxels.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(alike.voxels.size(), tissue_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto near_hu = static_cast<double>(grown.hu.voxels[i]);
             const double above_hu = static_cast<double>(smooth.voxels[i]) - near_hu;

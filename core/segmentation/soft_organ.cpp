@@ -15,7 +15,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double coarse_spacing_mm = 3.0;
+constexpr double organ_spacing_mm = 3.0;
 constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
 constexpr int histogram_bin_hu = 2;
 // Half the band of intensities of an organ, in standard deviations of its peak in the smoothed
@@ -93,7 +93,7 @@ FloatVolume coarsened(const Volume& ct, Job& job) {
     for (std::size_t a = 0; a < 3; ++a) {
         const auto axis = static_cast<Eigen::Index>(a);
         block[a] =
-            std::clamp(static_cast<int>(std::lround(coarse_spacing_mm / ct.grid.spacing_mm[axis])),
+            std::clamp(static_cast<int>(std::lround(organ_spacing_mm / ct.grid.spacing_mm[axis])),
                        1, ct.grid.dims[a]);
         grid.dims[a] = ct.grid.dims[a] / block[a];
         grid.spacing_mm[axis] *= block[a];
