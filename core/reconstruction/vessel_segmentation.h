@@ -41,7 +41,7 @@ struct Segmentation {
     // 0 background, else the number of an unknown system. On a grid that covers the liver with
     // cubic voxels and lies in the CT's frame.
     Mask mask;
-    Mask liver;             // closed; same grid as the mask
+    Mask liver;             // closed; same grid as the mask; where none was given, the one found
     FloatVolume intensity;  // CT resampled to that grid, in HU: for radii below the voxel
     Mask centreline;        // where the fast-marching fronts collide; multi_layer only, else empty
     ContrastStatistics statistics;

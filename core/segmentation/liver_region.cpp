@@ -113,8 +113,6 @@ Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
                             border_iterations, job);
     liver = largest_components(liver, Connectivity::faces6);
     job.advance(0.8);
-    // Tumours that it encloses are left to the closing: their dark lines would raise the level
-    // above which lines are vessels (false_line_threshold.h).
     return close_liver(liver, vessel_closing_mm, job);
 }
 
@@ -140,6 +138,7 @@ Mask find_liver(const Volume& ct, Job& job) {
     FloatVolume smooth = coarse;
     gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
     const SoftOrgan organ = largest_soft_organ(smooth, job);
+    job.advance(0.3);
     if (organ.core_ml < smallest_core_ml)
         throw InputError("no liver was found: the largest soft organ between " +
                              std::to_string(static_cast<int>(soft_organ_from_hu)) + " and " +
@@ -153,6 +152,16 @@ Mask find_liver(const Volume& ct, Job& job) {
     require_surroundings_of_liver(surroundings_of(liver, smooth, job));
     job.advance(0.9);
     return resample(liver, ct.grid, Interpolation::linear, job);
+}
+
+Mask vessel_region(const Volume& ct, const Mask& found_liver, Job& job) {
+    FloatVolume smooth = coarsened(ct, job);
+    gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
+    const Mask alike = close_liver(with_all_alike(largest_soft_organ(smooth, job), smooth, job),
+                                   vessel_closing_mm, job);
+    Mask region = resample(alike, ct.grid, Interpolation::linear, job);
+    unite(region, found_liver);
+    return region;
 }
 
 }  // namespace hepatica

@@ -24,6 +24,9 @@ constexpr double band_deviations = 2.2;
 constexpr double narrowest_band_hu = 12.0;
 constexpr double widest_band_hu = 24.0;
 constexpr double neck_radius_mm = 6.0;  // organs that touch through less are cut apart
+constexpr double rim_mm = 4.0;  // lost to the smoothing at the surface, where fat pulls it down
+constexpr double rim_below_hu = 90.0;
+constexpr double rim_above_hu = 30.0;
 
 // A peak in the histogram of homogeneous soft tissue: an organ, or a group of them.
 struct TissueMode {
@@ -75,6 +78,11 @@ Mask band(const FloatVolume& smooth, double centre, double half_width) {
         return static_cast<std::uint8_t>(std::abs(v - centre) < half_width);
     });
     return mask;
+}
+
+void intersect(Mask& mask, const Mask& with) {
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        if (!with.voxels[i]) mask.voxels[i] = 0;
 }
 
 double volume_ml(const Mask& mask) {
@@ -139,9 +147,19 @@ SoftOrgan largest_soft_organ(const FloatVolume& smooth, Job& job) {
         const double ml = volume_ml(core);
         if (ml > largest.core_ml)
             largest = {modes[i].hu, modes[i].half_band_hu, ml, std::move(core)};
-        job.advance(0.3 * static_cast<double>(i + 1) / static_cast<double>(modes.size()));
+        job.throw_if_cancelled();
     }
     return largest;
+}
+
+Mask with_all_alike(const SoftOrgan& organ, const FloatVolume& smooth, Job& job) {
+    Mask alike = dilate(organ.core, neck_radius_mm, job);
+    intersect(alike, band(smooth, organ.hu, organ.half_band_hu));
+    Mask rim = dilate(alike, rim_mm, job);
+    intersect(rim, band(smooth, organ.hu + 0.5 * (rim_above_hu - rim_below_hu),
+                        0.5 * (rim_above_hu + rim_below_hu)));
+    for (std::size_t i = 0; i < alike.voxels.size(); ++i) alike.voxels[i] |= rim.voxels[i];
+    return largest_components(alike, Connectivity::faces6);
 }
 
 }  // namespace hepatica

@@ -26,8 +26,11 @@ struct SoftOrgan {
     Mask core;                  // of the band, what is more than 6 mm from its border; one piece
 };
 
-// `smooth` is a scan of about 3 mm, smoothed by 3 mm. Advances the job's stage to 0.3. Throws
-// Cancelled.
+// `smooth` is a scan of about 3 mm, smoothed by 3 mm. Throws Cancelled.
 SoftOrgan largest_soft_organ(const FloatVolume& smooth, Job& job);
+
+// The organ grown back from its core, with the rim that smoothing took and with whatever of its
+// intensity touches it: neighbours among it. On the grid of `smooth`. Throws Cancelled.
+Mask with_all_alike(const SoftOrgan& organ, const FloatVolume& smooth, Job& job);
 
 }  // namespace hepatica
