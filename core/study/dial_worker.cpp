@@ -16,6 +16,8 @@ DialWorker::DialWorker(std::shared_ptr<const PatientCase> patient,
     thread_ =
         std::jthread([this, body = std::move(patient), known = std::move(measured)]() mutable {
             measure(std::move(body), std::move(known));
+            const std::scoped_lock lock(mutex_);
+            ended_ = true;
         });
 }
 
@@ -33,7 +35,15 @@ void DialWorker::allow(bool allowed) {
 
 void DialWorker::wait_until_allowed() {
     std::unique_lock lock(mutex_);
+    waiting_ = true;
     changed_.wait(lock, [this] { return allowed_ || job_.cancelled(); });
+    waiting_ = false;
+}
+
+DialWorker::State DialWorker::state() const {
+    const std::scoped_lock lock(mutex_);
+    if (ended_) return State::ended;
+    return waiting_ && !allowed_ ? State::waits : State::measures;
 }
 
 void DialWorker::measure(std::shared_ptr<const PatientCase> patient,

@@ -23,7 +23,7 @@ class DialWorker {
     // be measured is given up without a word: it has the dial it had.
     DialWorker(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured,
                Tell tell);
-    // Ends after the step under way; `tell` is not called any more.
+    // Ends within the step under way; `tell` is not called any more.
     ~DialWorker();
     DialWorker(const DialWorker&) = delete;
     DialWorker& operator=(const DialWorker&) = delete;
@@ -31,16 +31,26 @@ class DialWorker {
     // Whether nobody plays. Any thread; returns at once. At first somebody does.
     void allow(bool allowed);
 
+    // What its thread is at. Any thread.
+    enum class State {
+        waits,     // stands still until it is allowed to run
+        measures,  // or is about to stand still
+        ended      // has measured all, or given up
+    };
+    State state() const;
+
   private:
     void wait_until_allowed();
     void measure(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured);
 
     Tell tell_;
     Job job_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     bool allowed_ = false;
-    std::jthread thread_;  // last: it uses the others
+    bool waiting_ = false;  // its thread does
+    bool ended_ = false;    // its thread has
+    std::jthread thread_;   // last: it uses the others
 };
 
 }  // namespace hepatica

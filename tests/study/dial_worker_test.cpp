@@ -43,17 +43,24 @@ class Told {
     std::vector<QualityPoint> points_;
 };
 
+bool comes_to(const DialWorker& worker, DialWorker::State state) {
+    const auto end = std::chrono::steady_clock::now() + 120s;
+    while (worker.state() != state && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(1ms);
+    return worker.state() == state;
+}
+
 TEST(DialWorker, MeasuresOnlyWhileNobodyPlays) {
     Told told;
     DialWorker worker(small_patient(), {}, told.tell());
-    EXPECT_FALSE(told.wait_for(1, 1s));  // somebody plays
+    ASSERT_TRUE(comes_to(worker, DialWorker::State::waits));  // somebody plays
+    EXPECT_EQ(told.count(), 0u);
     worker.allow(true);
     ASSERT_TRUE(told.wait_for(1));
     worker.allow(false);
-    // A setting that was all but done may still come, but none after it.
-    std::this_thread::sleep_for(200ms);
+    // A setting that was all but done may still have come, but none comes while it waits.
+    ASSERT_TRUE(comes_to(worker, DialWorker::State::waits));
     const std::size_t before = told.count();
-    EXPECT_FALSE(told.wait_for(before + 1, 2s));
     worker.allow(true);
     EXPECT_TRUE(told.wait_for(before + 1));
 }
@@ -65,7 +72,7 @@ TEST(DialWorker, EndsWhileItWaitsAndWhileItMeasures) {
     {
         DialWorker measuring(small_patient(), {}, told.tell());
         measuring.allow(true);
-        std::this_thread::sleep_for(100ms);
+        ASSERT_TRUE(comes_to(measuring, DialWorker::State::measures));
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
     EXPECT_EQ(told.count(), 0u);
@@ -75,16 +82,15 @@ TEST(DialWorker, MeasuresAllThatIsLeftAndNothingTwice) {
     Told told;
     DialWorker worker(small_patient(), {}, told.tell());
     worker.allow(true);
-    ASSERT_TRUE(told.wait_for(6));
-    std::vector<QualityPoint> points;
-    do {
-        points = told.points();
-        std::this_thread::sleep_for(50ms);
-    } while (next_dial_setting(points));
+    ASSERT_TRUE(comes_to(worker, DialWorker::State::ended));
+    const std::vector<QualityPoint> points = told.points();
+    EXPECT_GE(points.size(), 6u);
+    EXPECT_FALSE(next_dial_setting(points).has_value());
     Told again;
     DialWorker idle(small_patient(), points, again.tell());
     idle.allow(true);
-    EXPECT_FALSE(again.wait_for(1, 1s));
+    ASSERT_TRUE(comes_to(idle, DialWorker::State::ended));
+    EXPECT_EQ(again.count(), 0u);
 }
 
 }  // namespace
