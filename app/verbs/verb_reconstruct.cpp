@@ -182,50 +182,46 @@ CLI::Option* add_batch_options(CLI::App& verb, BatchOptions& batch) {
     return folder;
 }
 
-}  // namespace
-
-void add_reconstruct(CommandLine& line) {
-    auto options = std::make_shared<ReconstructChoices>();
-    CLI::App& verb = line.add_verb("reconstruct", "Make a patient's case from a contrast CT",
-                                   [options](Job& job) { return run_reconstruct(*options, job); });
-    ReconstructOptions& reconstruct = options->reconstruct;
+// Returns that of the CT.
+CLI::Option* add_images(CLI::App& verb, ReconstructChoices& options) {
+    ReconstructOptions& reconstruct = options.reconstruct;
     CLI::Option* ct =
         verb.add_option("ct", reconstruct.ct, "DICOM folder, or .nii .nii.gz .mha .nrrd file");
     verb.add_option("--series", reconstruct.series,
                     "Which series of a DICOM folder, as the warnings number them; 1 is the best")
         ->check(CLI::Range(1, 10000));
-    verb.add_option("--out", options->out,
-                    "Case to make: NAME.hep, a folder, or NAME.hepz, one file")
-        ->required();
-    verb.add_option("--name", reconstruct.name,
-                    "What pictures and reports call the patient; nothing else names them");
-    verb.add_option("--liver-mask", options->liver_mask, "Image whose nonzero voxels are liver");
-    verb.add_option("--vessel-mask", options->vessel_mask,
+    verb.add_option("--liver-mask", options.liver_mask, "Image whose nonzero voxels are liver");
+    verb.add_option("--vessel-mask", options.vessel_mask,
                     "Image of the vessels, its labels their systems: nothing is segmented");
     verb.add_option("--tumour-mask", reconstruct.tumour_masks,
                     "Image whose nonzero pieces are tumours, for `feeders`; may be repeated");
-    verb.add_option("--window", options->window, "Vessels lie within LO,HI [HU]")->delimiter(',');
-    verb.add_option(
-        "--seed-mm", options->seeds,
-        "X,Y,Z[,SYSTEM] inside a vessel [LPS mm], SYSTEM portal, hepatic or artery; may be "
-        "repeated");
-    verb.add_option("--method", options->method, "How vessels are segmented")
-        ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
-        ->capture_default_str();
     verb.add_option("--liver-label", reconstruct.liver_labels,
                     "Labels of the liver mask that are liver; without it all that are not 0")
         ->delimiter(',');
     verb.add_option(
-            "--vessel-label", options->vessel_labels,
+            "--vessel-label", options.vessel_labels,
             "LABEL=SYSTEM,LABEL=SYSTEM: labels of the vessel mask that are vessels; without "
             "it a single label is an unknown system, several are 1 portal, 2 hepatic, "
             "3 artery, 255 unknown")
         ->delimiter(',');
+    return ct;
+}
+
+void add_methods(CLI::App& verb, ReconstructChoices& options) {
+    ReconstructOptions& reconstruct = options.reconstruct;
+    verb.add_option("--window", options.window, "Vessels lie within LO,HI [HU]")->delimiter(',');
+    verb.add_option(
+        "--seed-mm", options.seeds,
+        "X,Y,Z[,SYSTEM] inside a vessel [LPS mm], SYSTEM portal, hepatic or artery; may be "
+        "repeated");
+    verb.add_option("--method", options.method, "How vessels are segmented")
+        ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
+        ->capture_default_str();
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    verb.add_option("--thinning", options->thinning, "How the mask is thinned")
+    verb.add_option("--thinning", options.thinning, "How the mask is thinned")
         ->check(CLI::IsMember({"queue", "parallel"}))
         ->capture_default_str();
     verb.add_option("--refine", reconstruct.refinement_recursions,
@@ -241,10 +237,25 @@ void add_reconstruct(CommandLine& line) {
         ->check(CLI::Range(0, 2'000'000))
         ->capture_default_str();
     CLI::Option* as_published =
-        verb.add_flag("--as-published", options->as_published,
+        verb.add_flag("--as-published", options.as_published,
                       "As the paper has it: --method multi-layer --refine 1 --thinning parallel");
     for (const char* other : {"--method", "--refine", "--thinning"})
         as_published->excludes(verb.get_option(other));
+}
+
+}  // namespace
+
+void add_reconstruct(CommandLine& line) {
+    auto options = std::make_shared<ReconstructChoices>();
+    CLI::App& verb = line.add_verb("reconstruct", "Make a patient's case from a contrast CT",
+                                   [options](Job& job) { return run_reconstruct(*options, job); });
+    CLI::Option* ct = add_images(verb, *options);
+    verb.add_option("--out", options->out,
+                    "Case to make: NAME.hep, a folder, or NAME.hepz, one file")
+        ->required();
+    verb.add_option("--name", options->reconstruct.name,
+                    "What pictures and reports call the patient; nothing else names them");
+    add_methods(verb, *options);
     CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
     for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
         batch->excludes(verb.get_option(of_one));
