@@ -41,7 +41,7 @@ bool write_case_picture(const std::shared_ptr<const PatientCase>& patient,
     scene.deform.reset();
     scene.flow.reset();
     Session session(patient, scene, job);
-    session.step();
+    session.step(job);
     session.update_frame();
     PictureOptions picture;
     picture.width = 960;

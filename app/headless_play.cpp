@@ -33,7 +33,7 @@ class Player {
 
     void step(int count) {
         for (int i = 0; i < count; ++i) {
-            times_.add(session_.step());
+            times_.add(session_.step(job_));
             job_.throw_if_cancelled();
         }
         session_.update_frame();

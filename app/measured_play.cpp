@@ -142,7 +142,7 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
     std::string setting;
     for (const std::vector<Command>& now : commands) {
         for (const Command& command : now) session.post(command);
-        const SessionStep step = session.step();
+        const SessionStep step = session.step(job);
         if (step.paused) break;
         add_step(step, result);
         result.finite = result.finite && is_finite(session.world());

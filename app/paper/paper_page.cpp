@@ -87,7 +87,7 @@ Json injection(const std::shared_ptr<const PatientCase>& patient,
     session.post(drug);
     session.post(FinishInjection{});
     session.post(PlayDrug{false});
-    session.step();
+    session.step(job);
     session.update_frame();
     const double end_s = session.frame().drug.end_s;
     Album album = album_of(folder, {});
@@ -96,7 +96,7 @@ Json injection(const std::shared_ptr<const PatientCase>& patient,
     char letter = 'a';
     for (const int percent : drug_moments_percent) {
         session.post(SetDrugTime{end_s * percent / 100.0});
-        session.step();
+        session.step(job);
         session.update_frame();
         options.caption = std::string("(") + letter + ")";
         char text[80];

@@ -197,7 +197,7 @@ TearFigure play_tear_figure(const std::shared_ptr<const PatientCase>& patient, c
     Eigen::AlignedBox3d box;
     for (const std::vector<Command>& now : commands) {
         for (const Command& command : now) session.post(command);
-        const SessionStep done = session.step();
+        const SessionStep done = session.step(job);
         session.update_frame();
         const Frame& frame = session.frame();
         if (done.paused)

@@ -48,7 +48,7 @@ Json run_bench_keyframe(const BenchKeyframeChoices& options, Job& job) {
         schedule(script, patient->tree, session.world().spec().dt_s, options.steps);
     for (const std::vector<Command>& now : commands) {
         for (const Command& command : now) session.post(command);
-        SessionStep step = session.step();
+        SessionStep step = session.step(job);
         if (step.paused) break;
         without.add(step);
         const auto begin = std::chrono::steady_clock::now();

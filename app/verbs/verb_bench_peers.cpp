@@ -68,10 +68,10 @@ struct Ours {
     int iterations = 0;
     double energy_error = 0.0;
 
-    void step() {
+    void step(const std::stop_token& stop) {
         const ThreadLimit limit(threads);
         StepReport report;
-        ms.push_back(timed_ms([&] { report = stepper->step(dt_s); }));
+        ms.push_back(timed_ms([&] { report = stepper->step(dt_s, stop); }));
         iterations += report.linear_iterations;
         energy_error = std::max(energy_error, report.linear_energy_error);
     }
@@ -98,7 +98,7 @@ Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
         job.advance(static_cast<double>(first) / options.steps);
         const int steps = std::min(steps_per_turn, options.steps - first);
         for (Ours& run : ours)
-            for (int k = 0; k < steps; ++k) run.step();
+            for (int k = 0; k < steps; ++k) run.step(job.stop_token());
         for (int k = 0; k < steps; ++k) peer_ms.push_back(timed_ms([&] { peer.step(dt_s); }));
     }
     const double our_tip = sag_mm(body, ours[0].stepper->positions_mm());

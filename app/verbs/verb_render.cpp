@@ -88,7 +88,7 @@ std::unique_ptr<Session> still_life(const RenderChoices& options,
         session->post(PlayDrug{false});
         session->post(SetDrugTime{*options.time_s});
     }
-    session->step();
+    session->step(job);
     return session;
 }
 
@@ -105,7 +105,7 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
         if (session->world().time_s() >= end_s) break;
         job.throw_if_cancelled();
         for (const Command& command : step.commands) session->post(command);
-        session->step();
+        session->step(job);
     }
     return session;
 }

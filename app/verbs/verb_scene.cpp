@@ -55,7 +55,7 @@ Json run_scene(const SceneChoices& options, Job& job) {
     std::vector<double> frame_ms(session.world().parts().size(), 0.0);
     for (int i = 0; i < steps; ++i) {
         if (scene.spec.deform) session.post(MoveGrab{held + Vec3(0.2 * i, 0, 0)});
-        session.step();
+        session.step(job);
         for (std::size_t p = 0; p < frame_ms.size(); ++p)
             frame_ms[p] += session.world().parts()[p].frame_ms / steps;
         job.advance(static_cast<double>(i) / steps);

@@ -15,7 +15,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 void Job::throw_if_cancelled() const {
     notify(JobEvent::check);
-    if (cancelled_) throw Cancelled();
+    if (cancelled()) throw Cancelled();
 }
 
 void Job::expect_stages(int count) {

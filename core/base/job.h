@@ -3,10 +3,10 @@
 // The worker holds a Job&, the other threads hold the same Job and ask or cancel it at any time.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -41,9 +41,11 @@ class Job {
     // Cheap enough for every slice or every few thousand voxels; call it at least every 0.1 s.
     void advance(double fraction);
 
-    void cancel() { cancelled_ = true; }
-    bool cancelled() const { return cancelled_; }
+    void cancel() { stop_.request_stop(); }
+    bool cancelled() const { return stop_.stop_requested(); }
     void throw_if_cancelled() const;
+    // For work that knows no job: its stop is asked for when the job is cancelled.
+    std::stop_token stop_token() const { return stop_.get_token(); }
 
     // For measurements: called at every event, on whatever thread it happens, before the worker
     // learns whether to stop. Set it before the work begins.
@@ -60,7 +62,7 @@ class Job {
         if (observer_) observer_(event);
     }
 
-    std::atomic<bool> cancelled_{false};
+    std::stop_source stop_;
     std::function<void(JobEvent)> observer_;
     mutable std::mutex mutex_;
     JobProgress progress_;

@@ -59,7 +59,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
     while (result.steps < count) {
         const RecordedStep& step = recording.steps[result.steps];
         for (const Command& command : step.commands) session.post(command);
-        result.state_hash = session.step().state_hash;
+        result.state_hash = session.step(job).state_hash;
         ++result.steps;
         if (!result.diverged_at && result.state_hash != step.state_hash)
             result.diverged_at = result.steps;

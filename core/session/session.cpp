@@ -296,6 +296,12 @@ SessionStep Session::step(const std::stop_token& stop) {
     return done;
 }
 
+SessionStep Session::step(const Job& job) {
+    const SessionStep done = step(job.stop_token());
+    if (done.stopped) job.throw_if_cancelled();
+    return done;
+}
+
 bool Session::rests_after(const SessionStep& done) const {
     const FlowPart* flow = world_->flow();
     if (failed_ || (flow != nullptr && flow->computing())) return false;

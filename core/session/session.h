@@ -103,6 +103,8 @@ class Session {
     // last good state as after an error; its recording begins with the commands of the step that
     // was stopped, and a replay makes the same bits.
     SessionStep step(const std::stop_token& stop = {});
+    // The same, ended by a cancel of the job: throws Cancelled then.
+    SessionStep step(const Job& job);
     // Steps at the scene's rate until asked to stop, which ends the step under way: see step().
     // Where a step takes longer than its period, simulated time falls behind wall time and is not
     // caught up; real_time_factor of the frames says by how much it is slower. Where further steps

@@ -200,7 +200,7 @@ std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting&
         auto stepper = make_live_stepper(body, setting.options, region);
         for (int f = 0; f < frames_to_fall_asleep; ++f) {
             job.throw_if_cancelled();
-            if (stepper->step(frame_s).asleep) break;
+            if (stepper->step(frame_s, job.stop_token()).asleep) break;
         }
         return stepper;
     }

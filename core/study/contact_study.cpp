@@ -101,7 +101,7 @@ ContactRow measure(const Setup& setup, const ContactStudyOptions& options, Job& 
     StepReport report;
     const auto step = [&] {
         job.throw_if_cancelled();
-        report = ours->step(frame_s);
+        report = ours->step(frame_s, job.stop_token());
     };
     for (int k = 0; k < most_settling; ++k) step();
     std::vector<double> step_ms, iterations;

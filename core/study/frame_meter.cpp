@@ -5,13 +5,11 @@
 #include "core/study/timing.h"
 
 namespace hepatica {
-namespace {}  // namespace
-
 void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     const FrameTimer timer;
     for (int part = 0; part < parts; ++part) {
         job.throw_if_cancelled();
-        iterations_ += stepper.step(frame_s / parts).linear_iterations;
+        iterations_ += stepper.step(frame_s / parts, job.stop_token()).linear_iterations;
     }
     const FrameTime time = timer.passed();
     last_wall_ms_ = time.wall_ms;

@@ -13,7 +13,7 @@ namespace hepatica {
 
 class FrameMeter {
   public:
-    // One frame in `parts` equal steps. Throws Cancelled between two of them.
+    // One frame in `parts` equal steps. Throws Cancelled soon after the job was cancelled.
     void step(Stepper& stepper, int parts, const Job& job);
 
     int frames() const { return static_cast<int>(frame_ms_.size()); }

@@ -100,7 +100,7 @@ HandTrial::~HandTrial() = default;
 void HandTrial::let_sleep(Job& job) {
     for (int f = 0; f < most_frames_to_fall_asleep; ++f) {
         job.throw_if_cancelled();
-        if (session_->step().deform.asleep) break;
+        if (session_->step(job).deform.asleep) break;
     }
 }
 
@@ -119,7 +119,7 @@ HandPlay HandTrial::play(const HandMotion& motion, const StepperOptions& setting
     for (const std::vector<Command>& now : commands) {
         const FrameTimer timer;
         for (const Command& command : now) session_->post(command);
-        const SessionStep step = session_->step();
+        const SessionStep step = session_->step(job);
         const FrameTime time = timer.passed();
         session_->update_frame();
         HandFrame frame = frame_of(step, session_->frame().statistics);
@@ -156,7 +156,7 @@ CentrelineMotion HandTrial::reference(const HandMotion& motion, int substeps, Jo
         for (int part = 0; part < substeps; ++part) {
             job.advance((static_cast<double>(f) + static_cast<double>(part) / substeps) /
                         static_cast<double>(commands.size()));
-            session.step();
+            session.step(job);
         }
         watch(*session.world().deform(), moved);
     }

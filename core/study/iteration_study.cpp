@@ -172,13 +172,14 @@ double energy_error(const StudySystem& system, const std::vector<Vec3>& x) {
 
 IterationRow measure_iterations(const std::string& name, const BodyDescription& body,
                                 const StudySystem& system, double slenderness,
-                                LinearSolverKind kind) {
+                                LinearSolverKind kind, const std::stop_token& stop) {
     const std::vector<Vec3>& rest = body.mesh.vertices_mm;
     std::unique_ptr<LinearSolver> solver;
     if (kind == LinearSolverKind::skeleton)
         solver = std::make_unique<SkeletonSolver>(body.skeleton, rest, SkeletonSettings{true});
     else
         solver = make_linear_solver(kind, body.skeleton, rest);
+    solver->heed(stop);
     IterationRow row;
     row.body = name;
     row.solver = name_of(kind);
@@ -228,7 +229,8 @@ std::vector<IterationRow> study_iterations(const IterationStudyOptions& options,
                                 LinearSolverKind::block_jacobi}) {
             job.throw_if_cancelled();
             if (kind == LinearSolverKind::block_jacobi && !options.block_jacobi) continue;
-            rows.push_back(measure_iterations(study.name, body, system, study.slenderness, kind));
+            rows.push_back(measure_iterations(study.name, body, system, study.slenderness, kind,
+                                              job.stop_token()));
         }
     }
     return rows;

@@ -3,6 +3,7 @@
 // shape. The error is that of the energy norm against the direct solution.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct IterationRow {
 
 IterationRow measure_iterations(const std::string& name, const BodyDescription& body,
                                 const StudySystem& system, double slenderness,
-                                LinearSolverKind kind);
+                                LinearSolverKind kind, const std::stop_token& stop = {});
 
 struct IterationStudyOptions {
     VesselTree tree;           // a patient's: measured instead of the bars and symmetric trees

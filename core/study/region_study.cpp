@@ -27,7 +27,7 @@ struct Played {
 // The twig's tip led around, then let go.
 template <class AfterFrame>
 Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOptions& options,
-            const AfterFrame& after_frame) {
+            const Job& job, const AfterFrame& after_frame) {
     const int tip = furthest_vertex(body);
     const std::vector<Vec3>& rest = body.mesh.vertices_mm;
     const int frames = options.frames + options.frames_after;
@@ -37,7 +37,7 @@ Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOpti
         const Grab grab = led_around(tip, rest[tip], k);
         const double ms = timed_ms([&] {
             stepper.set_grabs(std::span(&grab, held ? 1 : 0));
-            stepper.step(frame_s);
+            stepper.step(frame_s, job.stop_token());
         });
         if (held) played.held_ms.push_back(ms);
         std::vector<Vec3>& moved = played.motion.emplace_back(rest.size());
@@ -74,17 +74,17 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
     stepper_options.sleeping = false;
     const auto live = make_live_stepper(body, stepper_options, options.region);
     const auto whole = make_cpu_stepper(body, stepper_options);
-    for (int k = 0; k < 60; ++k) live->step(frame_s);  // at rest, until it sleeps
+    for (int k = 0; k < 60; ++k) live->step(frame_s, job.stop_token());  // at rest, until it sleeps
 
     RegionRow row;
     row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
     // One after the other: the whole body's step would empty the caches of the live part's.
-    const Played part = play(*live, body, options, [&](double share) {
+    const Played part = play(*live, body, options, job, [&](double share) {
         row.live_tetrahedra = std::max(row.live_tetrahedra, live->extent().live_elements);
         job.advance(0.5 * share);
     });
     const Played all =
-        play(*whole, body, options, [&](double share) { job.advance(0.5 + 0.5 * share); });
+        play(*whole, body, options, job, [&](double share) { job.advance(0.5 + 0.5 * share); });
     row.live_ms = quantile(part.held_ms, 0.5);
     row.live_longest_ms = *std::ranges::max_element(part.held_ms);
     row.whole_ms = quantile(all.held_ms, 0.5);

@@ -34,11 +34,11 @@ std::uint64_t hash_of(const Stepper& stepper) {
     return hasher.value();
 }
 
-void advance(Run& run, const Grab& grab) {
+void advance(Run& run, const Grab& grab, const Job& job) {
     StepReport report;
     run.ms.push_back(timed_ms([&] {
         run.stepper->set_grabs(std::span(&grab, 1));
-        report = run.stepper->step(frame_s);
+        report = run.stepper->step(frame_s, job.stop_token());
     }));
     run.row.iterations += report.linear_iterations;
     run.row.newton_iterations += report.newton_iterations;
@@ -82,7 +82,7 @@ std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
             const ThreadLimit limit(run.row.threads);
             for (int k = first; k < std::min(options.frames, first + frames_per_batch); ++k) {
                 job.advance(static_cast<double>(k) / options.frames);
-                advance(run, led_around(tip, body.mesh.vertices_mm[tip], k));
+                advance(run, led_around(tip, body.mesh.vertices_mm[tip], k), job);
             }
         }
     }

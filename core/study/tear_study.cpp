@@ -56,7 +56,7 @@ double force_of(const std::vector<Grab>& grabs, const Stepper& stepper) {
     return sum.norm();
 }
 
-TearRow pull(double edge_mm, const TearLaw& law, double step_mm) {
+TearRow pull(double edge_mm, const TearLaw& law, double step_mm, const Job& job) {
     const BodyDescription body = bar(edge_mm, law);
     const auto stepper = make_cpu_stepper(body, {});
     const double middle = 0.5 * size_mm.x() + 0.01;
@@ -75,7 +75,7 @@ TearRow pull(double edge_mm, const TearLaw& law, double step_mm) {
         const std::vector<Grab> grabs = hand_at(body, pulled);
         stepper->set_grabs(grabs);
         const auto begin = std::chrono::steady_clock::now();
-        const StepReport report = stepper->step(frame_s);
+        const StepReport report = stepper->step(frame_s, job.stop_token());
         step_ms.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count());
@@ -128,7 +128,7 @@ std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job) {
             }
     job.begin_stage("Tearing bars");
     for (const auto& [edge, one] : runs) {
-        rows.push_back(pull(edge, one, options.step_mm));
+        rows.push_back(pull(edge, one, options.step_mm, job));
         job.advance(static_cast<double>(rows.size()) / static_cast<double>(runs.size()));
     }
     return rows;

@@ -93,7 +93,7 @@ double rest_tip(BeamSpec spec, const Index3& cells, const char* element, Job& jo
     constexpr int long_steps = 6;  // in which backward Euler forgets the motion
     for (int i = 0; i < long_steps; ++i) {
         job.advance((1.0 + i) / (1.0 + long_steps));
-        stepper->step(100.0);
+        stepper->step(100.0, job.stop_token());
     }
     return tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
 }
@@ -109,7 +109,7 @@ std::vector<double> reference_motion(BeamSpec spec, Job& job) {
     std::vector<double> tips;
     for (int i = 0; i < motion_frames; ++i) {
         job.throw_if_cancelled();
-        stepper->step(frame_s);
+        stepper->step(frame_s, job.stop_token());
         tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
     }
     return tips;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 
 namespace hepatica {
 namespace {
@@ -56,6 +57,18 @@ TEST(Job, StopsTheWorkerAtItsNextReport) {
     job.cancel();
     worker.join();
     EXPECT_TRUE(stopped);
+}
+
+TEST(Job, AsksThoseWhoKnowNoJobToStop) {
+    Job job;
+    const std::stop_token stop = job.stop_token();
+    EXPECT_FALSE(stop.stop_requested());
+    EXPECT_NO_THROW(throw_if_stopped(stop));
+    job.cancel();
+    EXPECT_TRUE(job.cancelled());
+    EXPECT_TRUE(stop.stop_requested());
+    EXPECT_THROW(throw_if_stopped(stop), Cancelled);
+    EXPECT_NO_THROW(throw_if_stopped({}));
 }
 
 }  // namespace

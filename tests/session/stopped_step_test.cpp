@@ -103,6 +103,16 @@ TEST_F(StoppedStep, TheNextGoesBackToTheLastGoodStateAndAReplayAgrees) {
     EXPECT_EQ(replayed.state_hash, end);
 }
 
+TEST_F(StoppedStep, OfAJobIsItsCancel) {
+    play(10);
+    Job job;
+    *fault_ = [&](const std::string& call) {
+        if (call == "begin step") job.cancel();
+    };
+    EXPECT_THROW(session_->step(job), Cancelled);
+    EXPECT_EQ(recording_->steps.size(), 10u);
+}
+
 TEST_F(StoppedStep, AStopThatComesWhenTheStepIsMadeChangesNothing) {
     std::stop_source source;
     *fault_ = [&](const std::string& call) {
