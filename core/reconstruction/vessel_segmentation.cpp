@@ -151,7 +151,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     if (!options.liver) {
         job.begin_stage("Finding the liver");
         found = find_liver(ct, job);
-        region = vessel_region(ct, found, job);
+        region = vessel_region(ct, job);
     }
     job.begin_stage("Resampling the liver");
     const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;

@@ -154,14 +154,12 @@ Mask find_liver(const Volume& ct, Job& job) {
     return resample(liver, ct.grid, Interpolation::linear, job);
 }
 
-Mask vessel_region(const Volume& ct, const Mask& found_liver, Job& job) {
+Mask vessel_region(const Volume& ct, Job& job) {
     FloatVolume smooth = coarsened(ct, job);
     gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
     const Mask alike = close_liver(with_all_alike(largest_soft_organ(smooth, job), smooth, job),
                                    vessel_closing_mm, job);
-    Mask region = resample(alike, ct.grid, Interpolation::linear, job);
-    unite(region, found_liver);
-    return region;
+    return resample(alike, ct.grid, Interpolation::linear, job);
 }
 
 }  // namespace hepatica

@@ -16,11 +16,12 @@ namespace hepatica {
 // shows no organ of that kind, or one that bone or lungs enclose (organ_surroundings.h); Cancelled.
 Mask find_liver(const Volume& ct, Job& job);
 
-// Where vessels are looked for when the liver was found: in it and in all tissue that touches it
-// and looks like it, spleen and pancreas among it. The level above which a dark or bright line is a
+// Where vessels are looked for when no liver was given: the largest soft organ with all tissue that
+// touches it and looks like it, spleen and pancreas among it. The level above which a line is a
 // vessel (false_line_threshold.h) follows what else is in the region; on real patients more of the
-// liver's vessels were found in this one (docs/accuracy.md). Grid of the CT. Throws Cancelled.
-Mask vessel_region(const Volume& ct, const Mask& found_liver, Job& job);
+// liver's vessels were found in this one than in find_liver()'s alone (docs/accuracy.md). Grid of
+// the CT. Throws Cancelled.
+Mask vessel_region(const Volume& ct, Job& job);
 
 // Expert liver masks often have their vessels carved out: closes channels up to twice radius_mm
 // wide and fills cavities. Same grid; a superset of the mask.
