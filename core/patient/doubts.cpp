@@ -32,11 +32,10 @@ std::string listed(const std::vector<int>& numbers) {
 
 constexpr const char* found_liver_sentence =
     "The liver was found by the program: on real patients about 4 % of such a liver lay outside of "
-    "an expert's, and 11 % of the expert's were missed, mostly its tumours. Small "
-    "segments "
-    "beside stomach, pancreas and vena cava are off by up to a quarter. Where volumes matter, give "
-    "a "
-    "mask of the liver.";
+    "an expert's, and 11 % of the expert's were missed, mostly its tumours. A segment beside "
+    "stomach or pancreas, mostly 3, may lie outside of it by two fifths. Where volumes matter, "
+    "give "
+    "a mask of the liver.";
 
 void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {
     if (doubts.veins_known < 3)
