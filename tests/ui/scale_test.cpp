@@ -2,6 +2,7 @@
 // What is seen is what is hit, on plain and on dense screens. ctest runs these once for each
 // QT_SCALE_FACTOR; only the picture's own size tells here how many pixels a point has.
 #include <QImage>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -87,7 +88,11 @@ TEST_F(Scale, the_pulls_bead_is_drawn_under_the_mouse) {
             const QColor colour = picture.pixelColor(x, y);
             const bool of_the_bead = colour.green() > 200 && colour.red() < 120;
             // The line leads here from the start; only the bead is on the far side of the mouse.
-            if (!of_the_bead || x < end.x() * pixels_per_point(picture)) continue;
+            // The legend's swatch of the pull is as green, far from it.
+            const double ratio = pixels_per_point(picture);
+            const bool near = std::abs(x - end.x() * ratio) < 20.0 * ratio &&
+                              std::abs(y - end.y() * ratio) < 20.0 * ratio;
+            if (!of_the_bead || !near || x < end.x() * ratio) continue;
             sum += QPointF(x + 0.5, y + 0.5);
             ++count;
         }
