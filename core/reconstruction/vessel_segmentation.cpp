@@ -147,16 +147,16 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
         result.warnings.push_back("The slices are " + rounded(coarsest, 1) +
                                   " mm apart: thin branches may be broken or missing. Up to 1.5 mm "
                                   "is better.");
-    Mask found, region;
+    FoundLiver found;
     if (!options.liver) {
         job.begin_stage("Finding the liver");
         found = find_liver(ct, job);
-        region = vessel_region(ct, job);
     }
     job.begin_stage("Resampling the liver");
     const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;
-    LiverFrame frame = make_liver_frame(ct, options.liver ? *options.liver : region, spacing, job);
-    region = Mask();
+    LiverFrame frame =
+        make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing, job);
+    found.vessel_region = Mask();
 
     job.begin_stage("Measuring the contrast");
     TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
@@ -189,8 +189,9 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
         if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
     result.components =
         static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
-    result.liver = options.liver ? std::move(frame.liver)
-                                 : resample(found, result.mask.grid, Interpolation::linear, job);
+    result.liver = options.liver
+                       ? std::move(frame.liver)
+                       : resample(found.liver, result.mask.grid, Interpolation::linear, job);
     result.intensity = std::move(frame.intensity);
     return result;
 }

@@ -113,6 +113,7 @@ Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
                             border_iterations, job);
     liver = largest_components(liver, Connectivity::faces6);
     job.advance(0.8);
+    unite(liver, enclosed_tissue(smooth, liver, job));
     return close_liver(liver, vessel_closing_mm, job);
 }
 
@@ -133,7 +134,7 @@ Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
     return fill_holes(closed);
 }
 
-Mask find_liver(const Volume& ct, Job& job) {
+FoundLiver find_liver(const Volume& ct, Job& job) {
     const FloatVolume coarse = coarsened(ct, job);
     FloatVolume smooth = coarse;
     gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
@@ -151,15 +152,9 @@ Mask find_liver(const Volume& ct, Job& job) {
     const Mask liver = placed(liver_about(crop(organ.core, box), near, job), box, coarse.grid);
     require_surroundings_of_liver(surroundings_of(liver, smooth, job));
     job.advance(0.9);
-    return resample(liver, ct.grid, Interpolation::linear, job);
-}
-
-Mask vessel_region(const Volume& ct, Job& job) {
-    FloatVolume smooth = coarsened(ct, job);
-    gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
-    const Mask alike = close_liver(with_all_alike(largest_soft_organ(smooth, job), smooth, job),
-                                   vessel_closing_mm, job);
-    return resample(alike, ct.grid, Interpolation::linear, job);
+    const Mask alike = close_liver(with_all_alike(organ, smooth, job), vessel_closing_mm, job);
+    return {resample(liver, ct.grid, Interpolation::linear, job),
+            resample(alike, ct.grid, Interpolation::linear, job)};
 }
 
 }  // namespace hepatica

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -33,9 +34,8 @@ class Flood {
         std::array<std::size_t, 6> around{};
         const std::size_t count = basins_around(voxel, around);
         if (count == 0) {
-            root_.push_back(root_.size());
             peak_mm_.push_back(depth_mm);
-            labels_.voxels[voxel] = static_cast<std::uint32_t>(root_.size());
+            labels_.voxels[voxel] = basins_.add() + 1;
             return;
         }
         std::size_t deepest = around[0];
@@ -63,8 +63,7 @@ class Flood {
 
   private:
     std::size_t root_of(std::size_t basin) {
-        while (root_[basin] != basin) basin = root_[basin] = root_[root_[basin]];
-        return basin;
+        return basins_.root(static_cast<std::uint32_t>(basin));
     }
 
     std::size_t basins_around(std::size_t voxel, std::array<std::size_t, 6>& around) {
@@ -85,17 +84,17 @@ class Flood {
     void meet(std::size_t first, std::size_t second, double neck_mm) {
         const std::size_t a = root_of(first), b = root_of(second);
         if (a == b) return;
-        const std::size_t shallow = peak_mm_[a] <= peak_mm_[b] ? a : b;
-        const double peak_mm = peak_mm_[shallow];
+        // Basins are added from the deepest on, so that the root of two, the first, is the deeper.
+        const double peak_mm = std::min(peak_mm_[a], peak_mm_[b]);
         if (peak_mm - neck_mm < least_rise_mm || neck_mm > widest_neck * peak_mm)
-            root_[shallow] = shallow == a ? b : a;
+            basins_.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
         else
             necks_.push_back({a, b, neck_mm});
     }
 
     const FloatVolume& depth_;
     Image<std::uint32_t> labels_;
-    std::vector<std::size_t> root_;
+    DisjointSets basins_;
     std::vector<double> peak_mm_;
     std::vector<int> number_;  // of the lobe, by root
     std::vector<Neck> necks_;
@@ -103,7 +102,7 @@ class Flood {
 
 Lobes Flood::result() {
     Lobes found;
-    number_.assign(root_.size(), -1);
+    number_.assign(basins_.size(), -1);
     for (std::size_t i = 0; i < labels_.voxels.size(); ++i) {
         if (labels_.voxels[i] == 0) continue;
         const std::size_t root = root_of(labels_.voxels[i] - 1);

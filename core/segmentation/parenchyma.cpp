@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
@@ -68,9 +69,8 @@ double spread_of(const FloatVolume& smooth, const Parenchyma& grown) {
         if (grown.voxels.voxels[i] != 0)
             deviations.push_back(std::abs(smooth.voxels[i] - grown.hu.voxels[i]));
     if (deviations.empty()) return least_spread_hu;
-    const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    return std::clamp(1.4826 * static_cast<double>(*middle), least_spread_hu, most_spread_hu);
+    return std::clamp(1.4826 * static_cast<double>(median(std::move(deviations))), least_spread_hu,
+                      most_spread_hu);
 }
 
 Mask like_parenchyma(const FloatVolume& smooth, const Parenchyma& grown, double seat_hu) {

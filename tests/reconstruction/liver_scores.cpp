@@ -30,7 +30,7 @@ constexpr int segments = 8;
 
 OrganScore scored(const std::string& name, const Volume& ct, const Mask& truth, Job& job) {
     const auto start = std::chrono::steady_clock::now();
-    const Mask found = find_liver(ct, job);
+    const Mask found = find_liver(ct, job).liver;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const OrganScore score = organ_score(found, truth, job);
     std::printf("| %s | %.3f | %.3f | %.3f | %.1f | %.1f |\n", name.c_str(), score.dice,

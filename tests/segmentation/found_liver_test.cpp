@@ -49,10 +49,9 @@ INSTANTIATE_TEST_SUITE_P(Seeds, FoundLiver, testing::Range(101, 109));
 
 TEST_P(FoundLiver, LeavesOutItsNeighbours) {
     Job job;
-    const RandomAbdomen body = random_abdomen({.seed = static_cast<std::uint64_t>(GetParam()),
-                                               .spacing_mm = {2, 2, 2.5},
-                                               .tumours = false});
-    const Judged found = judged(body, find_liver(body.ct, job));
+    const RandomAbdomen body =
+        random_abdomen({.seed = static_cast<std::uint64_t>(GetParam()), .spacing_mm = {2, 2, 2.5}});
+    const Judged found = judged(body, find_liver(body.ct, job).liver);
     EXPECT_GT(found.dice, 0.90);
     EXPECT_LT(found.taken(AbdomenOrgan::spleen), 0.15);
     EXPECT_LT(found.taken(AbdomenOrgan::heart), 0.15);
@@ -65,18 +64,18 @@ TEST_P(FoundLiver, LeavesOutItsNeighbours) {
 TEST(FoundLiverInASlab, IsFoundToItsCutEnds) {
     Job job;
     for (const std::uint64_t seed : {911u, 912u}) {
-        const RandomAbdomen body = random_abdomen(
-            {.seed = seed, .spacing_mm = {2, 2, 2.5}, .slab_mm = 45.0, .tumours = false});
-        EXPECT_GT(judged(body, find_liver(body.ct, job)).dice, 0.90) << seed;
+        const RandomAbdomen body =
+            random_abdomen({.seed = seed, .spacing_mm = {2, 2, 2.5}, .slab_mm = 45.0});
+        EXPECT_GT(judged(body, find_liver(body.ct, job).liver).dice, 0.90) << seed;
     }
 }
 
 TEST(FoundLiverOfAnyThreads, HasTheSameVoxels) {
     const RandomAbdomen body = random_abdomen({.seed = 101, .spacing_mm = {3, 3, 3}});
     Job job;
-    const Mask of_all = find_liver(body.ct, job);
+    const Mask of_all = find_liver(body.ct, job).liver;
     const ThreadLimit one(1);
-    EXPECT_EQ(find_liver(body.ct, job).voxels, of_all.voxels);
+    EXPECT_EQ(find_liver(body.ct, job).liver.voxels, of_all.voxels);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ double dice(const Mask& a, const Mask& b) {
 TEST(FindLiver, IsTheLargestSoftOrganAndNotItsNeighbours) {
     const Scan body = scan();
     Job job;
-    const Mask found = find_liver(body.ct, job);
+    const Mask found = find_liver(body.ct, job).liver;
     EXPECT_TRUE(same_grid(found.grid, body.ct.grid));
     EXPECT_GT(dice(found, body.liver), 0.92);
     const auto at = [&](const Vec3& p) {
@@ -85,7 +85,7 @@ TEST(FindLiver, FollowsTheContrast) {
     for (std::int16_t& hu : body.ct.voxels)
         if (hu > 0 && hu < 300) hu = static_cast<std::int16_t>(hu - 40);
     Job job;
-    EXPECT_GT(dice(find_liver(body.ct, job), body.liver), 0.92);
+    EXPECT_GT(dice(find_liver(body.ct, job).liver, body.liver), 0.92);
 }
 
 // Without noise: a liver of 110 HU, a heart of 130 HU pressed against it, and beside them something
@@ -120,7 +120,7 @@ TEST(FindLiver, TakesNoSlopeForTissue) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Scan body = scan_with_slopes(axis);
         Job job;
-        const Mask found = find_liver(body.ct, job);
+        const Mask found = find_liver(body.ct, job).liver;
         EXPECT_GT(dice(found, body.liver), 0.85) << "axis " << axis;  // 0.78 with the heart
         EXPECT_EQ(found.at(16, 34, 32), 0) << "axis " << axis;        // in the heart
     }

@@ -91,7 +91,7 @@ struct Filled {
 // Everything that is drawn of one body. Ranges are listed in the header.
 class Body {
   public:
-    Body(PhantomRandom& random, bool with_tumours)
+    explicit Body(PhantomRandom& random)
         : random_(random),
           bend_{Waves(random, 60, 120), Waves(random, 60, 120), Waves(random, 60, 120)},
           field_(random, 90, 200),
@@ -99,7 +99,7 @@ class Body {
         parenchyma_hu = between(85, 135);
         choose_liver();
         choose_neighbours();
-        choose_contents(with_tumours);
+        choose_contents();
     }
 
     // The tissue of a place, its organ, and its intensity with borders softened over softness_mm.
@@ -111,7 +111,7 @@ class Body {
     double between(double low, double high) { return random_.uniform(low, high); }
     void choose_liver();
     void choose_neighbours();
-    void choose_contents(bool with_tumours);
+    void choose_contents();
     void add_vessels();
     double liver_distance(const Vec3& p) const;
 
@@ -208,9 +208,9 @@ void Body::add_vessels() {
     vessels_.push_back({{outlet, left + Vec3(20, 0, 0), 5, 2}, hepatic_hu});
 }
 
-void Body::choose_contents(bool with_tumours) {
+void Body::choose_contents() {
     add_vessels();
-    const int tumours = with_tumours ? static_cast<int>(between(0, 6)) : 0;
+    const int tumours = static_cast<int>(between(0, 6));
     for (int i = 0; i < tumours; ++i) {
         const bool on_the_right = random_.uniform() < 0.7;
         const Ellipsoid& lobe = on_the_right ? right_lobe_ : left_lobe_;
@@ -368,7 +368,7 @@ std::string name_of(AbdomenOrgan organ) {
 
 RandomAbdomen random_abdomen(const RandomAbdomenOptions& options) {
     PhantomRandom random(scrambled(options.seed));
-    const Body body(random, options.tumours);
+    const Body body(random);
     const double noise_hu = random.uniform(8, 22);
     const Grid grid = grid_of(options);
     RandomAbdomen made{Volume(grid), Mask(grid), Mask(grid), body.parenchyma_hu};

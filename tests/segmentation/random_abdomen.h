@@ -33,7 +33,6 @@ struct RandomAbdomenOptions {
     // Extent along the body of a slab through the liver's middle; 0: all from below the liver to
     // the heart.
     double slab_mm = 0.0;
-    bool tumours = true;
 };
 
 struct RandomAbdomen {

@@ -73,7 +73,7 @@ TEST(SegmentationFigures, OfTheLiverAndItsTissue) {
             .add("interior", tissue.interior.voxels)
             .add("levels", std::vector{tissue.parenchyma_hu, tissue.noise_hu, spread.median,
                                        spread.deviation, around.bone, around.lung})
-            .add("found", find_liver(small_scan().ct, job).voxels)
+            .add("found", find_liver(small_scan().ct, job).liver.voxels)
             .add("closed", close_liver(small_scan().vessels, 4.0, job).voxels));
 }
 
