@@ -78,19 +78,27 @@ std::string value(const std::string& text) {
     return text + '\0';
 }
 
-void write_bytes(const fs::path& file, const std::string& bytes) {
-    std::ofstream out(file, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+void require_written(std::ofstream& out, const fs::path& file) {
     if (!out.flush())
         throw InputError("cannot be written", file.string(),
                          "Free some space there, or set TMPDIR to a folder with more");
+}
+
+void write_bytes(const fs::path& file, const std::string& bytes) {
+    std::ofstream out(file, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    require_written(out, file);
 }
 
 // What the helper reads (app/dicom_segmentation/order.h): segments that have a frame, numbered from
 // 1, and their frames.
 void write_order(const fs::path& folder, std::span<const SegmentMeaning> segments,
                  const std::vector<DicomSlice>& slices, const std::vector<FoundFrame>& frames) {
-    std::string files, meanings, pixels;
+    std::string files, meanings;
+    std::ofstream out(folder / "frames", std::ios::binary);
+    const auto put = [&out](const void* bytes, std::size_t count) {
+        out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+    };
     for (const DicomSlice& slice : slices) files += value(fs::absolute(slice.file).string());
     std::optional<std::size_t> last;
     std::uint16_t number = 0;
@@ -106,13 +114,13 @@ void write_order(const fs::path& folder, std::span<const SegmentMeaning> segment
             last = frame.segment;
             ++number;
         }
-        pixels.append(reinterpret_cast<const char*>(&number), sizeof number);
-        pixels.append(reinterpret_cast<const char*>(&frame.slice), sizeof frame.slice);
-        pixels.append(reinterpret_cast<const char*>(frame.pixels.data()), frame.pixels.size());
+        put(&number, sizeof number);
+        put(&frame.slice, sizeof frame.slice);
+        put(frame.pixels.data(), frame.pixels.size());
     }
+    require_written(out, folder / "frames");
     write_bytes(folder / "slices", files);
     write_bytes(folder / "segments", meanings);
-    write_bytes(folder / "frames", pixels);
 }
 
 void run_helper(const fs::path& order, const std::string& version, const fs::path& file,
