@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -108,6 +109,39 @@ TEST(VoxelAt, TheFacesOfTheGridBelongToItsOutermostVoxels) {
     EXPECT_EQ(value_at(image, high), 7);
     EXPECT_EQ(value_at(image, Vec3(high + Vec3(0.001, 0, 0))), 0);
     EXPECT_EQ(nearest_voxel(grid, Vec3(-1e300, 25.0, 1e300)), (Index3{0, 3, 3}));
+}
+
+// Every place of a turned grid is nearest to the centre of the voxel that holds it.
+TEST(VoxelAt, IsTheVoxelWhoseCentreIsNearestAlongEachAxis) {
+    Image<std::uint32_t> image(odd_grid());
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+        image.voxels[i] = static_cast<std::uint32_t>(i + 1);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(-0.499, 0.499);
+    for (std::size_t i = 0; i < image.voxels.size(); i += 7) {
+        const auto [x, y, z] = image.grid.index_of(i);
+        const Vec3 beside(share(random), share(random), share(random));
+        const Vec3 place = image.grid.to_mm(Vec3(Vec3(x, y, z) + beside));
+        ASSERT_EQ(value_at(image, place), i + 1);
+        ASSERT_EQ(nearest_voxel(image.grid, place), (Index3{x, y, z}));
+    }
+}
+
+TEST(VoxelAt, IsNowhereForWhatIsNoPlaceAndInAGridWithoutVoxels) {
+    const double no_number = std::numeric_limits<double>::quiet_NaN();
+    const double far = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double value : {no_number, far, -far}) {
+            Vec3 place = odd_grid().to_mm(5, 5, 5);
+            place[axis] = value;
+            EXPECT_FALSE(holds(odd_grid(), place)) << axis << ", " << value;
+        }
+    const Grid flat{{4, 0, 4}};
+    const Vec3 on_both_faces(0.0, -0.5, 0.0);
+    EXPECT_FALSE(holds(flat, on_both_faces));
+    EXPECT_EQ(value_at(Mask(flat), on_both_faces), 0);
+    EXPECT_EQ(value_at(Mask(), Vec3(Vec3::Zero())), 0);
+    EXPECT_EQ(value_at(Mask(odd_grid(), 1), Vec3(odd_grid().to_mm(-1, 5, 5))), 0);
 }
 
 TEST(Brush, ABallBetweenTheCentresTakesItsOwnVoxel) {
