@@ -70,6 +70,7 @@ TEST(RestingSession, MakesNoStepsAndNoFramesUntilACommandComes) {
     running.session().post(MoveGrab{start + Vec3(3, 0, 0)});
     ASSERT_TRUE(
         running.comes_to([&](const Frame& frame) { return frame.grab && frame.step > step + 5; }));
+    EXPECT_FALSE(running.session().waits_for_command()) << "it follows the hand";
     EXPECT_FALSE(running.newest().statistics.resting);
     // The time at rest was no delay.
     EXPECT_GT(running.newest().statistics.real_time_factor, 0.2);

@@ -15,6 +15,7 @@
 #include "tests/session/failing_stepper.h"
 #include "tests/session/recorded.h"
 #include "tests/session/small_patient.h"
+#include "tests/support/asked_to_stop.h"
 
 namespace hepatica {
 namespace {
@@ -147,9 +148,27 @@ TEST_F(EndlessStep, EndsWithTheSimulationThread) {
     {
         const std::jthread thread([&](const std::stop_token& stop) { session_->run(stop); });
         while (begun == 0) std::this_thread::yield();
+        EXPECT_FALSE(session_->waits_for_command()) << "it is in the step";
     }
     EXPECT_EQ(ended, 0);
     EXPECT_TRUE(recording_->steps.empty());
+}
+
+// A command may wait for what is computed on a thread of its own.
+TEST(StoppedInjection, IsNotWaitedForAndCountsNoStep) {
+    SceneSpec still = default_scene();
+    still.deform.reset();
+    Job job;
+    Session session(small_patient(), still, job);
+    const auto recording = test::keep_recording(session);
+    session.post(InjectDrug{.point_mm = small_patient()->tree.nodes[0].position_mm,
+                            .void_fraction = 0.4,
+                            .second_phase = "gas"});
+    session.post(FinishInjection{});
+    const SessionStep stopped = session.step(test::asked_to_stop());
+    EXPECT_TRUE(stopped.stopped);
+    EXPECT_TRUE(recording->steps.empty());
+    EXPECT_EQ(session.step().step, 1u);
 }
 
 // The clock of a scene with long steps is waited for, too.

@@ -75,6 +75,34 @@ TEST(StoppedSolve, EverySolverHearsItAndGoesOnOnceItIsRestored) {
     }
 }
 
+// Preparing and solving each hear it, so that neither leaves it to the other. Afterwards the solver
+// is of no use until it is restored; each has its own here.
+TEST(StoppedSolve, PreparingAndSolvingHearItEach) {
+    System system;
+    const std::vector<Vec3>& rest = system.body.mesh.vertices_mm;
+    const SolveLimits limits{.energy_tolerance = 1e-12};
+    const auto make = [&](LinearSolverKind kind) {
+        return make_linear_solver(kind, system.body.skeleton, rest);
+    };
+    for (const LinearSolverKind kind :
+         {LinearSolverKind::skeleton, LinearSolverKind::cholesky, LinearSolverKind::automatic}) {
+        const auto solver = make(kind);
+        solver->heed(test::asked_to_stop());
+        EXPECT_THROW(solver->prepare(system.matrix, rest), Cancelled) << name_of(kind);
+    }
+    const auto direct = make(LinearSolverKind::cholesky);
+    direct->prepare(system.matrix, rest);
+    direct->heed(test::asked_to_stop());
+    EXPECT_THROW(direct->prepare(system.matrix, rest), Cancelled) << "factored once more";
+    for (const LinearSolverKind kind :
+         {LinearSolverKind::skeleton, LinearSolverKind::cholesky, LinearSolverKind::block_jacobi}) {
+        const auto solver = make(kind);
+        solver->prepare(system.matrix, rest);
+        solver->heed(test::asked_to_stop());
+        EXPECT_THROW(solver->solve(system.load, system.x, limits), Cancelled) << name_of(kind);
+    }
+}
+
 TEST(StoppedSolve, PreparingATwoLevelMethodHearsIt) {
     System system;
     const std::vector<Vec3>& rest = system.body.mesh.vertices_mm;

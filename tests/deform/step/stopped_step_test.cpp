@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "core/deform/step/backward_euler.h"
 #include "core/deform/step/path_work.h"
 #include "core/deform/stepper/cpu_stepper.h"
@@ -47,6 +48,45 @@ TEST_F(StoppedStep, MakesNoFurtherIterate) {
     EXPECT_THROW(step_until_solve(3, 20), Cancelled);
     EXPECT_EQ(solves_, 3);
     EXPECT_EQ(state_.positions_mm, body_.rest_positions_mm);
+}
+
+TEST_F(StoppedStep, SolvesNothingWhereItWasAskedBefore) {
+    source_.request_stop();
+    EXPECT_THROW(step_until_solve(0, 20), Cancelled);
+    EXPECT_EQ(solves_, 0);
+}
+
+// Answers nothing: it asks for a stop, and listens as every solver does between its iterations.
+class ListeningSolver final : public LinearSolver {
+  public:
+    ListeningSolver(std::stop_source source, bool& deaf)
+        : source_(std::move(source)), deaf_(deaf) {}
+
+    void update(const BlockMatrix&, std::span<const Vec3>, std::span<const int>) override {}
+    SolveReport solve(std::span<const Vec3>, std::span<Vec3>, const SolveLimits&) override {
+        source_.request_stop();
+        throw_if_stopped(stop());
+        deaf_ = true;
+        return {};
+    }
+    void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override { z = r; }
+    std::string_view name() const override { return "listening"; }
+    bool made_from_latest() const override { return false; }
+    std::vector<double> memory() const override { return {}; }
+    void restore(const BlockMatrix&, bool, std::span<const Vec3>,
+                 std::span<const double>) override {}
+
+  private:
+    std::stop_source source_;
+    bool& deaf_;
+};
+
+TEST_F(StoppedStep, ItsSolverIsTold) {
+    bool deaf = false;
+    BackwardEuler integrator(body_, {}, std::make_unique<ListeningSolver>(source_, deaf));
+    EXPECT_THROW(integrator.advance(state_, 1.0 / 60.0, potentials_, source_.get_token()),
+                 Cancelled);
+    EXPECT_FALSE(deaf);
 }
 
 TEST_F(StoppedStep, GoesNowhereAlongTheDirectionThatItHas) {
