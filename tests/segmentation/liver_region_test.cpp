@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "tests/support/test_masks.h"
@@ -123,6 +127,78 @@ TEST(FindLiver, TakesNoSlopeForTissue) {
         const Mask found = find_liver(body.ct, job).liver;
         EXPECT_GT(dice(found, body.liver), 0.85) << "axis " << axis;  // 0.78 with the heart
         EXPECT_EQ(found.at(16, 34, 32), 0) << "axis " << axis;        // in the heart
+    }
+}
+
+// Balls of soft tissue in fat, without noise, 3 mm a voxel.
+Volume soft_balls(const Vec3& vessel_mm, const std::vector<std::pair<Vec3, double>>& balls) {
+    Grid grid;
+    grid.dims = {84, 60, 60};
+    grid.spacing_mm = Vec3::Constant(3.0);
+    Volume ct(grid, -100);
+    for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        for (const auto& [centre, radius] : balls)
+            if ((p - centre).norm() < radius) ct.voxels[i] = 110;
+        if ((p - vessel_mm).norm() < 6.0) ct.voxels[i] = 220;  // a vessel
+    }
+    return ct;
+}
+
+// A spleen of the liver's own intensity, joined to it by more than the neck that growing stops at:
+// only its place and the neck tell the two apart. The same behind the right lobe is liver.
+TEST(FindLiver, PartsAnOrganLikeItThatTouchesItWidely) {
+    const Vec3 liver(125, 80, 90);
+    Job job;
+    for (const double side : {1.0, -1.0}) {
+        const Vec3 towards = Vec3(side, 0.5, -0.3).normalized();
+        std::vector<std::pair<Vec3, double>> balls{{liver, 48.0}, {liver + 76.0 * towards, 28.0}};
+        for (double along = 48.0; along < 76.0; along += 2.0)
+            balls.emplace_back(liver + along * towards, 13.0);
+        const FoundLiver found =
+            find_liver(soft_balls(Vec3(liver + Vec3(-20, -10, 15)), balls), job);
+        EXPECT_EQ(value_at(found.liver, liver), 1);
+        EXPECT_EQ(value_at(found.liver, Vec3(liver + 80.0 * towards)), side > 0.0 ? 0 : 1);
+        EXPECT_EQ(value_at(found.vessel_region, Vec3(liver + 80.0 * towards)), 1)
+            << "vessels are looked for in all that touches the liver and looks like it";
+    }
+}
+
+// The region is the whole organ, to the rim that smoothing took, with the vessels in it, and
+// nothing that fat parts from it.
+TEST(FindLiver, LooksForVesselsInAllThatTouchesIt) {
+    const Vec3 liver(90, 90, 90), apart(185, 90, 90);
+    Job job;
+    const FoundLiver found = find_liver(soft_balls(liver, {{liver, 54.0}, {apart, 30.0}}), job);
+    EXPECT_TRUE(same_grid(found.vessel_region.grid, found.liver.grid));
+    EXPECT_EQ(value_at(found.vessel_region, liver), 1) << "a bright vessel";
+    EXPECT_EQ(value_at(found.vessel_region, apart), 0);
+    std::size_t voxels = 0;
+    for (const std::uint8_t voxel : found.vessel_region.voxels) voxels += voxel;
+    const auto ball_mm3 = [](double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; };
+    EXPECT_GT(27.0 * static_cast<double>(voxels), ball_mm3(54.0 - 3.0)) << "but for a voxel";
+    EXPECT_LT(27.0 * static_cast<double>(voxels), ball_mm3(54.0 + 1.5));
+}
+
+// The largest soft organ of a head lies in bone, that of a chest in the lungs.
+TEST(FindLiver, RefusesAHeadAndAChest) {
+    Job job;
+    const Vec3 middle(126, 90, 90);
+    for (const auto& [around_hu, word] :
+         {std::pair<std::int16_t, const char*>{700, "brain"}, {-800, "heart"}}) {
+        Volume ct = soft_balls(middle, {{middle, 48.0}});
+        for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
+            const auto [x, y, z] = ct.grid.index_of(i);
+            const double r = (ct.grid.to_mm(x, y, z) - middle).norm();
+            if (r >= 48.0 && r < 66.0) ct.voxels[i] = around_hu;
+        }
+        try {
+            find_liver(ct, job);
+            ADD_FAILURE() << word;
+        } catch (const InputError& error) {
+            EXPECT_NE(error.problem().find(word), std::string::npos) << error.problem();
+        }
     }
 }
 

@@ -73,6 +73,28 @@ TEST(OrganLobes, ABallAndARodAreOneEach) {
     EXPECT_THROW(lobes_of(ball, job), Cancelled);
 }
 
+// Two balls that run into each other: at a neck that is nearly as deep as the smaller, or by less
+// than two millimetres, they are one lobe.
+TEST(OrganLobes, AreNotPartedWhereTheNeckIsHardlyOne) {
+    const auto lobes = [](double large, double small, double neck) {
+        const Vec3 first = Vec3::Constant(large + 3.0);
+        const double apart =
+            std::sqrt(large * large - neck * neck) + std::sqrt(small * small - neck * neck);
+        const int across = static_cast<int>(2.0 * large) + 6;
+        const Mask body = test::mask_where(
+            grid_of(static_cast<int>(apart + large + small) + 6, across, across, 1.0),
+            [&](const Vec3& p) {
+                return in_ball(p, first, large) || in_ball(p, first + Vec3(apart, 0, 0), small);
+            });
+        Job job;
+        return lobes_of(body, job).lobes.size();
+    };
+    EXPECT_EQ(lobes(40.0, 38.0, 35.4), 1u) << "0.93 of the smaller's depth";
+    EXPECT_EQ(lobes(40.0, 38.0, 31.0), 2u) << "0.82 of it";
+    EXPECT_EQ(lobes(20.0, 9.0, 7.4), 1u) << "1.6 mm below the smaller's depth";
+    EXPECT_EQ(lobes(20.0, 9.0, 5.5), 2u) << "3.5 mm below it";
+}
+
 // The lobe of a dumbbell at four places about the seat, as seen from its larger ball.
 TEST(LiverNeighbours, AreLobesBehindOrBelowOnTheLeftOrHighAbove) {
     const auto taken = [](const Vec3& towards, double distance_mm) {
@@ -140,6 +162,21 @@ TEST(Parenchyma, FollowsAFieldButNoStep) {
     EXPECT_NEAR(value_at(grown.hu, Vec3(125, 60, 60)), 70.0f, 4.0f);
     job.cancel();
     EXPECT_THROW(grow_parenchyma(smooth, seat, job), Cancelled);
+}
+
+// Nothing is wider than a neck: the seat is all that is sure.
+TEST(Parenchyma, OfAnOrganAsThinAsANeckIsItsSeat) {
+    const Grid grid = grid_of(30, 30, 30, 2.0);
+    FloatVolume smooth(grid, -100.0f);
+    Mask seat(grid);
+    for (std::size_t i = 0; i < smooth.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        if (!in_ball(grid.to_mm(x, y, z), Vec3::Constant(29), 6)) continue;
+        smooth.voxels[i] = 100.0f;
+        seat.voxels[i] = 1;
+    }
+    Job job;
+    EXPECT_EQ(grow_parenchyma(smooth, seat, job).voxels.voxels, seat.voxels);
 }
 
 TEST(Seat, IsTheDeepestPart) {
