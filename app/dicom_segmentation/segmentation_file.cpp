@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dicom_segmentation/segmentation_file.h"
 
+#include <dcmtk/dcmdata/dcostrmf.h>
+#include <dcmtk/dcmdata/dcwcache.h>
 #include <dcmtk/dcmfg/fgderimg.h>
 #include <dcmtk/dcmfg/fgfracon.h>
 #include <dcmtk/dcmfg/fgpixmsr.h>
@@ -12,6 +14,7 @@
 #include <dcmtk/dcmseg/segment.h>
 
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -164,6 +167,23 @@ void refer_to(DcmSegmentation& file, SourceSlices& source) {
     file.getCommonInstanceReference().addReferences(references, source.text(DCM_StudyInstanceUID));
 }
 
+// DCMTK closes a file without asking whether the last of it was written; without a buffer each
+// write says so itself.
+void save(DcmFileFormat& format, const std::filesystem::path& file) {
+    const Refusal refusal{"cannot be written: the disk takes no more",
+                          "Free some space there, or choose another folder"};
+    std::FILE* const out = std::fopen(file.c_str(), "wb");
+    if (out == nullptr) throw refusal;
+    std::setvbuf(out, nullptr, _IONBF, 0);
+    DcmOutputFileStream stream(out);  // closes it
+    DcmWriteCache cache;
+    format.transferInit();
+    const OFCondition saved =
+        format.write(stream, EXS_LittleEndianExplicit, EET_UndefinedLength, &cache);
+    format.transferEnd();
+    if (saved.bad() || stream.status().bad()) throw refusal;
+}
+
 }  // namespace
 
 void write_segmentation(Order& order, SourceSlices& source, const std::string& version,
@@ -182,7 +202,7 @@ void write_segmentation(Order& order, SourceSlices& source, const std::string& v
     DcmFileFormat written;
     require(segmentation->writeDataset(*written.getDataset()), "patient, study or frames");
     packed.put_into(*written.getDataset());
-    require(written.saveFile(file.c_str(), EXS_LittleEndianExplicit), "the file");
+    save(written, file);
 }
 
 }  // namespace hepatica::dicom_segmentation

@@ -5,8 +5,10 @@
 #include <gdcmSequenceOfItems.h>
 #include <gdcmStringFilter.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 
@@ -22,7 +24,7 @@ namespace fs = std::filesystem;
 using namespace testing_support;
 
 const std::vector<SegmentMeaning> meanings{
-    {"Portal vein",
+    {"Vein that was painted",
      {"91723000", "Anatomical Structure"},
      {"32764006", "Portal vein"},
      {120, 110, 204}},
@@ -111,12 +113,17 @@ TEST(SegmentationWriter, NamesItsSegmentsAndTheSlicesOfEachFrame) {
     EXPECT_EQ(text(data, 0x0008, 0x0060), "SEG");
     EXPECT_EQ(text(data, 0x0018, 0x1020), "1.2.3");
     // The segment without a pixel is left out, and the others are numbered without a gap.
-    EXPECT_EQ(text(item(data, 0x0062, 0x0002, 1), 0x0062, 0x0005), "Portal vein");
+    EXPECT_EQ(text(item(data, 0x0062, 0x0002, 1), 0x0062, 0x0005), "Vein that was painted");
     EXPECT_EQ(text(item(data, 0x0062, 0x0002, 2), 0x0062, 0x0005), "Liver");
     EXPECT_EQ(data.GetDataElement(gdcm::Tag(0x0062, 0x0002)).GetValueAsSQ()->GetNumberOfItems(),
               2u);
-    EXPECT_EQ(text(item(item(data, 0x0062, 0x0002, 1), 0x0062, 0x000f), 0x0008, 0x0100),
-              "32764006");
+    const gdcm::DataSet& vein = item(data, 0x0062, 0x0002, 1);
+    EXPECT_EQ(text(item(vein, 0x0062, 0x000f), 0x0008, 0x0100), "32764006");
+    EXPECT_EQ(text(item(vein, 0x0062, 0x000f), 0x0008, 0x0104), "Portal vein");
+    EXPECT_EQ(text(item(vein, 0x0062, 0x0003), 0x0008, 0x0100), "91723000");
+    EXPECT_EQ(text(item(vein, 0x0062, 0x0003), 0x0008, 0x0104), "Anatomical Structure");
+    const gdcm::DataSet& measures = item(item(data, 0x5200, 0x9229), 0x0028, 0x9110);
+    EXPECT_NEAR(std::stod(text(measures, 0x0018, 0x0088)), 1.5, 1e-3);
     // The first two frames are the vessel's slices 2 and 5, whichever way the files count.
     for (const auto& [frame, z] : {std::pair{1, 2}, std::pair{2, 5}}) {
         const gdcm::DataSet& group = item(data, 0x5200, 0x9230, static_cast<std::size_t>(frame));
@@ -144,6 +151,144 @@ TEST(SegmentationWriter, NamesItsSegmentsAndTheSlicesOfEachFrame) {
         }
         EXPECT_TRUE(found) << instance;
     }
+}
+
+// The numbers of an unsigned short, binary as DICOM has them.
+std::vector<double> numbers(const gdcm::DataSet& data, std::uint16_t group, std::uint16_t element,
+                            std::size_t bytes) {
+    const gdcm::ByteValue& value = *data.GetDataElement(gdcm::Tag(group, element)).GetByteValue();
+    std::vector<double> found;
+    for (std::size_t at = 0; at + bytes <= value.GetLength(); at += bytes) {
+        double number = 0.0;
+        for (std::size_t b = bytes; b-- > 0;)
+            number = 256.0 * number + static_cast<unsigned char>(value.GetPointer()[at + b]);
+        found.push_back(number);
+    }
+    return found;
+}
+
+// L, a and b of a colour (CIE 1976 about D65, sRGB of IEC 61966-2-1).
+Vec3 lab_of(const std::array<std::uint8_t, 3>& srgb) {
+    Vec3 light;
+    for (Eigen::Index c = 0; c < 3; ++c) {
+        const double v = srgb[static_cast<std::size_t>(c)] / 255.0;
+        light[c] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    }
+    Mat3 to_xyz;
+    to_xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
+    const Vec3 xyz = (to_xyz * light).cwiseQuotient(Vec3(0.9505, 1.0, 1.089));
+    const Vec3 f = xyz.unaryExpr([](double t) {
+        return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
+    });
+    return {116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])};
+}
+
+TEST(SegmentationWriter, RecommendsTheColoursThatItWasGiven) {
+    const Scan scan;
+    scan.write();
+    gdcm::Reader file;
+    file.SetFileName(scan.file.c_str());
+    ASSERT_TRUE(file.Read());
+    const gdcm::DataSet& data = file.GetFile().GetDataSet();
+    for (const auto& [segment, meaning] : {std::pair{1, 0}, std::pair{2, 2}}) {
+        const std::vector<double> written = numbers(
+            item(data, 0x0062, 0x0002, static_cast<std::size_t>(segment)), 0x0062, 0x000d, 2);
+        ASSERT_EQ(written.size(), 3u);
+        const Vec3 lab(written[0] * 100.0 / 65535.0, written[1] * 255.0 / 65535.0 - 128.0,
+                       written[2] * 255.0 / 65535.0 - 128.0);  // PS3.3 C.10.7.1.1
+        // The white of another lamp moves a colour by a few units.
+        EXPECT_LT((lab - lab_of(meanings[static_cast<std::size_t>(meaning)].srgb)).norm(), 8.0)
+            << lab.transpose();
+    }
+}
+
+// By which viewers sort frames: the segment's number, then the slice's, in one order of heights.
+TEST(SegmentationWriter, NumbersEachFramesSegmentAndSlice) {
+    const Scan scan;
+    scan.write();
+    gdcm::Reader file;
+    file.SetFileName(scan.file.c_str());
+    ASSERT_TRUE(file.Read());
+    const gdcm::DataSet& data = file.GetFile().GetDataSet();
+    const std::size_t frames =
+        data.GetDataElement(gdcm::Tag(0x5200, 0x9230)).GetValueAsSQ()->GetNumberOfItems();
+    EXPECT_GT(frames, 4u);
+    const int slices = turned_grid().dims[2];
+    int upwards = 0, downwards = 0;
+    for (std::size_t frame = 1; frame <= frames; ++frame) {
+        const gdcm::DataSet& group = item(data, 0x5200, 0x9230, frame);
+        const auto index = numbers(item(group, 0x0020, 0x9111), 0x0020, 0x9157, 4);
+        ASSERT_EQ(index.size(), 2u);
+        EXPECT_EQ(index[0], numbers(item(group, 0x0062, 0x000a), 0x0062, 0x000b, 2).at(0));
+        Vec3 corner;
+        ASSERT_EQ(std::sscanf(text(item(group, 0x0020, 0x9113), 0x0020, 0x0032).c_str(),
+                              "%lf\\%lf\\%lf", &corner[0], &corner[1], &corner[2]),
+                  3);
+        const int z = static_cast<int>(std::lround(turned_grid().to_index(corner).z()));
+        upwards += index[1] == z + 1;
+        downwards += index[1] == slices - z;
+    }
+    EXPECT_EQ(std::max(upwards, downwards), static_cast<int>(frames));
+}
+
+// A frame of reference is what lays a segmentation over its CT: where the CT has lost its own, the
+// file has one all the same.
+TEST(SegmentationWriter, HasAFrameOfReferenceWhereTheCtLacksOne) {
+    const Scan scan;
+    for (const auto& entry : fs::directory_iterator(scan.ct)) {
+        gdcm::Reader reader;
+        reader.SetFileName(entry.path().c_str());
+        ASSERT_TRUE(reader.Read());
+        reader.GetFile().GetDataSet().Remove(gdcm::Tag(0x0020, 0x0052));
+        gdcm::Writer writer;
+        writer.SetFile(reader.GetFile());
+        writer.SetFileName(entry.path().c_str());
+        ASSERT_TRUE(writer.Write());
+    }
+    scan.write();
+    gdcm::Reader file;
+    file.SetFileName(scan.file.c_str());
+    ASSERT_TRUE(file.Read());
+    EXPECT_FALSE(text(file.GetFile().GetDataSet(), 0x0020, 0x0052).empty());
+    expect_segment(scan, 1, [&](int x, int y, int z) { return scan.vessel.at(x, y, z) != 0; });
+}
+
+// Files of this process and its children take so many bytes, as on a disk that is full.
+class DiskOf {
+  public:
+    explicit DiskOf(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~DiskOf() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    DiskOf(const DiskOf&) = delete;
+    DiskOf& operator=(const DiskOf&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+// A file that was cut off would be shown as if it were whole.
+TEST(SegmentationWriter, SaysThatTheDiskIsFullAndLeavesNothing) {
+    const Scan scan;
+    scan.write();
+    const std::uintmax_t whole = fs::file_size(scan.file);
+    fs::remove(scan.file);
+    for (const std::uintmax_t missing : {std::uintmax_t{1}, whole / 3}) {
+        const std::string said = refusal([&] {
+            const DiskOf disk(whole - missing);
+            scan.write();
+        });
+        EXPECT_NE(said.find("the disk takes no more"), std::string::npos) << said;
+        EXPECT_FALSE(fs::exists(scan.file)) << missing << " bytes short";
+    }
+    scan.write();
+    EXPECT_EQ(fs::file_size(scan.file), whole);
 }
 
 TEST(SegmentationWriter, IsValidForAnotherProgram) {
