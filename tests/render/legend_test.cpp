@@ -90,6 +90,7 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     near_tearing.tear->loads = std::make_shared<const std::vector<float>>(9, 0.8f);
     EXPECT_TRUE(content_of(near_tearing, true).warned);
     EXPECT_FALSE(content_of(near_tearing, false).warned) << "no colour shows it";
+    EXPECT_FALSE(content_of(near_tearing, true).torn) << "nothing has given way yet";
     near_tearing.tear->joints_broken = 3;
     LegendContent content = content_of(near_tearing, true);
     content.systems = {VascularSystem::portal};
@@ -104,6 +105,41 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
     EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});
+}
+
+// Each label of the bar of loads stands below the colour that a vessel of that load has.
+TEST(LegendRows, LabelTheLoadsByTheColoursOfTheVessels) {
+    LegendContent content;
+    content.warned = true;
+    const LegendRow bar = legend_rows(content)[0];
+    ASSERT_EQ(bar.ticks.size(), 3u);
+    for (const auto& [place, label] : bar.ticks) {
+        const Colour on_vessel = palette::warning(palette::vessel_system(VascularSystem::unknown),
+                                                  std::stod(label) / 100.0);
+        const auto last = static_cast<double>(bar.colours.size() - 1);
+        const Colour& in_bar = bar.colours[static_cast<std::size_t>(std::lround(place * last))];
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(in_bar[c], on_vessel[c], 0.05) << label;
+    }
+    EXPECT_NE(bar.colours.front(), bar.colours.back());
+}
+
+TEST(LegendPlace, HasARowMoreForGapsAndForPlaces) {
+    OsmesaContext context(800, 600);
+    SceneView view(context.window());
+    view.show(fake_frame());
+    const auto height = [&] {
+        view.render();
+        return view.legend_box().top - view.legend_box().bottom;
+    };
+    const double alone = height();
+    view.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
+    const double with_gaps = height();
+    EXPECT_GT(with_gaps, alone);
+    view.set_marks({Vec3(0, 0, 0)});
+    EXPECT_GT(height(), with_gaps);
+    view.set_marks({});
+    view.set_bridges({});
+    EXPECT_EQ(height(), alone);
 }
 
 TEST(LegendPlace, IsTheFirstThatIsFreeOrTheFreest) {
