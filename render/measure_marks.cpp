@@ -85,8 +85,9 @@ void MeasureMarks::update(const Place& place, double point) {
     std::size_t used = 0;
     for (const MeasureView& measure : measures_) {
         std::vector<Place2> line;
-        for (const Vec3& position : measure.points_mm) line.push_back(place(position));
-        if (line.empty()) continue;
+        for (const Vec3& position : measure.points_mm)
+            if (const std::optional<Place2> at = place(position)) line.push_back(*at);
+        if (line.empty() || line.size() < measure.points_mm.size()) continue;
         add_line(line, 2.0 * point);
         if (measure.text.empty()) continue;
         if (used == texts_.size()) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,10 @@ class MeasureMarks {
     bool show(std::vector<MeasureView> measures);
     const std::vector<MeasureView>& shown() const { return measures_; }
 
-    // x and y of a point of the patient in device pixels, y upwards.
-    using Place = std::function<std::array<double, 2>(const Vec3& position_mm)>;
-    // For the next picture; call before each. `point`: one of the screen's in device pixels.
+    // x and y of a point of the patient in device pixels, y upwards; nothing behind the eye.
+    using Place = std::function<std::optional<std::array<double, 2>>(const Vec3& position_mm)>;
+    // For the next picture; call before each. What has a point behind the eye is left out. `point`:
+    // one of the screen's in device pixels.
     void update(const Place& place, double point);
 
   private:

@@ -180,7 +180,10 @@ void SceneView::render(double pixel_ratio) {
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
     }
     parts_->measures.update(
-        [this, height = parts_->picture_size().height](const Vec3& position_mm) {
+        [this, eye_mm = Vec3(eye.GetPosition()), forward = Vec3(eye.GetDirectionOfProjection()),
+         height = parts_->picture_size().height](
+            const Vec3& position_mm) -> std::optional<std::array<double, 2>> {
+            if ((position_mm - eye_mm).dot(forward) <= 0.0) return std::nullopt;
             const Pixel pixel = pixel_of(position_mm);
             return std::array{pixel.x, height - pixel.y};
         },

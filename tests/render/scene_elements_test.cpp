@@ -192,6 +192,28 @@ TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
     EXPECT_EQ(picture().rgb, plain.rgb);
 }
 
+TEST_F(SceneElements, every_measure_is_seen_but_what_lies_behind_the_eye) {
+    const Picture plain = picture_of(fake_frame());
+    const MeasureView low{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, ""};
+    const MeasureView high{{Vec3(-20, -30, 10), Vec3(20, -30, 10)}, ""};
+    view_.set_measures({low, high});
+    const Picture both = picture();
+    for (const MeasureView& measure : {low, high}) {
+        const Pixel at = view_.pixel_of(measure.points_mm[0]);
+        const std::size_t pixel =
+            3 * static_cast<std::size_t>(static_cast<int>(at.y) * width + static_cast<int>(at.x));
+        EXPECT_GT(both.rgb[pixel], 240);
+        EXPECT_LT(both.rgb[pixel + 2], 100);
+    }
+    const ViewAxes axes = view_.axes();
+    const Vec3 eye = view_.ray_through({0.5 * width, 0.5 * height}).origin_mm;
+    const Vec3 behind = eye - 40.0 * axes.forward;
+    for (const Vec3& other : {Vec3(behind + 10.0 * axes.right), Vec3(20, -30, 10), eye}) {
+        view_.set_measures({{{behind, other}, "10.0 mm"}});
+        EXPECT_EQ(picture().rgb, plain.rgb) << other.transpose();
+    }
+}
+
 TEST(Screenshot, another_drivers_smoothing_of_edges_is_not_seen) {
     OsmesaContext context(width, height);
     SceneView view(context.window());
