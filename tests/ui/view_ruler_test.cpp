@@ -168,5 +168,30 @@ TEST_F(Measuring, IsOneWithThatInTheSlices) {
     EXPECT_TRUE(drawn().empty());
 }
 
+// Without a window: three vertices, of which two are moved, each its own way.
+TEST(ViewRuler, EachPointGoesAlongWithTheVertexThatIsNearestToIt) {
+    auto patient = std::make_shared<PatientCase>();
+    patient->mesh.vertices_mm = {Vec3(0, 0, 0), Vec3(40, 0, 0), Vec3(80, 0, 0)};
+    Frame frame;
+    frame.positions_mm = {0, 0, 0, 40, 5, 0, 80, 0, 7};
+    Measurements measurements;
+    std::vector<MeasureView> shown;
+    ViewRuler ruler(measurements,
+                    {[&](std::vector<MeasureView> views) { shown = std::move(views); },
+                     [](const std::string&) {}, [&] { return &frame; }});
+    ruler.show_patient(patient);
+    measurements.choose(MeasurementKind::distance);
+    const auto add = [&](const Vec3& point) { measurements.add_point(point, {}, patient->tree); };
+    add(Vec3(1, 0, 0));
+    add(Vec3(79, 0, 0));
+    ASSERT_EQ(shown.size(), 1u);
+    EXPECT_EQ(shown[0].points_mm, (std::vector{Vec3(1, 0, 0), Vec3(79, 0, 7)}));
+    add(Vec3(41, 1, 0));
+    add(Vec3(60, 0, 0));  // too far from all of them
+    ASSERT_EQ(shown.size(), 2u);
+    EXPECT_EQ(shown[1].points_mm, (std::vector{Vec3(41, 6, 0), Vec3(60, 0, 0)}));
+    EXPECT_EQ(shown[1].text, measurements.made()[1].text + " (at rest)");
+}
+
 }  // namespace
 }  // namespace hepatica::testing
