@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/opening/case_segmentation.h"
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -41,30 +42,33 @@ SegmentMeaning meaning_of(VascularSystem system) {
             {148, 153, 184}};
 }
 
-SegmentMeaning meaning_of_organ(std::uint8_t label) {
+// None for labels that no organ has (patient_case.h).
+std::optional<SegmentMeaning> meaning_of_organ(std::uint8_t label) {
     if (label == organ_label::liver)
-        return {"Liver", anatomical_structure, {"10200004", "Liver"}, {171, 115, 94}};
+        return SegmentMeaning{"Liver", anatomical_structure, {"10200004", "Liver"}, {171, 115, 94}};
     if (label == organ_label::cava)
-        return {"Inferior vena cava",
-                anatomical_structure,
-                {"64131007", "Inferior vena cava"},
-                {40, 90, 160}};
+        return SegmentMeaning{"Inferior vena cava",
+                              anatomical_structure,
+                              {"64131007", "Inferior vena cava"},
+                              {40, 90, 160}};
+    if (label < organ_label::first_tumour) return std::nullopt;
     const int number = label - organ_label::first_tumour + 1;
-    return {"Tumour " + std::to_string(number),
-            abnormal_structure,
-            {"108369006", "Neoplasm"},
-            {220, 190, 60}};
+    return SegmentMeaning{"Tumour " + std::to_string(number),
+                          abnormal_structure,
+                          {"108369006", "Neoplasm"},
+                          {220, 190, 60}};
 }
 
 class Segments {
   public:
-    void add(const Mask& voxels, SegmentMeaning (*meaning)(std::uint8_t)) {
+    void add(const Mask& voxels, std::optional<SegmentMeaning> (*meaning)(std::uint8_t)) {
         if (voxels.voxels.empty()) return;
         SegmentLayer layer{&voxels, {}};
         for (const std::uint8_t label : std::set(voxels.voxels.begin(), voxels.voxels.end())) {
-            if (label == 0) continue;
+            const auto known = label == 0 ? std::nullopt : meaning(label);
+            if (!known) continue;
             layer.segment_of[label] = meanings.size();
-            meanings.push_back(meaning(label));
+            meanings.push_back(*known);
         }
         layers.push_back(std::move(layer));
     }
@@ -82,8 +86,9 @@ void write_case_segmentation(const PatientCase& patient, const fs::path& ct, con
                          "Reconstruct the case from its CT");
     const int series = found_image_of(patient, ct, job).series;
     Segments segments;
-    segments.add(patient.mask,
-                 [](std::uint8_t label) { return meaning_of(static_cast<VascularSystem>(label)); });
+    segments.add(patient.mask, [](std::uint8_t label) {
+        return std::optional(meaning_of(static_cast<VascularSystem>(label)));
+    });
     segments.add(patient.organs, meaning_of_organ);
     write_dicom_segmentation(file, segments.meanings, segments.layers, ct, series, program_version,
                              job);

@@ -33,8 +33,11 @@ constexpr double coarse_slices_mm = 1.5;
 // it.
 constexpr double least_vessel_share = 0.002;
 constexpr double least_contrast_hu = 15.0;
-// Of a piece's voxels, away from the liver's border.
+// Of a piece's voxels. The liver's border runs through the walls of heart, ribs and kidneys: pieces
+// that lie mostly in its rim are theirs.
 constexpr double least_inner_share = 0.65;
+// The same in the liver that was found, which may lack a tenth of the organ.
+constexpr double least_liver_share = 0.3;
 constexpr double thin_radius_mm = 1.6;
 constexpr double kept_branch_mm = 4.0;
 // Below this contrast, in deviations of the noise, a radius is not measured any better than an
@@ -69,23 +72,11 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
 }
 
-// The liver's border runs through the walls of heart, ribs and kidneys: pieces that lie mostly in
-// its rim are theirs.
-void drop_rooted_in_rim(Detection& detection, const Mask& interior) {
-    Mask& vessels = detection.vessels;
-    Mask& centreline = detection.centreline;
-    const Components pieces = connected_components(vessels, Connectivity::all26);
-    std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
-    for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
-        if (interior.voxels[i]) ++inner[pieces.labels.voxels[i]];
-    for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
-        const std::uint32_t piece = pieces.labels.voxels[i];
-        if (piece == 0 || static_cast<double>(inner[piece]) >=
-                              least_inner_share * static_cast<double>(pieces.sizes[piece - 1]))
-            continue;
-        vessels.voxels[i] = 0;
-        if (!centreline.voxels.empty()) centreline.voxels[i] = 0;
-    }
+// Drops the pieces that lie elsewhere for the most part.
+void keep_within(const Mask& where, double least_share, Detection& detection) {
+    detection.vessels = pieces_within(detection.vessels, where, least_share);
+    for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
+        if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
 }
 
 void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver,
@@ -166,7 +157,13 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     Detection detection =
         detect_vessels(tissue, frame.liver, ct.grid.spacing_mm, options.method, job);
     job.throw_if_cancelled();
-    drop_rooted_in_rim(detection, tissue.interior);
+    keep_within(tissue.interior, least_inner_share, detection);
+    job.throw_if_cancelled();
+    result.liver = options.liver
+                       ? frame.liver
+                       : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+    // Spleen, pancreas and heart may hang together with the region that was searched.
+    if (!options.liver) keep_within(result.liver, least_liver_share, detection);
     job.throw_if_cancelled();
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
@@ -189,9 +186,6 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
         if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
     result.components =
         static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
-    result.liver = options.liver
-                       ? std::move(frame.liver)
-                       : resample(found.liver, result.mask.grid, Interpolation::linear, job);
     result.intensity = std::move(frame.intensity);
     return result;
 }

@@ -55,6 +55,21 @@ Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
     return grown;
 }
 
+Mask pieces_within(const Mask& mask, const Mask& where, double least_share) {
+    const Components pieces = connected_components(mask, Connectivity::all26);
+    std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        if (where.voxels[i]) ++inner[pieces.labels.voxels[i]];
+    Mask kept(mask.grid);
+    for (std::size_t i = 0; i < kept.voxels.size(); ++i) {
+        const std::uint32_t piece = pieces.labels.voxels[i];
+        if (piece != 0 && static_cast<double>(inner[piece]) >=
+                              least_share * static_cast<double>(pieces.sizes[piece - 1]))
+            kept.voxels[i] = mask.voxels[i];
+    }
+    return kept;
+}
+
 void rejoin(const Mask& skeleton, double kept_mm, Mask& surface) {
     const Grid& grid = surface.grid;
     Mask outside(grid);

@@ -14,6 +14,10 @@ Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3);
 // steps to 26 neighbours counted as one voxel each. Same grid of cubes for both.
 Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm);
 
+// The 26-connected pieces of `mask` of whose voxels at least least_share lie in `where`. Same grid
+// for both.
+Mask pieces_within(const Mask& mask, const Mask& where, double least_share);
+
 // Puts back the pieces of a skeleton outside a surface that join two of its parts, or are longer
 // than kept_mm. All on one grid.
 void rejoin(const Mask& skeleton, double kept_mm, Mask& surface);

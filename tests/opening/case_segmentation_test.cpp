@@ -81,6 +81,7 @@ class CaseSegmentation : public ::testing::Test {
 TEST_F(CaseSegmentation, NamesEachSystemAndOrganWhereItsVoxelsAre) {
     patient_.mask = slices_of(systems);
     patient_.organs = slices_of(organs);
+    patient_.organs.at(11, 3, 2) = 5;  // no organ has this label
     write_case_segmentation(patient_, folder_ / "ct", file_, "1", job_);
     const std::vector<std::string> names = texts_of(file_, std::string("\x62\0\x05\0LO", 6));
     const std::vector<std::string> codes = texts_of(file_, std::string("\x08\0\0\x01SH", 6));

@@ -43,6 +43,22 @@ TEST(Hysteresis, KeepsPiecesThatAreStrongSomewhereAndLargeEnough) {
     EXPECT_EQ(voxels_of(hysteresis(strong, weak, 0.0)), 26u + 15u);
 }
 
+TEST(PiecesWithin, KeepsThoseThatLieThereForAGivenShare) {
+    Mask mask(half_millimetres()), where(half_millimetres());
+    draw(mask, 0, 9, 1);   // 3 of 10 inside
+    draw(mask, 0, 9, 4);   // 2 of 10
+    draw(mask, 0, 9, 7);   // none
+    draw(mask, 0, 2, 10);  // 1 of 3
+    for (const int y : {1, 4, 10}) draw(where, y == 1 ? 0 : y == 4 ? 1 : 2, 2, y);
+    draw(where, 15, 29, 7);  // of no piece
+    Mask expected(half_millimetres());
+    draw(expected, 0, 9, 1);
+    draw(expected, 0, 2, 10);
+    EXPECT_EQ(pieces_within(mask, where, 0.3).voxels, expected.voxels);
+    EXPECT_EQ(voxels_of(pieces_within(mask, where, 0.0)), 33u);
+    EXPECT_EQ(voxels_of(pieces_within(mask, where, 0.34)), 0u);
+}
+
 TEST(GrowWithin, ReachesSoFarThroughWhatIsWeak) {
     Mask weak(half_millimetres()), strong(half_millimetres());
     draw(weak, 0, 29, 5);
