@@ -115,7 +115,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job);
     TissueContrast tissue;
     tissue.interior = erode(liver, rim_mm, job);
+    job.throw_if_cancelled();
     RobustSpread spread = robust_spread(smooth, tissue.interior);
+    job.throw_if_cancelled();
     if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
         throw InputError("the liver region is empty", "liver mask",
                          "Give a mask that lies inside the CT.");
@@ -123,7 +125,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     tissue.parenchyma_hu = spread.median;
     CoarseLevel coarse(intensity.grid);
     FloatVolume level(intensity.grid, static_cast<float>(spread.median));
+    job.throw_if_cancelled();
     FloatVolume rise(intensity.grid);
+    job.throw_if_cancelled();
     const auto subtract = [&](const FloatVolume& from) {
         parallel_blocks(rise.voxels.size(), 65536, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -132,7 +136,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     };
     for (int round = 0; round < rounds; ++round) {
         subtract(smooth);
+        job.throw_if_cancelled();
         spread = robust_spread(rise, tissue.interior);
+        job.throw_if_cancelled();
         const auto limit = static_cast<float>(outlier_deviations * spread.deviation);
         level = resample(
             coarse.mean(
@@ -143,7 +149,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
         job.advance(static_cast<double>(round + 1) / rounds);
     }
     subtract(intensity);
+    job.throw_if_cancelled();
     spread = robust_spread(rise, tissue.interior);
+    job.throw_if_cancelled();
     tissue.noise_hu = spread.deviation;
     tissue.excess = std::move(rise);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/patient/doubts.h"
 #include "core/phantom/phantom.h"
+#include "core/segmentation/liver_region.h"
 #include "core/segmentation/tissue_contrast.h"
 #include "tests/reconstruction/segmentation_score.h"
 
@@ -96,6 +97,56 @@ TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
     const Segmentation found = segment(patient, false);
     EXPECT_EQ(found.components, 1);
     EXPECT_GE(score(found.mask, patient, job).dice, 0.85);
+}
+
+// A liver of 48 mm in radius and a spleen of the same intensity that touches it, in fat, with a
+// vessel in each that stays clear of the other organ.
+double distance_to_stretch(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (p - a - share * (b - a)).norm();
+}
+
+struct LiverAndSpleen {
+    Volume ct;
+    Vec3 liver_mm{115, 75, 80};
+    Vec3 spleen_mm = liver_mm + 76.0 * Vec3(0.862, 0.431, -0.259);
+};
+
+LiverAndSpleen liver_and_spleen(Job& job) {
+    LiverAndSpleen body;
+    Grid grid;
+    grid.dims = {150, 110, 105};
+    grid.spacing_mm = Vec3::Constant(1.5);
+    body.ct = Volume(grid, -100);
+    const Vec3 liver = body.liver_mm, spleen = body.spleen_mm, up(0, 0, 1), across(1, 0, 0);
+    for (std::size_t i = 0; i < body.ct.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        if ((p - liver).norm() < 48.0 || (p - spleen).norm() < 28.0 ||
+            distance_to_stretch(p, liver, spleen) < 13.0)
+            body.ct.voxels[i] = 110;
+        if (distance_to_stretch(p, liver - 30.0 * up, liver + 30.0 * up) < 4.0 ||
+            distance_to_stretch(p, liver, liver - 30.0 * across) < 3.0 ||
+            distance_to_stretch(p, spleen - 18.0 * up, spleen + 18.0 * up) < 3.0)
+            body.ct.voxels[i] = 180;
+    }
+    add_noise(body.ct, 6.0, 1, job);
+    return body;
+}
+
+TEST(VesselSegmentation, LeavesOutLooseVesselsOfAnOrganThatTouchesTheLiver) {
+    Job job;
+    const LiverAndSpleen body = liver_and_spleen(job);
+    const FoundLiver region = find_liver(body.ct, job);
+    ASSERT_EQ(value_at(region.vessel_region, body.spleen_mm), 1) << "it is looked at";
+    ASSERT_EQ(value_at(region.liver, body.spleen_mm), 0) << "and is no liver";
+    const Segmentation found = segment_vessels(body.ct, SegmentationOptions{}, job);
+    EXPECT_NE(value_at(found.mask, body.liver_mm), 0);
+    EXPECT_EQ(value_at(found.mask, body.spleen_mm), 0);
+    SegmentationOptions given;
+    given.liver = region.vessel_region;
+    EXPECT_NE(value_at(segment_vessels(body.ct, given, job).mask, body.spleen_mm), 0)
+        << "whoever gives a liver means all of it";
 }
 
 TEST(VesselSegmentation, KeepsTheTreeTogetherWhereSlicesAreThreeMillimetresApart) {
