@@ -39,6 +39,7 @@ class RemadeCaseTest : public testing::Test {
         ReconstructOptions reconstruction;
         reconstruction.ct = folder / "ct.nii.gz";
         reconstruction.liver_mask = folder / "liver.nii.gz";
+        reconstruction.spacing_mm = 1.0;  // voxels of 2 mm hold no more
         reconstruction.mesh.target_tetrahedra = 1500;
         patient_ = new PatientCase(reconstruct(reconstruction, job).patient);
         ct_ = new Volume(read_volume(reconstruction.ct, job));

@@ -110,21 +110,25 @@ Patient vascusynth_patient(Job& job) {
     return patient;
 }
 
-Patient phantom_patient(std::uint64_t seed, double slice_mm, Job& job) {
-    PhantomOptions options;
-    options.seed = seed;
-    options.dims[2] =
-        static_cast<int>(std::lround(options.dims[2] * options.spacing_mm[2] / slice_mm));
-    options.spacing_mm[2] = slice_mm;
+Patient phantom_patient(const PhantomOptions& options, Job& job) {
     Phantom phantom = make_phantom(options, job);
     Patient patient;
-    patient.name = "phantom " + std::to_string(seed);
+    patient.name = "phantom " + std::to_string(options.seed);
     patient.ct = std::move(phantom.ct);
     patient.liver = std::move(phantom.liver);
     patient.truth = std::move(phantom.vessels);
     patient.judged = Mask(patient.ct.grid, 1);
     patient.tree = std::move(phantom.tree);
     return patient;
+}
+
+Patient phantom_patient(std::uint64_t seed, double slice_mm, Job& job) {
+    PhantomOptions options;
+    options.seed = seed;
+    options.dims[2] =
+        static_cast<int>(std::lround(options.dims[2] * options.spacing_mm[2] / slice_mm));
+    options.spacing_mm[2] = slice_mm;
+    return phantom_patient(options, job);
 }
 
 void add_noise(Volume& ct, double deviation_hu, std::uint64_t seed, Job& job) {

@@ -9,6 +9,7 @@
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
+#include "core/phantom/phantom.h"
 #include "core/reconstruction/vessel_segmentation.h"
 #include "core/tree/vessel_tree.h"
 
@@ -28,6 +29,7 @@ std::filesystem::path data_folder();
 
 Patient ircadb_patient(Job& job);      // truth: portal vein or venous system
 Patient vascusynth_patient(Job& job);  // judged everywhere
+Patient phantom_patient(const PhantomOptions& options, Job& job);
 Patient phantom_patient(std::uint64_t seed, double slice_mm, Job& job);
 
 // Noise of a CT's kind on top: Gaussian, correlated over about a pixel in the plane.

@@ -54,9 +54,7 @@ TEST(VesselSegmentation, FindsTheTreeOnAScanOfHardlyAnyNoiseOrNone) {
         SCOPED_TRACE(noise);
         PhantomOptions options;
         options.noise_hu = noise;
-        Phantom phantom = make_phantom(options, job);
-        Patient patient = phantom_patient(options.seed, options.spacing_mm[2], job);
-        patient.ct = std::move(phantom.ct);
+        const Patient patient = phantom_patient(options, job);
         EXPECT_GE(score(segment(patient).mask, patient, job).dice, 0.88);
     }
 }
