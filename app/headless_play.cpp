@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/case_picture.h"
 #include "app/step_times.h"
 #include "core/flow/injection.h"
 #include "core/scene/flow_part.h"
@@ -153,7 +154,9 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     player.step(1);
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
     // All pictures show one box, whatever the tree does, so that they can be compared.
-    Album album(folder, {.fitted_box_mm = box_of_play(player.frame(), held)});
+    PictureOptions pictures{.fitted_box_mm = box_of_play(player.frame(), held)};
+    colour_vessels(session.world(), *patient, false, pictures);
+    Album album(folder, std::move(pictures));
     album.add(player.frame(), "1_patient", "The vessel tree from the front.");
     job.advance(0.1);
 

@@ -5,10 +5,12 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -91,6 +93,19 @@ TEST_F(Play, PlaysATreeThatIsNoCase) {
     EXPECT_TRUE(fs::exists(path("from_tree/report.html")));
     for (const auto& entry : fs::directory_iterator(path("from_tree")))
         EXPECT_NE(entry.path().extension(), ".hep") << entry.path();
+}
+
+// The same vessels as portal and as hepatic veins.
+TEST_F(Play, ShowsEachSystemInItsColour) {
+    VesselTree tree = read_tree(path("p/truth_tree.vtp"));
+    std::set<std::string> pictures;
+    for (const VascularSystem system : {VascularSystem::portal, VascularSystem::hepatic}) {
+        for (VesselSegment& segment : tree.segments) segment.system = system;
+        write_tree_vtp(path("systems.vtp"), tree);
+        ASSERT_EQ(run_cli({"play", path("systems.vtp"), "--out", path("systems")}).exit_code, 0);
+        pictures.insert(text_of(path("systems/1_patient.png")));
+    }
+    EXPECT_EQ(pictures.size(), 2u);
 }
 
 TEST_F(Play, LeavesNoFolderWhereThereIsNothingToOpen) {
