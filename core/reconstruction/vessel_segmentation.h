@@ -19,7 +19,8 @@ namespace hepatica {
 struct SegmentationOptions {
     SegmentationMethod method = SegmentationMethod::coherent;
     // Anything else than 0 is liver. Any grid; vessels may be carved out of it (it is closed).
-    // Without one the liver is found (liver_region.h).
+    // Without one the liver is found (liver_region.h), and pieces of vessels outside of it, such as
+    // those of a spleen that touches it, are left out.
     std::optional<Mask> liver;
     // Hounsfield window of the vessels; without one it follows from the image's own statistics.
     std::optional<std::pair<double, double>> window_hu;

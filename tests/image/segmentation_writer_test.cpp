@@ -87,6 +87,13 @@ TEST(SegmentationWriter, EverySegmentLiesOnTheCtWhereItsVoxelsAre) {
     EXPECT_FALSE(fs::exists(scan.folder / "vessels.dcm.tmp"));
 }
 
+gdcm::DataSet read_data(const fs::path& file) {
+    gdcm::Reader reader;
+    reader.SetFileName(file.c_str());
+    EXPECT_TRUE(reader.Read()) << file;
+    return reader.GetFile().GetDataSet();
+}
+
 std::string text(const gdcm::DataSet& data, std::uint16_t group, std::uint16_t element) {
     const gdcm::Tag tag(group, element);
     if (!data.FindDataElement(tag) || data.GetDataElement(tag).GetByteValue() == nullptr) return {};
@@ -105,10 +112,7 @@ const gdcm::DataSet& item(const gdcm::DataSet& data, std::uint16_t group, std::u
 TEST(SegmentationWriter, NamesItsSegmentsAndTheSlicesOfEachFrame) {
     const Scan scan;
     scan.write();
-    gdcm::Reader file;
-    file.SetFileName(scan.file.c_str());
-    ASSERT_TRUE(file.Read());
-    const gdcm::DataSet& data = file.GetFile().GetDataSet();
+    const gdcm::DataSet data = read_data(scan.file);
     EXPECT_EQ(text(data, 0x0008, 0x0016), "1.2.840.10008.5.1.4.1.1.66.4");
     EXPECT_EQ(text(data, 0x0008, 0x0060), "SEG");
     EXPECT_EQ(text(data, 0x0018, 0x1020), "1.2.3");
@@ -131,10 +135,7 @@ TEST(SegmentationWriter, NamesItsSegmentsAndTheSlicesOfEachFrame) {
             text(item(item(group, 0x0008, 0x9124), 0x0008, 0x2112), 0x0008, 0x1155);
         bool found = false;
         for (const auto& entry : fs::directory_iterator(scan.ct)) {
-            gdcm::Reader slice;
-            slice.SetFileName(entry.path().c_str());
-            ASSERT_TRUE(slice.Read());
-            const gdcm::DataSet& header = slice.GetFile().GetDataSet();
+            const gdcm::DataSet header = read_data(entry.path());
             EXPECT_EQ(text(data, 0x0020, 0x000d), text(header, 0x0020, 0x000d));
             EXPECT_EQ(text(data, 0x0020, 0x0052), text(header, 0x0020, 0x0052));
             EXPECT_NE(text(data, 0x0020, 0x000e), text(header, 0x0020, 0x000e));
@@ -186,10 +187,7 @@ Vec3 lab_of(const std::array<std::uint8_t, 3>& srgb) {
 TEST(SegmentationWriter, RecommendsTheColoursThatItWasGiven) {
     const Scan scan;
     scan.write();
-    gdcm::Reader file;
-    file.SetFileName(scan.file.c_str());
-    ASSERT_TRUE(file.Read());
-    const gdcm::DataSet& data = file.GetFile().GetDataSet();
+    const gdcm::DataSet data = read_data(scan.file);
     for (const auto& [segment, meaning] : {std::pair{1, 0}, std::pair{2, 2}}) {
         const std::vector<double> written = numbers(
             item(data, 0x0062, 0x0002, static_cast<std::size_t>(segment)), 0x0062, 0x000d, 2);
@@ -206,10 +204,7 @@ TEST(SegmentationWriter, RecommendsTheColoursThatItWasGiven) {
 TEST(SegmentationWriter, NumbersEachFramesSegmentAndSlice) {
     const Scan scan;
     scan.write();
-    gdcm::Reader file;
-    file.SetFileName(scan.file.c_str());
-    ASSERT_TRUE(file.Read());
-    const gdcm::DataSet& data = file.GetFile().GetDataSet();
+    const gdcm::DataSet data = read_data(scan.file);
     const std::size_t frames =
         data.GetDataElement(gdcm::Tag(0x5200, 0x9230)).GetValueAsSQ()->GetNumberOfItems();
     EXPECT_GT(frames, 4u);
@@ -246,10 +241,7 @@ TEST(SegmentationWriter, HasAFrameOfReferenceWhereTheCtLacksOne) {
         ASSERT_TRUE(writer.Write());
     }
     scan.write();
-    gdcm::Reader file;
-    file.SetFileName(scan.file.c_str());
-    ASSERT_TRUE(file.Read());
-    EXPECT_FALSE(text(file.GetFile().GetDataSet(), 0x0020, 0x0052).empty());
+    EXPECT_FALSE(text(read_data(scan.file), 0x0020, 0x0052).empty());
     expect_segment(scan, 1, [&](int x, int y, int z) { return scan.vessel.at(x, y, z) != 0; });
 }
 

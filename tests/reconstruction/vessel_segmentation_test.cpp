@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/patient/doubts.h"
 #include "core/phantom/phantom.h"
+#include "core/phantom/phantom_growth.h"
 #include "core/segmentation/liver_region.h"
 #include "core/segmentation/tissue_contrast.h"
 #include "tests/reconstruction/segmentation_score.h"
@@ -99,11 +100,6 @@ TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
 
 // A liver of 48 mm in radius and a spleen of the same intensity that touches it, in fat, with a
 // vessel in each that stays clear of the other organ.
-double distance_to_stretch(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    return (p - a - share * (b - a)).norm();
-}
-
 struct LiverAndSpleen {
     Volume ct;
     Vec3 liver_mm{115, 75, 80};
@@ -121,11 +117,11 @@ LiverAndSpleen liver_and_spleen(Job& job) {
         const auto [x, y, z] = grid.index_of(i);
         const Vec3 p = grid.to_mm(x, y, z);
         if ((p - liver).norm() < 48.0 || (p - spleen).norm() < 28.0 ||
-            distance_to_stretch(p, liver, spleen) < 13.0)
+            distance_between(p, p, liver, spleen) < 13.0)
             body.ct.voxels[i] = 110;
-        if (distance_to_stretch(p, liver - 30.0 * up, liver + 30.0 * up) < 4.0 ||
-            distance_to_stretch(p, liver, liver - 30.0 * across) < 3.0 ||
-            distance_to_stretch(p, spleen - 18.0 * up, spleen + 18.0 * up) < 3.0)
+        if (distance_between(p, p, liver - 30.0 * up, liver + 30.0 * up) < 4.0 ||
+            distance_between(p, p, liver, liver - 30.0 * across) < 3.0 ||
+            distance_between(p, p, spleen - 18.0 * up, spleen + 18.0 * up) < 3.0)
             body.ct.voxels[i] = 180;
     }
     add_noise(body.ct, 6.0, 1, job);
