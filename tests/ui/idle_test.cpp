@@ -84,7 +84,9 @@ TEST_F(Idle, before_an_injection_and_after_it_has_run_out) {
     ASSERT_TRUE(testing::wait_for([&] { return !window_.frame().drug.playing; }));
     expect_rest();
     EXPECT_EQ(play.text(), "Play");
-    // Played once more, it begins anew.
+    // Played once more, it begins anew. Slowly: at 100 times the speed a machine that is busy would
+    // show its first picture after the injection has run out again.
+    window_.findChild<QDoubleSpinBox*>("speed")->setValue(1.0);
     window_.actions()[ActionId::play_pause].trigger();
     EXPECT_TRUE(testing::wait_for([&] {
         const DrugView& drug = window_.frame().drug;
