@@ -11,22 +11,12 @@
 #include "core/phantom/phantom_centrelines.h"
 #include "core/phantom/phantom_contacts.h"
 #include "core/phantom/phantom_growth.h"
+#include "core/phantom/phantom_range.h"
 #include "core/phantom/phantom_scan.h"
 
 namespace hepatica {
 
 namespace {
-
-void require_range(const std::string& name, double value, double low, double high) {
-    if (value >= low && value <= high) return;
-    const auto text = [](double number) {
-        std::string digits = std::to_string(number);
-        digits.erase(digits.find_last_not_of('0') + 1);
-        return digits.ends_with('.') ? digits.substr(0, digits.size() - 1) : digits;
-    };
-    throw InputError(text(value) + " cannot be used", name,
-                     "Choose a value from " + text(low) + " to " + text(high));
-}
 
 void validate(const PhantomOptions& options) {
     require_range("--generations", options.generations, 1, 10);
@@ -45,6 +35,7 @@ void validate(const PhantomOptions& options) {
         throw InputError("one system has no other to touch", "--touch", "Ask for --systems 2");
     if (options.hepatic_contrast_hu)
         require_range("--hepatic-contrast-hu", *options.hepatic_contrast_hu, 0.0, 1000.0);
+    validate(options.disturbances);
     require_range("phantom point spread in mm", options.point_spread_sigma_mm, 0.0, 5.0);
 }
 
@@ -105,7 +96,7 @@ VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, 
 std::vector<Vec3> touch(VesselTree& tree, const PhantomOptions& options) {
     if (options.touching == 0) return {};
     std::vector<Vec3> places = bend_to_touch(tree, options.touching, scrambled(options.seed));
-    if (static_cast<int>(places.size()) < options.touching)
+    if (static_cast<int>(places.size()) < options.touching && !options.touch_fewer)
         throw InputError("the systems of this seed can be made to touch in " +
                              std::to_string(places.size()) + " places only",
                          "--touch", "Ask for fewer, or for more --generations");

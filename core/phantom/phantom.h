@@ -10,6 +10,7 @@
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
+#include "core/phantom/disturbances.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
@@ -23,6 +24,7 @@ struct PhantomOptions {
     // Places at which hepatic veins are bent until they touch portal ones (phantom_contacts.h);
     // 0 to 20, of two systems only.
     int touching = 0;
+    bool touch_fewer = false;  // in as many as the seed allows, where that is fewer
     // The anatomy has the size of an adult's (liver 195 x 150 x 150 mm) where the field of view
     // can hold it, and is scaled down as a whole, vessels and all, where it cannot.
     Index3 dims{256, 256, 160};      // 16 to 2048 each
@@ -37,6 +39,7 @@ struct PhantomOptions {
     std::optional<double> hepatic_contrast_hu;
     double noise_hu = 10.0;              // standard deviation, 0 to 500
     double point_spread_sigma_mm = 0.6;  // of the Gaussian that blurs the scan; 0 to 5
+    Disturbances disturbances;           // none: a clean patient
 };
 
 struct Phantom {

@@ -184,16 +184,64 @@ void add_noise_and_round(const FloatVolume& image, const PhantomOptions& options
     const Grid& grid = image.grid;
     const std::size_t slice = grid.offset(0, 0, 1);
     const auto noise_hu = static_cast<float>(options.noise_hu);
+    const bool correlated = noise_hu > 0.0f && options.disturbances.noise_correlation_mm > 0.0;
+    const FloatVolume whole = correlated
+                                  ? correlated_noise(grid, options.disturbances, options.seed, job)
+                                  : FloatVolume();
     parallel_blocks(grid.dims[2], 1, [&](std::size_t z, std::size_t) {
         job.throw_if_cancelled();
         std::vector<float> noise(slice, 0.0f);
-        if (noise_hu > 0.0f) draw_noise(options.seed, grid, static_cast<int>(z), noise);
+        if (correlated)
+            std::copy_n(&whole.voxels[z * slice], slice, noise.data());
+        else if (noise_hu > 0.0f)
+            draw_noise(options.seed, grid, static_cast<int>(z), noise);
         for (std::size_t i = 0; i < slice; ++i) {
             const float hu = image.voxels[z * slice + i] + noise_hu * noise[i];
             ct.voxels[z * slice + i] =
                 static_cast<std::int16_t>(std::lround(std::clamp(hu, -1024.0f, 3071.0f)));
         }
     });
+}
+
+// Adds a tree with nodes of its own.
+void append(VesselTree& tree, const VesselTree& other) {
+    const auto nodes = static_cast<int>(tree.nodes.size());
+    const auto segments = static_cast<int>(tree.segments.size());
+    tree.nodes.insert(tree.nodes.end(), other.nodes.begin(), other.nodes.end());
+    for (VesselSegment segment : other.segments) {
+        segment.proximal_node += nodes;
+        segment.distal_node += nodes;
+        if (segment.parent >= 0) segment.parent += segments;
+        tree.segments.push_back(std::move(segment));
+    }
+}
+
+// Draws what runs beside the portal vein, and disturbs the rest.
+void disturb(Phantom& phantom, const PhantomOptions& options, FloatVolume& image, Job& job) {
+    const Disturbances& d = options.disturbances;
+    if (d == Disturbances{}) return;
+    const Vec3 side = Vec3(0.6, -0.64, 0.48);  // of the portal vein; ducts lie on the other
+    const auto draw = [&](const VesselTree& tree, double hu) {
+        const Image<std::uint8_t> share = lumen_share(tree, image.grid, std::nullopt, job);
+        for (std::size_t i = 0; i < share.voxels.size(); ++i) {
+            if (share.voxels[i] == 0 || phantom.vessels.voxels[i]) continue;
+            const double hu_there = options.parenchyma_hu + hu;
+            image.voxels[i] +=
+                static_cast<float>(share.voxels[i] / 64.0 * (hu_there - image.voxels[i]));
+            if (hu > 0.0 && share.voxels[i] >= 32)
+                phantom.vessels.voxels[i] = static_cast<std::uint8_t>(VascularSystem::artery);
+        }
+    };
+    if (d.duct_share > 0.0)
+        draw(companions(phantom.tree, d.duct_share, -side, VascularSystem::unknown), d.duct_hu);
+    VesselTree arteries;
+    if (d.artery_share > 0.0 && d.artery_hu > 0.0) {
+        arteries = companions(phantom.tree, d.artery_share, side, VascularSystem::artery);
+        draw(arteries, d.artery_hu);
+    }
+    append(phantom.tree, arteries);
+    disturb_tissue(image, phantom.liver, lumen_share(phantom.tree, image.grid, std::nullopt, job),
+                   d, options.parenchyma_hu, options.seed, job);
 }
 
 }  // namespace
@@ -218,9 +266,12 @@ void scan(Phantom& phantom, const PhantomBody& body, const PhantomOptions& optio
           Job& job) {
     job.begin_stage("Drawing the body");
     FloatVolume image = draw_clean(phantom, body, options, scale, job);
+    disturb(phantom, options, image, job);
     job.begin_stage("Scanning");
     const double sigma = options.point_spread_sigma_mm;
-    gaussian_smooth(image, {sigma, sigma, sigma}, job);
+    gaussian_smooth(
+        image, {sigma, sigma, std::hypot(sigma, options.disturbances.slice_spread_sigma_mm)}, job);
+    add_streaks(image, options.disturbances, options.seed);
     phantom.ct = Volume(image.grid);
     add_noise_and_round(image, options, phantom.ct, job);
 }

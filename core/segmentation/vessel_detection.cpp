@@ -64,6 +64,7 @@ const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
 struct Evidence {
     FloatVolume rise;  // smoothed excess
     double deviation = 0.0;
+    double false_line_hu = 0.0;  // once lines have been measured
 };
 
 // How much the CT's voxel size degrades thin vessels, each from 0 to 1.
@@ -148,8 +149,8 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
     return std::lerp(fine, coarse, sampling.coarse) - thick_slices_share * sampling.thick;
 }
 
-Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
-              const Sampling& sampling, Job& job) {
+Mask coherent(const TissueContrast& tissue, const Mask& liver, Evidence& evidence,
+              const Sampling& sampling, double line_share, Job& job) {
     if (tissue.threshold_hu) {  // as the user has set it, whatever the noise
         const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
         return grown_from(bright, bright, job);
@@ -163,13 +164,15 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, const Evidence& e
     const double threshold_hu = false_line_threshold(
         standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
     job.advance(0.4);
-    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * threshold_hu;
+    evidence.false_line_hu = threshold_hu;
+    const double believed_hu = line_share * threshold_hu;
+    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * believed_hu;
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
     const FloatVolume lines = line_coherence(bright, candidates, LineOptions{}, job);
     job.advance(0.6);
     return grown_from(
-        above(lines, share_of(strong_share, coarse_strong_share, sampling) * threshold_hu, liver),
+        above(lines, share_of(strong_share, coarse_strong_share, sampling) * believed_hu, liver),
         above(evidence.rise, weak_hu, liver), job);
 }
 
@@ -210,14 +213,14 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
 }
 
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
-                         SegmentationMethod method, Job& job) {
-    if (method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
+                         const DetectionOptions& options, Job& job) {
+    if (options.method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
     const Sampling sampling = sampling_of(ct_spacing_mm);
-    const Evidence evidence = smoothed(tissue, job);
+    Evidence evidence = smoothed(tissue, job);
     job.advance(0.1);
     const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
-    const Mask vessels = method == SegmentationMethod::coherent
-                             ? coherent(tissue, inner, evidence, sampling, job)
+    const Mask vessels = options.method == SegmentationMethod::coherent
+                             ? coherent(tissue, inner, evidence, sampling, options.line_share, job)
                              : tubular(tissue, inner, evidence, sampling, job);
     job.advance(0.75);
     job.throw_if_cancelled();
@@ -231,7 +234,10 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
     const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
     job.throw_if_cancelled();
     rejoin(skeleton, kept_branch_mm, fitted);
-    return {std::move(fitted), Mask()};
+    Detection found{std::move(fitted), Mask(), std::nullopt};
+    if (evidence.false_line_hu > 0.0)
+        found.evidence = {std::move(evidence.rise), evidence.deviation, evidence.false_line_hu};
+    return found;
 }
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 // The three ways from contrast to vessel voxels; vessel_segmentation.h says which is for what.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "core/base/job.h"
@@ -11,9 +12,24 @@
 
 namespace hepatica {
 
+// What coherent lines were told from noise by.
+struct LineEvidence {
+    FloatVolume rise;           // smoothed excess over the tissue, in HU
+    double deviation_hu = 0.0;  // of the noise in it, > 0
+    double false_line_hu = 0.0;  // the strength of a line that noise can make, > 0
+};
+
+struct DetectionOptions {
+    SegmentationMethod method = SegmentationMethod::coherent;
+    // Of the strength from which on `coherent` believes a line; 1 is right where nothing else
+    // chooses among the lines, less finds more of the vessels and more of what is none.
+    double line_share = 1.0;
+};
+
 struct Detection {
     Mask vessels;     // 0 or 1
     Mask centreline;  // multi_layer only, else empty
+    std::optional<LineEvidence> evidence = {};  // of `coherent` without a window of the user's
 };
 
 // Thresholds are multiples of the noise that is left after smoothing, measured in this liver; for
@@ -21,7 +37,7 @@ struct Detection {
 // vessel is. ct_spacing_mm is that of the CT itself, all > 0: coarse voxels dim and blur what is
 // thin. Throws Cancelled.
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
-                         SegmentationMethod method, Job& job);
+                         const DetectionOptions& options, Job& job);
 
 // Uses the window that the user has set: vessels have intensities between low and high. The excess
 // is then measured from one level for the whole liver. Throws InputError unless low < high.

@@ -48,7 +48,7 @@ TEST(DetectVessels, FindsThinVesselsInNoise) {
     const TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
     for (const auto method : {SegmentationMethod::coherent, SegmentationMethod::vesselness}) {
         const Detection found =
-            detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), method, job);
+            detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), {.method = method}, job);
         double both = 0, vessels = 0, detected = 0, far = 0;
         for (std::size_t i = 0; i < found.vessels.voxels.size(); ++i) {
             const auto [x, y, z] = detection_grid().index_of(i);
@@ -73,7 +73,7 @@ TEST(DetectVessels, FindsNothingInNoiseAlone) {
     Job job;
     const TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
     const Detection found =
-        detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), SegmentationMethod::coherent, job);
+        detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), {}, job);
     EXPECT_EQ(std::count(found.vessels.voxels.begin(), found.vessels.voxels.end(), 1), 0);
 }
 
