@@ -32,6 +32,7 @@ struct ReconstructChoices {
     std::vector<std::string> seeds;
     std::vector<std::string> vessel_labels;
     std::string method = "coherent";
+    std::string model = "none";
     std::string thinning = "queue";
     bool as_published = false;
     BatchOptions batch;
@@ -100,6 +101,7 @@ void parse(ReconstructChoices& options) {
     for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
     reconstruct.vessel_labels = parse_vessel_labels(options.vessel_labels);
     reconstruct.method = methods.at(options.method);
+    if (options.model != "none") reconstruct.model = options.model;
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
     if (!is_utf8(reconstruct.name))
         throw UsageError("is no text in UTF-8", "--name", "Write it in letters of UTF-8");
@@ -216,6 +218,10 @@ void add_methods(CLI::App& verb, ReconstructChoices& options) {
         "repeated");
     verb.add_option("--method", options.method, "How vessels are segmented")
         ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
+        ->capture_default_str();
+    verb.add_option("--model", options.model,
+                    "What chooses among the lines of --method coherent: a file that `train` made, "
+                    "or none")
         ->capture_default_str();
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")

@@ -42,6 +42,7 @@ void add_all_verbs(CommandLine& line) {
     add_extremes(line);
     add_tradeoff(line);
     add_dial(line);
+    add_train(line);
 }
 
 }  // namespace hepatica

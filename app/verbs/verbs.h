@@ -42,6 +42,7 @@ void add_diagnose(CommandLine& line);
 void add_extremes(CommandLine& line);
 void add_tradeoff(CommandLine& line);
 void add_dial(CommandLine& line);
+void add_train(CommandLine& line);
 
 // All of them, in the order in which --help lists them.
 void add_all_verbs(CommandLine& line);

@@ -61,33 +61,6 @@ void keep_within(const Mask& where, double least_share, Detection& detection) {
         if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
 }
 
-void require_contrast(const ContrastStatistics& found, const Mask& vessels, const Mask& liver,
-                      const std::optional<std::pair<double, double>>& window_hu) {
-    const std::size_t size = object_count(liver);
-    if (size == 0)
-        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
-                         "liver mask", "Give a mask of the whole liver.");
-    const double share = static_cast<double>(object_count(vessels)) / static_cast<double>(size);
-    if (share >= least_vessel_share && found.contrast_hu() >= least_contrast_hu) return;
-    if (window_hu)
-        throw InputError("only " + rounded(100.0 * share, 2) + " % of the liver lie between " +
-                             rounded(window_hu->first) + " and " + rounded(window_hu->second) +
-                             " HU and hang together as vessels do; the tissue itself has " +
-                             rounded(found.parenchyma_hu) + " HU",
-                         "window",
-                         "Choose a window that reaches from between tissue and vessels to above "
-                         "the brightest vessel, or give none.");
-    throw InputError(
-        "the vessels do not stand out from the liver: the brightest structures cover " +
-            rounded(100.0 * share, 2) + " % of it and rise " +
-            rounded(share > 0.0 ? found.contrast_hu() : 0.0) + " HU above its " +
-            rounded(found.parenchyma_hu) + " HU, where the noise is " + rounded(found.noise_hu) +
-            " HU",
-        "CT",
-        "Use a scan with contrast medium (portal-venous phase for veins, arterial "
-        "phase for arteries), or give a vessel mask.");
-}
-
 }  // namespace
 
 DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
@@ -123,11 +96,43 @@ DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& opt
     // Spleen, pancreas and heart may hang together with the region that was searched.
     if (!options.liver) keep_within(result.liver, least_liver_share, result.detection);
     job.throw_if_cancelled();
-    const Mask inner = within(result.detection.vessels, tissue.interior);
-    result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
-                         tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
-    require_contrast(result.statistics, inner, tissue.interior, options.window_hu);
     return result;
+}
+
+ContrastStatistics contrast_of(const DetectedVessels& found, Job& job) {
+    const TissueContrast& tissue = found.tissue;
+    const Mask inner = within(found.detection.vessels, tissue.interior);
+    return {tissue.parenchyma_hu, tissue.noise_hu,
+            tissue.parenchyma_hu + vessel_excess(tissue.excess, inner, job)};
+}
+
+void require_contrast(const ContrastStatistics& measured, const DetectedVessels& found,
+                      const std::optional<std::pair<double, double>>& window_hu) {
+    const std::size_t size = object_count(found.tissue.interior);
+    if (size == 0)
+        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
+                         "liver mask", "Give a mask of the whole liver.");
+    const double share =
+        static_cast<double>(object_count(within(found.detection.vessels, found.tissue.interior))) /
+        static_cast<double>(size);
+    if (share >= least_vessel_share && measured.contrast_hu() >= least_contrast_hu) return;
+    if (window_hu)
+        throw InputError("only " + rounded(100.0 * share, 2) + " % of the liver lie between " +
+                             rounded(window_hu->first) + " and " + rounded(window_hu->second) +
+                             " HU and hang together as vessels do; the tissue itself has " +
+                             rounded(measured.parenchyma_hu) + " HU",
+                         "window",
+                         "Choose a window that reaches from between tissue and vessels to above "
+                         "the brightest vessel, or give none.");
+    throw InputError(
+        "the vessels do not stand out from the liver: the brightest structures cover " +
+            rounded(100.0 * share, 2) + " % of it and rise " +
+            rounded(share > 0.0 ? measured.contrast_hu() : 0.0) + " HU above its " +
+            rounded(measured.parenchyma_hu) + " HU, where the noise is " +
+            rounded(measured.noise_hu) + " HU",
+        "CT",
+        "Use a scan with contrast medium (portal-venous phase for veins, arterial "
+        "phase for arteries), or give a vessel mask.");
 }
 
 }  // namespace hepatica

@@ -71,13 +71,20 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
     return anatomy;
 }
 
-Anatomy segmented_anatomy(const ReconstructOptions& options, const Volume& ct,
-                          std::vector<std::string>& warnings, Job& job) {
+// Whether lines are chosen by a model.
+bool chooses(const ReconstructOptions& options) {
+    return options.model && !options.vessel_mask && !options.window_hu &&
+           options.method == SegmentationMethod::coherent;
+}
+
+Anatomy segmented_anatomy(const ReconstructOptions& options, std::optional<LinkModel> model,
+                          const Volume& ct, std::vector<std::string>& warnings, Job& job) {
     SegmentationOptions segmentation;
     segmentation.method = options.method;
     segmentation.window_hu = options.window_hu;
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
+    segmentation.model = std::move(model);
     segmentation.liver = given_liver(options, ct.grid, job);
     Anatomy anatomy;
     if (segmentation.liver) {
@@ -106,13 +113,16 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                            Job& job) {
     Reconstruction result;
     PatientCase& patient = result.patient;
+    // First, so that a wrong file is refused before anybody waits.
+    std::optional<LinkModel> model;
+    if (chooses(options)) model = read_link_model(*options.model);
     const Volume ct = read_volume(options.ct, job, &warnings, options.series);
     require_plausible_ct(ct, options.ct.string());
     require_seeds_in_image(options.seeds, ct.grid);
     patient.source = {options.name, digest_of(ct), ct.grid, parameters_json(options)};
 
     Anatomy anatomy = options.vessel_mask ? given_anatomy(options, ct.grid, warnings, job)
-                                          : segmented_anatomy(options, ct, warnings, job);
+                                          : segmented_anatomy(options, std::move(model), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
     mark_tumours(options, ct.grid, patient.organs, job);
@@ -143,7 +153,7 @@ int stage_count(const ReconstructOptions& options) {
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     const int tumours = static_cast<int>(options.tumour_masks.size());
-    return reading + tumours + (options.vessel_mask ? given_liver + given_mask : segmentation) +
+    return reading + tumours + (chooses(options) ? 1 : 0) + (options.vessel_mask ? given_liver + given_mask : segmentation) +
            make_tree_stages + make_body_stages;
 }
 

@@ -36,6 +36,9 @@ struct ReconstructOptions {
     // marked; the others are only offered.
     double bridge_confidence = BridgeOptions{}.confidence;
     SegmentationMethod method = SegmentationMethod::coherent;
+    // What chooses among lines (link_model.h), for `coherent` without a window; none: lines are
+    // believed by their strength alone.
+    std::optional<std::filesystem::path> model;
     int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
     ThinningMethod thinning = ThinningMethod::queue;
     double spacing_mm = 0.0;  // isotropic working grid; 0: chosen from the CT

@@ -4,6 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/base/sha256.h"
+
 namespace hepatica {
 
 std::string parameters_json(const ReconstructOptions& options) {
@@ -12,6 +14,7 @@ std::string parameters_json(const ReconstructOptions& options) {
     json["vessel_mask_given"] = options.vessel_mask.has_value();
     if (!options.tumour_masks.empty()) json["tumour_masks_given"] = options.tumour_masks.size();
     json["method"] = name_of(options.method);
+    if (options.model) json["model_sha256"] = sha256_of_file(*options.model);
     if (options.window_hu)
         json["window_hu"] = {options.window_hu->first, options.window_hu->second};
     for (const VesselSeed& seed : options.seeds)

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
+#include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
 #include "core/reconstruction/round_lumen.h"
 #include "core/segmentation/gaussian_refinement.h"
@@ -72,9 +73,13 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
         result.warnings.push_back("The slices are " + rounded(coarsest, 1) +
                                   " mm apart: thin branches may be broken or missing. Up to 1.5 mm "
                                   "is better.");
-    DetectedVessels found = detect_in_liver(ct, options, 1.0, job);
+    const LinkModel* model = options.model ? &*options.model : nullptr;
+    DetectedVessels found = detect_in_liver(ct, options, model ? model->line_share : 1.0, job);
+    if (model && found.detection.evidence) keep_chosen(*model, ct.grid.spacing_mm, found, job);
+    found.detection.evidence.reset();
+    result.statistics = contrast_of(found, job);
+    require_contrast(result.statistics, found, options.window_hu);
     result.liver = std::move(found.liver);
-    result.statistics = found.statistics;
 
     job.begin_stage("Drawing thin vessels");
     const Mask skeleton =

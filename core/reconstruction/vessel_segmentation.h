@@ -12,6 +12,7 @@
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
+#include "core/links/link_model.h"
 #include "core/segmentation/segmentation_method.h"
 
 namespace hepatica {
@@ -28,6 +29,9 @@ struct SegmentationOptions {
     int refinement_recursions = 0;
     // Edge of the cubic voxels that the work is done on, 0.3 to 1.5; 0 stands for 0.65.
     double spacing_mm = 0.0;
+    // Chooses among more and fainter lines than would be believed without it; `coherent` without a
+    // window only.
+    std::optional<LinkModel> model;
 };
 
 // What the image says about itself, inside the liver.

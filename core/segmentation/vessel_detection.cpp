@@ -55,7 +55,6 @@ constexpr double thick_slices_share = 0.12;  // less of both between thick slice
 constexpr double coarse_level_share = 0.5;
 constexpr double coarse_data_weight = 0.75;
 constexpr double smallest_strong_mm3 = 8.0;
-constexpr double smallest_vessel_mm3 = 200.0;
 constexpr double wall_sigma_mm = 0.3;
 constexpr double kept_branch_mm = 4.0;
 constexpr double growth_mm = 1.6;

@@ -12,6 +12,9 @@
 
 namespace hepatica {
 
+// Less is dropped as a crumb.
+inline constexpr double smallest_vessel_mm3 = 200.0;
+
 // What coherent lines were told from noise by.
 struct LineEvidence {
     FloatVolume rise;           // smoothed excess over the tissue, in HU

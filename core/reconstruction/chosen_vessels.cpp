@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/chosen_vessels.h"
+
+#include <algorithm>
+
+#include "core/links/piece_choice.h"
+#include "core/segmentation/vessel_growth.h"
+#include "core/skeleton/thinning.h"
+#include "core/skeleton/unit_width_skeleton.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double longest_piece_mm = 8.0;
+constexpr double least_rise_hu = 1.0;  // of wide vessels, where hardly any stand out
+
+}  // namespace
+
+MeasuredPieces measured_pieces(const DetectedVessels& found, const Vec3& ct_spacing_mm, Job& job) {
+    const Mask& vessels = found.detection.vessels;
+    const Mask skeleton = unit_width(thin(vessels, ThinningMethod::queue, job), job);
+    job.advance(0.3);
+    MeasuredPieces measured{line_pieces(skeleton, vessels, longest_piece_mm), {}};
+    const double rise_hu = std::max(contrast_of(found, job).contrast_hu(), least_rise_hu);
+    job.advance(0.5);
+    measured.features =
+        piece_features(measured.pieces,
+                       {*found.detection.evidence, found.frame.liver, ct_spacing_mm, rise_hu}, job);
+    return measured;
+}
+
+void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVessels& found,
+                 Job& job) {
+    job.begin_stage("Choosing the vessels");
+    const MeasuredPieces measured = measured_pieces(found, ct_spacing_mm, job);
+    job.advance(0.8);
+    std::vector<double> shares;
+    for (const PieceFeatures& features : measured.features)
+        shares.push_back(model.forest.share_of_vessel(features));
+    const std::vector<std::uint8_t> chosen =
+        chosen_pieces(measured.pieces, shares, model.kept_share);
+    Mask& vessels = found.detection.vessels;
+    vessels = without_dropped(vessels, measured.pieces, chosen);
+    vessels = hysteresis(vessels, vessels, smallest_vessel_mm3);
+}
+
+}  // namespace hepatica

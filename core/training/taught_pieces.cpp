@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/training/taught_pieces.h"
+
+#include "core/base/error.h"
+#include "core/phantom/random_patient.h"
+#include "core/reconstruction/chosen_vessels.h"
+#include "core/reconstruction/detected_vessels.h"
+#include "core/tree/extraction/centreline_locator.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr double tolerance_mm = 2.0;  // as in the scores of length (system_scores.h)
+constexpr std::uint64_t liver_found_every = 3;
+
+}  // namespace
+
+std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const VesselTree& truth) {
+    const CentrelineLocator locator(truth);
+    std::vector<float> shares;
+    for (const LinePiece& piece : pieces) {
+        int near = 0;
+        for (const Vec3& p : piece.points_mm) near += locator.nearest(p, tolerance_mm) ? 1 : 0;
+        shares.push_back(static_cast<float>(near) / static_cast<float>(piece.points_mm.size()));
+    }
+    return shares;
+}
+
+std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
+    const Phantom patient = make_phantom(random_patient(number), job);
+    SegmentationOptions options;
+    if (number % liver_found_every != 0) options.liver = sloppy_liver(patient.liver, number, job);
+    MeasuredPieces measured;
+    try {
+        const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
+        if (!found.detection.evidence) return {};
+        measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
+    } catch (const InputError&) {
+        return {};  // no liver was found in it
+    }
+    const std::vector<float> shares = shares_of_truth(measured.pieces, patient.tree);
+    std::vector<TaughtPiece> taught;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        taught.push_back({measured.features[i], shares[i]});
+    return taught;
+}
+
+}  // namespace hepatica
