@@ -13,7 +13,7 @@ struct LinkModel {
     std::string made_by;       // the command that makes the same file again
     double line_share = 0.75;  // how permissive the lines are that it chooses from (0.3 to 1.5);
                                // see DetectionOptions
-    double kept_share = 0.5;   // pieces of which at least this share should be vessel are kept
+    double kept_share = 0.6;   // pieces of which at least this share should be vessel are kept
     PieceForest forest;
 };
 

@@ -19,6 +19,18 @@ double as_written(double value) {
     return std::strtod(number_text(value).c_str(), nullptr);
 }
 
+// The library draws from a generator of the whole thread: a known one while this lives.
+class KnownDraws {
+  public:
+    KnownDraws() : before_(cv::theRNG()) { cv::theRNG() = cv::RNG(); }
+    ~KnownDraws() { cv::theRNG() = before_; }
+    KnownDraws(const KnownDraws&) = delete;
+    KnownDraws& operator=(const KnownDraws&) = delete;
+
+  private:
+    cv::RNG before_;
+};
+
 // Copies the node and all below it; returns where it stands.
 int append(const cv::ml::DTrees& grown, int id, std::vector<ForestNode>& tree) {
     const cv::ml::DTrees::Node& node = grown.getNodes()[id];
@@ -61,6 +73,7 @@ PieceForest grown_forest(std::span<const TaughtPiece> pieces, const ForestOption
     forest->setRegressionAccuracy(0.0f);
     forest->setActiveVarCount(options.features_a_split);
     forest->setTermCriteria({cv::TermCriteria::MAX_ITER, options.trees, 0.0});
+    const KnownDraws known;
     forest->train(samples, cv::ml::ROW_SAMPLE, shares);
     PieceForest copy;
     for (const int root : forest->getRoots()) append(*forest, root, copy.trees.emplace_back());

@@ -27,23 +27,27 @@ std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const V
     return shares;
 }
 
-std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
-    const Phantom patient = make_phantom(random_patient(number), job);
-    SegmentationOptions options;
-    if (number % liver_found_every != 0) options.liver = sloppy_liver(patient.liver, number, job);
-    MeasuredPieces measured;
-    try {
-        const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
-        if (!found.detection.evidence) return {};
-        measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
-    } catch (const InputError&) {
-        return {};  // no liver was found in it
-    }
+std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
+                                   double line_share, Job& job) {
+    const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
+    if (!found.detection.evidence) return {};
+    const MeasuredPieces measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
     const std::vector<float> shares = shares_of_truth(measured.pieces, patient.tree);
     std::vector<TaughtPiece> taught;
     for (std::size_t i = 0; i < shares.size(); ++i)
         taught.push_back({measured.features[i], shares[i]});
     return taught;
+}
+
+std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
+    const Phantom patient = make_phantom(random_patient(number), job);
+    SegmentationOptions options;
+    if (number % liver_found_every != 0) options.liver = sloppy_liver(patient.liver, number, job);
+    try {
+        return taught_on(patient, options, line_share, job);
+    } catch (const InputError&) {
+        return {};  // no liver was found in it
+    }
 }
 
 }  // namespace hepatica

@@ -9,6 +9,7 @@
 #include "core/base/job.h"
 #include "core/links/piece_features.h"
 #include "core/phantom/phantom.h"
+#include "core/reconstruction/vessel_segmentation.h"
 
 namespace hepatica {
 
@@ -20,6 +21,10 @@ struct TaughtPiece {
 // Of the patient with this number (random_patient.h). The liver's mask is given, drawn sloppily, in
 // two patients of three, and found in the third. Nothing where no line is told from noise.
 std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job);
+
+// Of any patient whose vessels are known. Throws as detect_in_liver() does.
+std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
+                                   double line_share, Job& job);
 
 // The share of each piece that lies within 2 mm of the tree's centrelines.
 std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const VesselTree& truth);
