@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "app/as_published.h"
@@ -12,6 +13,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/program_files.h"
 #include "core/base/quoted_name.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/liver_segments.h"
@@ -84,6 +86,17 @@ VesselSeed parse_seed(const std::string& text) {
     return seed;
 }
 
+// "none", "shipped" or a file.
+std::optional<fs::path> parse_model(const ReconstructChoices& options) {
+    if (options.model == "none") return std::nullopt;
+    if (options.method != "coherent" || options.as_published || !options.window.empty() ||
+        !options.vessel_mask.empty())
+        throw UsageError("there is nothing to choose for a model", "--model",
+                         "Give it with --method coherent, without --window, --vessel-mask and "
+                         "--as-published, or leave it out");
+    return options.model == "shipped" ? asset("models/links.json") : fs::path(options.model);
+}
+
 void parse(ReconstructChoices& options) {
     static const std::map<std::string, SegmentationMethod> methods{
         {"coherent", SegmentationMethod::coherent},
@@ -101,7 +114,7 @@ void parse(ReconstructChoices& options) {
     for (const std::string& seed : options.seeds) reconstruct.seeds.push_back(parse_seed(seed));
     reconstruct.vessel_labels = parse_vessel_labels(options.vessel_labels);
     reconstruct.method = methods.at(options.method);
-    if (options.model != "none") reconstruct.model = options.model;
+    reconstruct.model = parse_model(options);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
     if (!is_utf8(reconstruct.name))
         throw UsageError("is no text in UTF-8", "--name", "Write it in letters of UTF-8");
@@ -220,8 +233,8 @@ void add_methods(CLI::App& verb, ReconstructChoices& options) {
         ->check(CLI::IsMember({"coherent", "multi-layer", "vesselness"}))
         ->capture_default_str();
     verb.add_option("--model", options.model,
-                    "What chooses among the lines of --method coherent: a file that `train` made, "
-                    "or none")
+                    "What chooses among lines that are fainter than --method coherent believes: a "
+                    "file that `train` made, shipped (the one that comes with the program) or none")
         ->capture_default_str();
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")

@@ -8,6 +8,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
@@ -20,16 +21,19 @@ constexpr std::string_view format_name = "hepatica-links";
 constexpr int format_version = 1;
 const std::string remedy = "Give a model that hepatica-cli train has made, or none";
 
-ForestNode node_of(const nlohmann::json& json) {
+ForestNode node_of(const nlohmann::json& json, const std::string& place) {
     if (json.size() == 1) return {-1, json.at(0).get<double>(), -1, -1};
-    return {json.at(0).get<int>(), json.at(1).get<double>(), json.at(2).get<int>(),
-            json.at(3).get<int>()};
+    const ForestNode node{whole_number<int>(json.at(0)), json.at(1).get<double>(),
+                          whole_number<int>(json.at(2)), whole_number<int>(json.at(3))};
+    if (node.feature < 0 || json.size() != 4)
+        throw InputError("holds the node " + json.dump(), place, remedy);
+    return node;
 }
 
 void require_format(const nlohmann::json& json, const std::string& place) {
     if (json.value("format", "") != format_name)
         throw InputError("is no model of links", place, remedy);
-    if (const int version = json.at("version").get<int>(); version != format_version)
+    if (const int version = whole_number<int>(json.at("version")); version != format_version)
         throw InputError("has version " + std::to_string(version) + " instead of " +
                              std::to_string(format_version),
                          place, remedy);
@@ -56,7 +60,7 @@ LinkModel model_of(const nlohmann::json& json, const std::string& place) {
     require_between("kept_share", model.kept_share, 0.0, 1.0, place);
     for (const auto& nodes : json.at("trees")) {
         std::vector<ForestNode>& tree = model.forest.trees.emplace_back();
-        for (const auto& node : nodes) tree.push_back(node_of(node));
+        for (const auto& node : nodes) tree.push_back(node_of(node, place));
     }
     if (model.forest.trees.empty()) throw InputError("holds no tree", place, remedy);
     validate(model.forest, place);

@@ -40,6 +40,7 @@ void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVess
         shares.push_back(model.forest.share_of_vessel(features));
     const std::vector<std::uint8_t> chosen =
         chosen_pieces(measured.pieces, shares, model.kept_share);
+    if (std::ranges::find(chosen, 0) == chosen.end()) return;
     Mask& vessels = found.detection.vessels;
     vessels = without_dropped(vessels, measured.pieces, chosen);
     vessels = hysteresis(vessels, vessels, smallest_vessel_mm3);

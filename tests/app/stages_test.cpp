@@ -50,6 +50,8 @@ TEST_F(Stages, OfAReconstructionComeAsAnnounced) {
                                    path("p/truth_mask.nii.gz")},
           {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--seed-mm",
            seed_in_vessel()},
+          {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--model",
+           "shipped"},
           {"reconstruct", path("p/ct")}}) {
         call.insert(call.end(), small.begin(), small.end());
         expect_all_stages(call);

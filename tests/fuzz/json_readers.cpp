@@ -5,6 +5,7 @@
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/play_notes.h"
+#include "core/links/link_model.h"
 #include "core/patient/case_archive.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
@@ -57,6 +58,12 @@ void read_bridges(Bytes bytes) {
     refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
 }
 
+// What can be read can be walked to its leaves.
+void read_model(Bytes bytes) {
+    const auto file = file_of(bytes, "links.json");
+    refuse_or([&] { read_link_model(file).forest.share_of_vessel(PieceFeatures{}); });
+}
+
 void read_lesson_file(Bytes bytes) {
     refuse_or([&] { lesson_of(text_of(bytes), "lesson.json"); });
 }
@@ -86,7 +93,8 @@ constexpr Reader all[] = {{"tree_json", read_json_tree}, {"recording", read_reco
                           {"case", read_case_file},      {"case_archive", read_archive},
                           {"edits", read_edits},         {"bridges", read_bridges},
                           {"lesson", read_lesson_file},  {"course", read_course_file},
-                          {"notes", read_notes_file},    {"result", read_result_file}};
+                          {"notes", read_notes_file},    {"result", read_result_file},
+                          {"links", read_model}};
 
 }  // namespace
 

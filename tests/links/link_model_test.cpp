@@ -85,6 +85,12 @@ TEST_F(LinkModelFile, WhatIsNoModelIsRefusedInWords) {
               std::string::npos);
     EXPECT_NE(refused(with("[3,1.25,1,2]", "[3,1.25,1,7]")).find("node 7"), std::string::npos);
     EXPECT_NE(refused(with("[3,1.25,1,2]", "[3,1.25]")).find("damaged"), std::string::npos);
+    EXPECT_NE(refused(with("[3,1.25,1,2]", "[-1,0.5,1,2]")).find("[-1,0.5,1,2]"),
+              std::string::npos);
+    EXPECT_NE(refused(with("[3,1.25,1,2]", "[3,1.25,1,2,3]")).find("[3,1.25,1,2,3]"),
+              std::string::npos);
+    EXPECT_NE(refused(with("[3,1.25,1,2]", "[1e300,1.25,1,2]")).find("whole number"),
+              std::string::npos);
     EXPECT_NE(refused(with("[3,1.25,1,2]", "[]")).find("damaged"), std::string::npos);
     EXPECT_NE(refused(good.substr(0, good.size() / 2)).find("damaged"), std::string::npos);
 }

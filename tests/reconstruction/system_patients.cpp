@@ -10,6 +10,7 @@
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/phantom/phantom.h"
+#include "core/phantom/random_patient.h"
 #include "core/tree/extraction/vessel_graph.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/reconstruction/closed_surface.h"
@@ -146,6 +147,25 @@ SystemPatient touching_phantom(std::uint64_t seed, const fs::path& folder, Job& 
     fs::create_directories(folder);
     write_nifti(patient.ct, phantom.ct);
     write_nifti(patient.liver_mask, phantom.liver);
+    return patient;
+}
+
+SystemPatient randomised_patient(std::uint64_t number, const fs::path& folder, Job& job) {
+    const Phantom phantom = make_phantom(random_patient(number), job);
+    SystemPatient patient{"randomised patient " + std::to_string(number),
+                          folder / "ct.nii.gz",
+                          folder / "liver.nii.gz",
+                          {},
+                          phantom.liver};
+    for (const VascularSystem system :
+         {VascularSystem::portal, VascularSystem::hepatic, VascularSystem::artery}) {
+        VesselTree tree = part_of(phantom.tree, system);
+        if (!tree.segments.empty())
+            patient.truths.push_back({system, voxels_of(phantom.vessels, system), std::move(tree)});
+    }
+    fs::create_directories(folder);
+    write_nifti(patient.ct, phantom.ct);
+    write_nifti(patient.liver_mask, sloppy_liver(phantom.liver, number, job));
     return patient;
 }
 

@@ -35,4 +35,9 @@ SystemPatient patient_of_surfaces(const std::filesystem::path& folder, Job& job)
 // 15 HU darker, by the seed. Judged by its trees, everywhere. Files are written into `folder`.
 SystemPatient touching_phantom(std::uint64_t seed, const std::filesystem::path& folder, Job& job);
 
+// A patient drawn at random (random_patient.h), with a sloppy mask of the liver. Judged by its
+// trees, arteries among them where they are enhanced, in its liver.
+SystemPatient randomised_patient(std::uint64_t number, const std::filesystem::path& folder,
+                                 Job& job);
+
 }  // namespace hepatica::testing_support

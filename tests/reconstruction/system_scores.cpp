@@ -2,9 +2,12 @@
 // Prints how well the vascular systems of patients are told apart whose systems are known, by
 // reconstructions with the defaults. For the tables of the documentation and for whoever changes
 // how systems are told apart:
-//   system_scores [ircadb01_case01|ircadb01_case07|vascusynth|sksurgery_liver|touching ...]
-//       [--phantoms N] [--seeds] [--case NAME=CASE] [--stages] [--keep FOLDER]
-// Without names, all of them; `touching` stands for N phantoms (20) whose systems touch.
+//   system_scores [ircadb01_case01|ircadb01_case07|vascusynth|sksurgery_liver|touching|randomised
+//       ...] [--phantoms N] [--first NUMBER] [--model FILE] [--no-mask] [--seeds]
+//       [--case NAME=CASE] [--stages] [--keep FOLDER]
+// Without names, the first five; `touching` stands for N phantoms (20) whose systems touch,
+// `randomised` for N patients drawn at random from NUMBER (1) on, which no training draws.
+// --model chooses lines by a model. --no-mask lets the liver be found.
 // --seeds gives one seed in each system's trunk, taken from the truth. --case judges a case that is
 // there already in place of a reconstruction, by the truth of NAME. --stages adds what each stage
 // of the reconstruction cost. --keep leaves the CTs that were made in FOLDER.
@@ -34,8 +37,9 @@ struct Request {
     std::vector<std::string> names;
     std::map<std::string, fs::path> cases;
     int phantoms = 20;
-    bool seeds = false, stages = false;
-    fs::path keep;
+    std::uint64_t first = 1;
+    bool seeds = false, stages = false, liver_given = true;
+    fs::path keep, model;
 };
 
 Request parse(int count, char** words) {
@@ -45,6 +49,12 @@ Request parse(int count, char** words) {
         const auto value = [&] { return std::string(i + 1 < count ? words[++i] : ""); };
         if (word == "--phantoms") {
             request.phantoms = std::atoi(value().c_str());
+        } else if (word == "--first") {
+            request.first = std::strtoull(value().c_str(), nullptr, 10);
+        } else if (word == "--model") {
+            request.model = value();
+        } else if (word == "--no-mask") {
+            request.liver_given = false;
         } else if (word == "--seeds") {
             request.seeds = true;
         } else if (word == "--stages") {
@@ -136,7 +146,8 @@ PatientCase made_case(const SystemPatient& patient, const KnownSystems& known,
                       const Request& request, double& seconds) {
     ReconstructOptions options;
     options.ct = patient.ct;
-    options.liver_mask = patient.liver_mask;
+    if (request.liver_given) options.liver_mask = patient.liver_mask;
+    if (!request.model.empty()) options.model = request.model;
     if (request.seeds)
         for (const KnownSystem& system : known.all())
             if (const auto seed = known.point_in_trunk(system, seed_inwards_mm))
@@ -165,16 +176,19 @@ Row judged(const SystemPatient& patient, const Request& request) {
 
 void run(const std::string& name, const Request& request, const fs::path& folder) {
     Job job;
-    if (name == "touching") {
+    if (name == "touching" || name == "randomised") {
         std::vector<Row> rows;
-        for (int seed = 1; seed <= request.phantoms; ++seed) {
-            const fs::path own = folder / ("touching" + std::to_string(seed));
+        for (int k = 0; k < request.phantoms; ++k) {
+            const std::uint64_t number = request.first + static_cast<std::uint64_t>(k);
+            const fs::path own = folder / (name + std::to_string(number));
             try {
-                rows.push_back(
-                    judged(touching_phantom(static_cast<std::uint64_t>(seed), own, job), request));
+                rows.push_back(judged(name == "touching" ? touching_phantom(number, own, job)
+                                                         : randomised_patient(number, own, job),
+                                      request));
                 print(rows.back());
             } catch (const Error& error) {
-                std::printf("| touching phantom %d | %s |\n", seed, error.what());
+                std::printf("| %s phantom %llu | %s |\n", name.c_str(),
+                            static_cast<unsigned long long>(number), error.what());
             }
             if (request.keep.empty()) fs::remove_all(own);
         }
