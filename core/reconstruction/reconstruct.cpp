@@ -107,9 +107,9 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     Reconstruction result;
     PatientCase& patient = result.patient;
     const Volume ct = read_volume(options.ct, job, &warnings, options.series);
-    require_plausible_ct(ct, options.ct.string());
+    require_plausible_ct(ct, options.ct.string(), job);
     require_seeds_in_image(options.seeds, ct.grid);
-    patient.source = {options.name, digest_of(ct), ct.grid, parameters_json(options)};
+    patient.source = {options.name, digest_of(ct, job), ct.grid, parameters_json(options)};
 
     Anatomy anatomy = options.vessel_mask ? given_anatomy(options, ct.grid, warnings, job)
                                           : segmented_anatomy(options, ct, warnings, job);
