@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/reconstruction/round_lumen.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "core/segmentation/hilum_vessels.h"
@@ -69,12 +70,12 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     constexpr double wall_mm = 1.0;
     const Mask inner = erode(vessels, wall_mm, job);
     constexpr std::size_t enough = 200;
-    return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
+    return robust_spread(excess, object_count(inner) >= enough ? inner : vessels, job).median;
 }
 
 // Drops the pieces that lie elsewhere for the most part.
-void keep_within(const Mask& where, double least_share, Detection& detection) {
-    detection.vessels = pieces_within(detection.vessels, where, least_share);
+void keep_within(const Mask& where, double least_share, Detection& detection, const Job& job) {
+    detection.vessels = pieces_within(detection.vessels, where, least_share, job);
     for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
         if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
 }
@@ -109,8 +110,8 @@ void require_contrast(const ContrastStatistics& found, const Mask& vessels, cons
 Mask with_thin_vessels_round(const Mask& vessels, const Mask& skeleton, const VesselTree& tree,
                              Job& job) {
     Mask round = round_thin_lumens(vessels, tree, thin_radius_mm, job);
-    rejoin(skeleton, kept_branch_mm, round);
-    return hysteresis(skeleton, round, 0.0);  // no crumbs of the outline
+    rejoin(skeleton, kept_branch_mm, round, job);
+    return hysteresis(skeleton, round, 0.0, job);  // no crumbs of the outline
 }
 
 // Adds the vessels of the hilum and returns where the trunk comes in.
@@ -157,13 +158,13 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     Detection detection =
         detect_vessels(tissue, frame.liver, ct.grid.spacing_mm, options.method, job);
     job.throw_if_cancelled();
-    keep_within(tissue.interior, least_inner_share, detection);
+    keep_within(tissue.interior, least_inner_share, detection, job);
     job.throw_if_cancelled();
     result.liver = options.liver
                        ? frame.liver
                        : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
     // Spleen, pancreas and heart may hang together with the region that was searched.
-    if (!options.liver) keep_within(result.liver, least_liver_share, detection);
+    if (!options.liver) keep_within(result.liver, least_liver_share, detection, job);
     job.throw_if_cancelled();
     const Mask inner = within(detection.vessels, tissue.interior);
     result.statistics = {tissue.parenchyma_hu, tissue.noise_hu,
@@ -185,7 +186,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     for (std::uint8_t& voxel : result.mask.voxels)
         if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
     result.components =
-        static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
+        static_cast<int>(connected_components(result.mask, Connectivity::all26, job).sizes.size());
     result.intensity = std::move(frame.intensity);
     return result;
 }
