@@ -4,6 +4,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -15,16 +16,19 @@ struct Run {
     int end;
 };
 
+constexpr std::size_t rows_between_looks = 1024;
+
 // Runs of every row, numbered in the order of the voxels.
 struct RunTable {
     std::vector<Run> runs;
     std::vector<std::size_t> first_of_row;  // one more than there are rows
 
-    RunTable(const Mask& mask, bool object) {
+    RunTable(const Mask& mask, bool object, const Job& job) {
         const auto nx = static_cast<std::size_t>(mask.grid.dims[0]);
         const std::size_t rows = nx > 0 ? mask.voxels.size() / nx : 0;
         first_of_row.reserve(rows + 1);
         for (std::size_t row = 0; row < rows; ++row) {
+            if (row % rows_between_looks == 0) job.throw_if_cancelled();
             first_of_row.push_back(runs.size());
             const std::uint8_t* voxel = mask.voxels.data() + row * nx;
             for (int x = 0; x < mask.grid.dims[0]; ++x) {
@@ -55,12 +59,14 @@ void join_rows(const RunTable& table, std::size_t row, std::size_t other, int re
     }
 }
 
-DisjointSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connectivity) {
+DisjointSets joined_runs(const RunTable& table, const Grid& grid, Connectivity connectivity,
+                         const Job& job) {
     DisjointSets sets(table.runs.size());
     const bool diagonal = connectivity == Connectivity::all26;
     const int reach = diagonal ? 1 : 0;
     const int ny = grid.dims[1];
-    for (int z = 0; z < grid.dims[2]; ++z)
+    for (int z = 0; z < grid.dims[2]; ++z) {
+        job.throw_if_cancelled();
         for (int y = 0; y < ny; ++y) {
             const std::size_t row = static_cast<std::size_t>(z) * ny + y;
             if (y > 0) join_rows(table, row, row - 1, reach, sets);
@@ -69,6 +75,7 @@ DisjointSets joined_runs(const RunTable& table, const Grid& grid, Connectivity c
             if (diagonal && y > 0) join_rows(table, row, row - ny - 1, reach, sets);
             if (diagonal && y + 1 < ny) join_rows(table, row, row - ny + 1, reach, sets);
         }
+    }
     return sets;
 }
 
@@ -81,18 +88,24 @@ std::vector<std::size_t> set_sizes(const RunTable& table, DisjointSets& sets) {
 }
 
 template <class Visit>
-void for_each_run(const RunTable& table, const Grid& grid, const Visit& visit) {
-    for (std::size_t row = 0; row + 1 < table.first_of_row.size(); ++row)
+void for_each_run(const RunTable& table, const Grid& grid, const Job& job, const Visit& visit) {
+    for (std::size_t row = 0; row + 1 < table.first_of_row.size(); ++row) {
+        if (row % rows_between_looks == 0) job.throw_if_cancelled();
         for (std::size_t i = table.first_of_row[row]; i < table.first_of_row[row + 1]; ++i)
             visit(static_cast<std::uint32_t>(i), row * grid.dims[0] + table.runs[i].begin,
                   row * grid.dims[0] + table.runs[i].end);
+    }
 }
 
 }  // namespace
 
 Components connected_components(const Mask& mask, Connectivity connectivity) {
-    const RunTable table(mask, true);
-    DisjointSets sets = joined_runs(table, mask.grid, connectivity);
+    return connected_components(mask, connectivity, Job());
+}
+
+Components connected_components(const Mask& mask, Connectivity connectivity, const Job& job) {
+    const RunTable table(mask, true, job);
+    DisjointSets sets = joined_runs(table, mask.grid, connectivity, job);
     const std::vector<std::size_t> sizes = set_sizes(table, sets);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < sizes.size(); ++i)
@@ -100,13 +113,13 @@ Components connected_components(const Mask& mask, Connectivity connectivity) {
     std::ranges::stable_sort(order, [&](auto a, auto b) { return sizes[a] > sizes[b]; });
 
     Components components;
-    components.labels = Image<std::uint32_t>(mask.grid);
+    components.labels = filled_image(mask.grid, std::uint32_t{0}, job);
     std::vector<std::uint32_t> label_of(sizes.size(), 0);
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
         label_of[order[rank]] = static_cast<std::uint32_t>(rank + 1);
         components.sizes.push_back(sizes[order[rank]]);
     }
-    for_each_run(table, mask.grid, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
+    for_each_run(table, mask.grid, job, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
         std::fill(components.labels.voxels.begin() + static_cast<std::ptrdiff_t>(begin),
                   components.labels.voxels.begin() + static_cast<std::ptrdiff_t>(end),
                   label_of[sets.root(run)]);
@@ -128,12 +141,16 @@ Mask largest_components(const Mask& mask, Connectivity connectivity, int count,
 }
 
 Mask fill_holes(const Mask& mask) {
+    return fill_holes(mask, Job());
+}
+
+Mask fill_holes(const Mask& mask, const Job& job) {
     const Grid& grid = mask.grid;
-    const RunTable table(mask, false);
-    DisjointSets sets = joined_runs(table, grid, Connectivity::faces6);
+    const RunTable table(mask, false, job);
+    DisjointSets sets = joined_runs(table, grid, Connectivity::faces6, job);
     std::vector<char> open(table.runs.size(), 0);  // by first run: reaches the border
     const int ny = grid.dims[1];
-    for_each_run(table, grid, [&](std::uint32_t run, std::size_t begin, std::size_t) {
+    for_each_run(table, grid, job, [&](std::uint32_t run, std::size_t begin, std::size_t) {
         const auto row = static_cast<int>(begin / grid.dims[0] % ny);
         const auto slice = static_cast<int>(begin / grid.dims[0] / ny);
         const Run& r = table.runs[run];
@@ -142,7 +159,7 @@ Mask fill_holes(const Mask& mask) {
             open[sets.root(run)] = 1;
     });
     Mask filled(grid, 1);
-    for_each_run(table, grid, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
+    for_each_run(table, grid, job, [&](std::uint32_t run, std::size_t begin, std::size_t end) {
         if (open[sets.root(run)])
             std::fill(filled.voxels.begin() + static_cast<std::ptrdiff_t>(begin),
                       filled.voxels.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{0});

@@ -3,13 +3,17 @@
 // 8:415 (2012): exact squared distances, one axis after the other, as lower envelopes of parabolas.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/line_bundles.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -17,59 +21,195 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
+// Sums of squares of spacings are rounded: a voxel at exactly the radius belongs to the ball.
+double squared_limit(double radius_mm) {
+    return radius_mm * radius_mm * (1.0 + 1e-6);
+}
+
+// One row of a mask: for each place the squared distance to the nearest wanted voxel of the row.
+// The places begin `first` voxels from the row's first one and may lie beside it.
+void row_distances(std::span<const std::uint8_t> row, bool wanted, int first, double square,
+                   std::span<float> places) {
+    const int size = static_cast<int>(row.size()), count = static_cast<int>(places.size());
+    constexpr int none = std::numeric_limits<int>::max() / 4;
+    const auto is_wanted = [&](int at) { return at >= 0 && at < size && (row[at] != 0) == wanted; };
+    const auto squared = [&](int steps) {
+        return steps >= none / 2 ? infinite : static_cast<float>(square * steps * steps);
+    };
+    int last = -none;
+    for (int at = std::min(first, 0); at < first + count; ++at) {
+        if (is_wanted(at)) last = at;
+        if (at >= first) places[at - first] = squared(at - last);
+    }
+    int next = none;
+    for (int at = std::max(first + count, size) - 1; at >= first; --at) {
+        if (is_wanted(at)) next = at;
+        if (at < first + count)
+            places[at - first] = std::min(places[at - first], squared(next - at));
+    }
+}
+
 // Scratch memory of one line.
-struct Envelope {
-    std::vector<double> value;   // squared distance before
-    std::vector<int> apex;       // of the parabolas in the envelope
-    std::vector<double> border;  // where each parabola begins to be the lowest
+class Envelope {
+  public:
+    Envelope(std::size_t size, double most)
+        : value_(size), apex_(size), border_(size + 1), most_(most) {}
 
-    explicit Envelope(std::size_t n) : value(n), apex(n), border(n) {}
-
-    // Replaces sample i of one lane by the least over j of sample j + (spacing (i - j))^2.
-    void transform(std::vector<Lanes>& line, int lane, double spacing) {
-        const int n = static_cast<int>(line.size());
-        int count = 0;
+    // In one lane, place k becomes the least over j of sample j + (spacing (first + k - j))^2.
+    // Samples above the most that is of interest may count as infinite.
+    void transform(const std::vector<Lanes>& line, int lane, double spacing, int first,
+                   std::vector<Lanes>& places) {
         const double square = spacing * spacing;
-        for (int i = 0; i < n; ++i) {
-            value[i] = static_cast<double>(line[i][lane]);
-            if (value[i] == infinite) continue;
+        const int count = lowest(line, lane, square);
+        const int size = static_cast<int>(line.size());
+        int k = 0;
+        for (std::size_t p = 0; p < places.size(); ++p) {
+            const int at = first + static_cast<int>(p);
+            float& place = places[p][lane];
+            if (count == 0) {
+                place = infinite;
+            } else if (at >= 0 && at < size && value_[at] == 0.0) {
+                place = 0.0f;
+            } else {
+                while (k + 1 < count && border_[k + 1] < at) ++k;
+                const double steps = at - apex_[k];
+                place = static_cast<float>(value_[apex_[k]] + square * steps * steps);
+            }
+        }
+    }
+
+  private:
+    // The parabolas of the envelope, in order; returns how many there are. One between two others
+    // whose apex is 0 as its own is the lowest nowhere but there.
+    int lowest(const std::vector<Lanes>& line, int lane, double square) {
+        const int size = static_cast<int>(line.size());
+        for (int i = 0; i < size; ++i) {
+            const float sample = line[i][lane];
+            value_[i] =
+                static_cast<double>(sample) > most_ ? infinite : static_cast<double>(sample);
+        }
+        int count = 0;
+        for (int i = 0; i < size; ++i) {
+            if (value_[i] == infinite) continue;
+            if (i > 0 && i + 1 < size && value_[i] == 0.0 && value_[i - 1] == 0.0 &&
+                value_[i + 1] == 0.0)
+                continue;
             double begin = -infinite;
             while (count > 0) {
-                const int j = apex[count - 1];
-                begin = 0.5 * ((value[i] - value[j]) / (square * (i - j)) + i + j);
-                if (begin > border[count - 1]) break;
+                const int j = apex_[count - 1];
+                begin = 0.5 * ((value_[i] - value_[j]) / (square * (i - j)) + i + j);
+                if (begin > border_[count - 1]) break;
                 --count;
                 begin = -infinite;
             }
-            apex[count] = i;
-            border[count] = begin;
+            apex_[count] = i;
+            border_[count] = begin;
             ++count;
         }
-        if (count == 0) return;
-        int k = 0;
-        for (int i = 0; i < n; ++i) {
-            while (k + 1 < count && border[k + 1] < i) ++k;
-            const double steps = i - apex[k];
-            line[i][lane] = static_cast<float>(value[apex[k]] + square * steps * steps);
-        }
+        return count;
     }
+
+    std::vector<double> value_;   // squared distance before
+    std::vector<int> apex_;       // of the parabolas in the envelope
+    std::vector<double> border_;  // where each parabola begins to be the lowest
+    double most_;
 };
 
-// Squared distance to the nearest voxel whose object state is `wanted`.
-FloatVolume squared_distance(const Mask& mask, bool wanted, Job& job) {
-    FloatVolume squares(mask.grid);
-    parallel_blocks(mask.voxels.size(), 1 << 18, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            squares.voxels[i] = (mask.voxels[i] != 0) == wanted ? 0.0f : infinite;
+// Squared distances on a grid whose first voxel lies at `first` among those of the mask.
+struct PlacedSquares {
+    Index3 first{0, 0, 0};
+    FloatVolume squares;
+};
+
+// Along one axis, for the places from `begin` to `end` among the voxels of the mask.
+PlacedSquares transformed(PlacedSquares before, int axis, int begin, int end, double most,
+                          Job& job) {
+    const Grid& old = before.squares.grid;
+    const double spacing = old.spacing_mm[axis];
+    const int first = begin - before.first[axis];
+    const auto make_filter = [&, size = static_cast<std::size_t>(old.dims[axis])] {
+        return [&, envelope = Envelope(size, most)](const std::vector<Lanes>& line,
+                                                    std::vector<Lanes>& places) mutable {
+            for (int lane = 0; lane < line_lanes; ++lane)
+                envelope.transform(line, lane, spacing, first, places);
+        };
+    };
+    if (first == 0 && end - begin == old.dims[axis]) {
+        filter_lines(before.squares, before.squares, axis, job, make_filter);
+        return before;
+    }
+    PlacedSquares after{before.first, {}};
+    after.first[axis] = begin;
+    Grid grid = old;
+    grid.dims[axis] = end - begin;
+    after.squares = filled_image(grid, 0.0f, job);
+    filter_lines(before.squares, after.squares, axis, job, make_filter);
+    return after;
+}
+
+// In the rows of `rows`, from where.begin to where.end along them.
+PlacedSquares squares_in_rows(const Mask& mask, bool wanted, const IndexBox& where,
+                              const IndexBox& rows, Job& job) {
+    PlacedSquares placed{{where.begin[0], rows.begin[1], rows.begin[2]}, {}};
+    Grid grid = mask.grid;
+    grid.dims = {where.end[0] - where.begin[0], rows.end[1] - rows.begin[1],
+                 rows.end[2] - rows.begin[2]};
+    placed.squares = filled_image(grid, 0.0f, job);
+    const double square = grid.spacing_mm[0] * grid.spacing_mm[0];
+    parallel_blocks(grid.dims[2], 1, [&](std::size_t slice, std::size_t) {
+        job.throw_if_cancelled();
+        const int z = static_cast<int>(slice);
+        for (int y = 0; y < grid.dims[1]; ++y)
+            row_distances({&mask.at(0, rows.begin[1] + y, rows.begin[2] + z),
+                           static_cast<std::size_t>(mask.grid.dims[0])},
+                          wanted, where.begin[0], square,
+                          {&placed.squares.at(0, y, z), static_cast<std::size_t>(grid.dims[0])});
     });
-    for (int axis = 0; axis < 3; ++axis)
-        filter_lines(squares, axis, job, [&, n = mask.grid.dims[axis]] {
-            return [&, envelope = Envelope(n)](std::vector<Lanes>& line) mutable {
-                for (int lane = 0; lane < line_lanes; ++lane)
-                    envelope.transform(line, lane, mask.grid.spacing_mm[axis]);
-            };
-        });
-    return squares;
+    return placed;
+}
+
+IndexBox whole(const Grid& grid) {
+    return {{0, 0, 0}, grid.dims};
+}
+
+// By as many voxels on each side as cover the distance.
+IndexBox widened(const IndexBox& box, const Grid& grid, double distance_mm) {
+    IndexBox wide;
+    for (int a = 0; a < 3; ++a) {
+        const int voxels = static_cast<int>(std::ceil(distance_mm / grid.spacing_mm[a])) + 1;
+        wide.begin[a] = box.begin[a] - voxels;
+        wide.end[a] = box.end[a] + voxels;
+    }
+    return wide;
+}
+
+IndexBox common(const IndexBox& a, const IndexBox& b) {
+    IndexBox both;
+    for (int axis = 0; axis < 3; ++axis) {
+        both.begin[axis] = std::max(a.begin[axis], b.begin[axis]);
+        both.end[axis] = std::max(both.begin[axis], std::min(a.end[axis], b.end[axis]));
+    }
+    return both;
+}
+
+// Squared distance to the nearest voxel whose object state is `wanted`, for the places of a box of
+// indices that may reach beyond the mask; exact up to the square of most_mm, above it at least
+// that.
+FloatVolume squared_distance(const Mask& mask, bool wanted, const IndexBox& where, double most_mm,
+                             Job& job) {
+    const double most = squared_limit(most_mm);
+    IndexBox rows = whole(mask.grid);
+    if (std::isfinite(most_mm)) rows = common(rows, widened(where, mask.grid, most_mm));
+    PlacedSquares placed = squares_in_rows(mask, wanted, where, rows, job);
+    for (int axis = 1; axis < 3; ++axis)
+        placed =
+            transformed(std::move(placed), axis, where.begin[axis], where.end[axis], most, job);
+    placed.squares.grid.origin_mm = mask.grid.to_mm(where.begin[0], where.begin[1], where.begin[2]);
+    return std::move(placed.squares);
+}
+
+FloatVolume squared_distance(const Mask& mask, bool wanted, Job& job) {
+    return squared_distance(mask, wanted, whole(mask.grid), infinite, job);
 }
 
 template <class Change>
@@ -80,11 +220,11 @@ void change_each(FloatVolume& image, const Change& change) {
 }
 
 // Voxels whose squared distance is at most (or more than) the radius squared.
-Mask threshold(const FloatVolume& squares, double radius_mm, bool within) {
-    // Sums of squares of spacings are rounded: a voxel at exactly the radius belongs to the ball.
-    const double limit = radius_mm * radius_mm * (1.0 + 1e-6);
+Mask threshold(const FloatVolume& squares, double radius_mm, bool within, Job& job) {
+    const double limit = squared_limit(radius_mm);
     Mask mask(squares.grid);
     parallel_blocks(mask.voxels.size(), 1 << 18, [&](std::size_t begin, std::size_t end) {
+        job.throw_if_cancelled();
         for (std::size_t i = begin; i < end; ++i)
             mask.voxels[i] = (squares.voxels[i] <= limit) == within ? 1 : 0;
     });
@@ -109,30 +249,33 @@ FloatVolume signed_distance(const Mask& object, Job& job) {
 }
 
 Mask dilate(const Mask& mask, double radius_mm, Job& job) {
-    return threshold(squared_distance(mask, true, job), radius_mm, true);
+    return threshold(squared_distance(mask, true, whole(mask.grid), radius_mm, job), radius_mm,
+                     true, job);
 }
 
 Mask erode(const Mask& mask, double radius_mm, Job& job) {
-    return threshold(squared_distance(mask, false, job), radius_mm, false);
+    return threshold(squared_distance(mask, false, whole(mask.grid), radius_mm, job), radius_mm,
+                     false, job);
 }
 
 Mask close(const Mask& mask, double radius_mm, Job& job) {
-    // On a grid wide enough to hold the dilated mask with background around it.
-    Grid room = mask.grid;
-    IndexBox image;
+    return close_in(mask, radius_mm, whole(mask.grid), job);
+}
+
+Mask close_in(const Mask& mask, double radius_mm, const IndexBox& where, Job& job) {
+    const Grid part = crop(mask.grid, where);  // clipped, or refused
+    const IndexBox box = common(where, whole(mask.grid));
+    const IndexBox room = widened(box, mask.grid, radius_mm);
+    const Mask dilated =
+        threshold(squared_distance(mask, true, room, radius_mm, job), radius_mm, true, job);
+    IndexBox in_room;
     for (int a = 0; a < 3; ++a) {
-        image.begin[a] = static_cast<int>(std::ceil(radius_mm / room.spacing_mm[a])) + 1;
-        image.end[a] = image.begin[a] + mask.grid.dims[a];
-        room.dims[a] = image.end[a] + image.begin[a];
+        in_room.begin[a] = box.begin[a] - room.begin[a];
+        in_room.end[a] = box.end[a] - room.begin[a];
     }
-    room.origin_mm = mask.grid.to_mm(-image.begin[0], -image.begin[1], -image.begin[2]);
-    Mask whole(room);
-    for (int z = 0; z < mask.grid.dims[2]; ++z)
-        for (int y = 0; y < mask.grid.dims[1]; ++y)
-            std::copy_n(&mask.at(0, y, z), mask.grid.dims[0],
-                        &whole.at(image.begin[0], y + image.begin[1], z + image.begin[2]));
-    Mask closed = crop(erode(dilate(whole, radius_mm, job), radius_mm, job), image);
-    closed.grid = mask.grid;  // to the bit
+    Mask closed =
+        threshold(squared_distance(dilated, false, in_room, radius_mm, job), radius_mm, false, job);
+    closed.grid = part;
     return closed;
 }
 

@@ -65,25 +65,39 @@ class LineBundles {
     std::array<std::size_t, 3> strides_;
 };
 
-// Calls filter(line) on every bundle along the axis, in parallel, and stores what it leaves there.
+// Calls filter(line, filtered) on every bundle of `from` along the axis, in parallel, and stores in
+// the same bundle of `to` what it leaves in `filtered`; `to` may have lines of another length.
 // make_filter() makes one filter, with its scratch memory, per block of bundles. Reports the
 // progress of this axis as the axis-th third of the stage.
 template <class MakeFilter>
-void filter_lines(FloatVolume& image, int axis, Job& job, const MakeFilter& make_filter) {
-    const LineBundles bundles(image, axis);
+void filter_lines(FloatVolume& from, FloatVolume& to, int axis, Job& job,
+                  const MakeFilter& make_filter) {
+    const LineBundles sources(from, axis), targets(to, axis);
     std::atomic<std::size_t> done{0};
     constexpr std::size_t block = 16;
-    parallel_blocks(bundles.count(), block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Lanes> line;
+    parallel_blocks(sources.count(), block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Lanes> line, filtered(static_cast<std::size_t>(to.grid.dims[axis]));
         auto filter = make_filter();
         for (std::size_t b = begin; b < end; ++b) {
-            bundles.load(b, line);
-            filter(line);
-            bundles.store(b, line);
+            sources.load(b, line);
+            filter(line, filtered);
+            targets.store(b, filtered);
         }
         done += end - begin;
-        job.advance((axis + static_cast<double>(done) / static_cast<double>(bundles.count())) /
+        job.advance((axis + static_cast<double>(done) / static_cast<double>(sources.count())) /
                     3.0);
+    });
+}
+
+// The same in place: filter(line) on every bundle.
+template <class MakeFilter>
+void filter_lines(FloatVolume& image, int axis, Job& job, const MakeFilter& make_filter) {
+    filter_lines(image, image, axis, job, [&] {
+        return [filter = make_filter()](std::vector<Lanes>& line,
+                                        std::vector<Lanes>& filtered) mutable {
+            filter(line);
+            filtered.swap(line);
+        };
     });
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes of masks: exact Euclidean distances (Felzenszwalb and Huttenlocher 2012), dilation,
 // erosion, closing and opening by a ball of a physical radius, connected components, holes.
-// All give the same bytes for any number of threads.
+// All give the same bytes for any number of threads; those that are given a job throw Cancelled.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/image/filters.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
@@ -25,6 +26,10 @@ FloatVolume signed_distance(const Mask& object, Job& job);
 Mask dilate(const Mask& mask, double radius_mm, Job& job);
 Mask erode(const Mask& mask, double radius_mm, Job& job);
 Mask close(const Mask& mask, double radius_mm, Job& job);
+// What of it lies in a box of voxels, which is clipped to the grid: the same as crop(close(...)),
+// at the cost of the box and what lies within twice the radius of it. Throws InputError where
+// nothing of the box lies in the grid.
+Mask close_in(const Mask& mask, double radius_mm, const IndexBox& where, Job& job);
 Mask open(const Mask& mask, double radius_mm, Job& job);
 
 enum class Connectivity { faces6 = 6, all26 = 26 };
@@ -36,10 +41,12 @@ struct Components {
 };
 
 Components connected_components(const Mask& mask, Connectivity connectivity);
+Components connected_components(const Mask& mask, Connectivity connectivity, const Job& job);
 // Keeps the `count` largest components, and of those only the ones of at least minimum_voxels.
 Mask largest_components(const Mask& mask, Connectivity connectivity, int count = 1,
                         std::size_t minimum_voxels = 1);
 // Fills background that no path through faces joins to the border of the image.
 Mask fill_holes(const Mask& mask);
+Mask fill_holes(const Mask& mask, const Job& job);
 
 }  // namespace hepatica

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/memory_limit.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -81,7 +82,7 @@ Image<T> resample_image(const Image<T>& source, const Grid& target, Interpolatio
                         const Finish& finish) {
     require_memory(bytes_of(target.dims[0], target.dims[1], target.dims[2], sizeof(T)),
                    "resampled image");
-    Image<T> result(target);
+    Image<T> result = filled_image(target, T{}, job);
     const IndexMap map(source.grid, target);
     const Index3& size = source.grid.dims;
     std::vector<Taps> columns;  // of an aligned target: the same for every row
@@ -151,8 +152,9 @@ FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolatio
 
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job) {
     // The number of a label must not move its border.
-    Mask inside = mask;
-    for (std::uint8_t& voxel : inside.voxels) voxel = voxel != 0 ? 1 : 0;
+    Mask inside = filled_image(mask.grid, std::uint8_t{0}, job);
+    for_each_voxel(mask.voxels.size(), job,
+                   [&](std::size_t i) { inside.voxels[i] = mask.voxels[i] != 0 ? 1 : 0; });
     return resample_image(inside, target, how, job, [](float value) {
         return static_cast<std::uint8_t>(value >= 0.5f ? 1 : 0);
     });

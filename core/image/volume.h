@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/base/vector.h"
 
 namespace hepatica {
@@ -51,10 +52,31 @@ struct Image {
     std::vector<T> voxels;  // grid.count() values, x fastest
 
     Image() = default;
-    explicit Image(const Grid& where, T value = T{}) : grid(where), voxels(where.count(), value) {}
+    explicit Image(const Grid& where, T value = T{}) : grid(where) {
+        make_room(where.count());
+        voxels.assign(where.count(), value);
+    }
+    Image(const Image& other) : grid(other.grid) {
+        make_room(other.voxels.size());
+        voxels = other.voxels;
+    }
+    Image& operator=(const Image& other) {
+        if (this != &other) *this = Image(other);
+        return *this;
+    }
+    Image(Image&&) noexcept = default;
+    Image& operator=(Image&&) noexcept = default;
+    ~Image() = default;
 
     T& at(int x, int y, int z) { return voxels[grid.offset(x, y, z)]; }
     const T& at(int x, int y, int z) const { return voxels[grid.offset(x, y, z)]; }
+
+  private:
+    // Before the first voxel is written.
+    void make_room(std::size_t count) {
+        voxels.reserve(count);
+        prefer_large_pages(voxels.data(), count * sizeof(T));
+    }
 };
 
 using Volume = Image<std::int16_t>;  // a CT, in Hounsfield units

@@ -284,7 +284,31 @@ LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& plac
     return placed(volume, std::move(labels), place);
 }
 
-void require_plausible_ct(const Volume& volume, const std::string& place) {
+namespace {
+
+struct Values {
+    std::int16_t low = std::numeric_limits<std::int16_t>::max();
+    std::int16_t high = std::numeric_limits<std::int16_t>::min();
+    std::size_t soft = 0;  // of soft tissue
+};
+
+Values values_of(const Volume& volume, const Job& job) {
+    const std::size_t slice = volume.grid.offset(0, 0, 1);
+    Values values;
+    for (int z = 0; z < volume.grid.dims[2]; ++z) {
+        job.throw_if_cancelled();
+        for (const std::int16_t hu : std::span(&volume.at(0, 0, z), slice)) {
+            values.low = std::min(values.low, hu);
+            values.high = std::max(values.high, hu);
+            values.soft += hu > -200 && hu < 400 && hu != 0;
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+void require_plausible_ct(const Volume& volume, const std::string& place, const Job& job) {
     constexpr double least_mm = 0.1, most_mm = 10.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double spacing_mm = volume.grid.spacing_mm[axis];
@@ -300,12 +324,10 @@ void require_plausible_ct(const Volume& volume, const std::string& place) {
         if (n < 8)
             throw InputError("has only " + std::to_string(n) + " voxels along an axis", place,
                              "Choose a CT that covers the liver");
-    const auto [low, high] = std::ranges::minmax(volume.voxels);
+    const auto [low, high, soft] = values_of(volume, job);
     if (low == high)
         throw InputError("has the value " + std::to_string(low) + " in every voxel", place,
                          "Choose a CT with an image in it");
-    const auto soft = std::ranges::count_if(
-        volume.voxels, [](std::int16_t hu) { return hu > -200 && hu < 400 && hu != 0; });
     if (static_cast<double>(soft) < 0.005 * static_cast<double>(volume.voxels.size()))
         throw InputError("shows no soft tissue (its values run from " + std::to_string(low) +
                              " to " + std::to_string(high) + " HU)",

@@ -81,6 +81,6 @@ LabelMap on_grid_of(const Grid& volume, LabelMap labels, const std::string& plac
 // Throws InputError, naming `place`, where nothing can be reconstructed from the volume: voxels
 // smaller than 0.1 or larger than 10 mm, fewer than 8 voxels along an axis, all values equal, or no
 // soft tissue (-200 to 400 HU) in sight.
-void require_plausible_ct(const Volume& volume, const std::string& place);
+void require_plausible_ct(const Volume& volume, const std::string& place, const Job& job);
 
 }  // namespace hepatica

@@ -25,9 +25,9 @@ PatientCase voxels_of(const PatientCase& patient, const fs::path& folder) {
     return voxels;
 }
 
-bool is_image_of(const PatientCase& patient, const Volume& ct) {
+bool is_image_of(const PatientCase& patient, const Volume& ct, Job& job) {
     const std::string& wanted = patient.source.image_sha256;
-    return wanted.empty() || digest_of(ct) == wanted;
+    return wanted.empty() || digest_of(ct, job) == wanted;
 }
 
 // Nothing where the patient is not the built-in one.
@@ -38,7 +38,7 @@ std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     if (grid.dims != made.dims || !grid.spacing_mm.isApprox(made.spacing_mm, 1e-6))
         return std::nullopt;
     Volume ct = built_in_truth(job).ct;
-    if (!is_image_of(patient, ct)) return std::nullopt;
+    if (!is_image_of(patient, ct, job)) return std::nullopt;
     return ct;
 }
 
@@ -55,14 +55,14 @@ FoundImage found_image_of(const PatientCase& patient, const fs::path& place, Job
                          "choose its folder or file");
     }
     Volume first = read_volume(place, job);
-    if (is_image_of(patient, first)) return {std::move(first), 0};
+    if (is_image_of(patient, first, job)) return {std::move(first), 0};
     first = {};
     std::error_code ignored;
     const std::size_t series =
         fs::is_directory(place, ignored) ? list_series(place, job).size() : 0;
     for (std::size_t i = 2; i <= series; ++i) {
         Volume next = read_volume(place, job, nullptr, static_cast<int>(i));
-        if (is_image_of(patient, next)) return {std::move(next), static_cast<int>(i)};
+        if (is_image_of(patient, next, job)) return {std::move(next), static_cast<int>(i)};
     }
     throw InputError("this is not the CT that the patient was reconstructed from", place.string(),
                      "choose the one that was opened when the case was made; its files may have "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/patient/image_digest.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are digested 
 
 constexpr double micrometres_per_mm = 1000.0;
 constexpr double millionths = 1e6;
+constexpr std::size_t voxels_at_once = std::size_t{1} << 21;
 
 void add(Sha256& digest, double value, double steps) {
     const auto rounded = static_cast<std::int64_t>(std::llround(value * steps));
@@ -24,6 +26,11 @@ void add(Sha256& digest, double value, double steps) {
 }  // namespace
 
 std::string digest_of(const Volume& ct) {
+    Job nobodys;
+    return digest_of(ct, nobodys);
+}
+
+std::string digest_of(const Volume& ct, Job& job) {
     Sha256 digest;
     const Grid& grid = ct.grid;
     for (const int size : grid.dims) add(digest, size, 1.0);
@@ -31,7 +38,12 @@ std::string digest_of(const Volume& ct) {
     for (const double place : grid.origin_mm) add(digest, place, micrometres_per_mm);
     for (int axis = 0; axis < 3; ++axis)
         for (int row = 0; row < 3; ++row) add(digest, grid.direction(row, axis), millionths);
-    digest.add_bytes(ct.voxels.data(), ct.voxels.size() * sizeof ct.voxels[0]);
+    const std::size_t size = ct.voxels.size();
+    for (std::size_t done = 0; done < size; done += voxels_at_once) {
+        job.advance(static_cast<double>(done) / static_cast<double>(size));
+        digest.add_bytes(&ct.voxels[done],
+                         std::min(voxels_at_once, size - done) * sizeof ct.voxels[0]);
+    }
     return digest.hex_digest();
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
@@ -13,5 +14,7 @@ namespace hepatica {
 // the order of the voxels. The same for every copy of the series, whatever its folder, its files
 // and its other tags are called or say.
 std::string digest_of(const Volume& ct);
+// The same; reports progress. Throws Cancelled.
+std::string digest_of(const Volume& ct, Job& job);
 
 }  // namespace hepatica

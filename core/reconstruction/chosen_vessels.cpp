@@ -43,7 +43,7 @@ void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVess
     if (std::ranges::find(chosen, 0) == chosen.end()) return;
     Mask& vessels = found.detection.vessels;
     vessels = without_dropped(vessels, measured.pieces, chosen);
-    vessels = hysteresis(vessels, vessels, smallest_vessel_mm3);
+    vessels = hysteresis(vessels, vessels, smallest_vessel_mm3, job);
 }
 
 }  // namespace hepatica

@@ -51,12 +51,12 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     constexpr double wall_mm = 1.0;
     const Mask inner = erode(vessels, wall_mm, job);
     constexpr std::size_t enough = 200;
-    return robust_spread(excess, object_count(inner) >= enough ? inner : vessels).median;
+    return robust_spread(excess, object_count(inner) >= enough ? inner : vessels, job).median;
 }
 
 // Drops the pieces that lie elsewhere for the most part.
-void keep_within(const Mask& where, double least_share, Detection& detection) {
-    detection.vessels = pieces_within(detection.vessels, where, least_share);
+void keep_within(const Mask& where, double least_share, Detection& detection, const Job& job) {
+    detection.vessels = pieces_within(detection.vessels, where, least_share, job);
     for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
         if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
 }
@@ -88,13 +88,13 @@ DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& opt
     result.detection =
         detect_vessels(tissue, frame.liver, ct.grid.spacing_mm, {options.method, line_share}, job);
     job.throw_if_cancelled();
-    keep_within(tissue.interior, least_inner_share, result.detection);
+    keep_within(tissue.interior, least_inner_share, result.detection, job);
     job.throw_if_cancelled();
     result.liver = options.liver
                        ? frame.liver
                        : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
     // Spleen, pancreas and heart may hang together with the region that was searched.
-    if (!options.liver) keep_within(result.liver, least_liver_share, result.detection);
+    if (!options.liver) keep_within(result.liver, least_liver_share, result.detection, job);
     job.throw_if_cancelled();
     return result;
 }

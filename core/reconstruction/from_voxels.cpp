@@ -7,6 +7,7 @@
 
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/mesh/surface.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/mask_of_tree.h"
@@ -20,10 +21,12 @@ namespace {
 
 // Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
 // takes the system of the voxel before it in the row, which borders the hole.
-void fill_cavities(Mask& mask) {
-    const Mask filled = fill_holes(mask);
-    for (std::size_t i = 1; i < mask.voxels.size(); ++i)
-        if (mask.voxels[i] == 0 && filled.voxels[i] != 0) mask.voxels[i] = mask.voxels[i - 1];
+void fill_cavities(Mask& mask, const Job& job) {
+    const Mask filled = fill_holes(mask, job);
+    for_each_voxel_in_order(mask.voxels.size(), job, [&](std::size_t i) {
+        if (i > 0 && mask.voxels[i] == 0 && filled.voxels[i] != 0)
+            mask.voxels[i] = mask.voxels[i - 1];
+    });
 }
 
 VoxelCounts counts_of(const Mask& mask) {
@@ -79,7 +82,7 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
 VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
                       std::vector<std::string>& warnings, Job& job) {
     VoxelChecks checks;
-    fill_cavities(patient.mask);
+    fill_cavities(patient.mask, job);
     job.advance(0.8);
     checks.mask = counts_of(patient.mask);
     job.advance(1.0);

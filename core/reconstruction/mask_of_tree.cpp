@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/vessel_systems.h"
 
 namespace hepatica {
@@ -45,14 +46,15 @@ void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job) {
     if (anew) mask = label_systems(mask, centreline_seeds(mask, tree), job);
     constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
     Mask open(mask.grid);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i) open.voxels[i] = mask.voxels[i] == unknown;
-    const Components pieces = connected_components(open, Connectivity::all26);
+    for_each_voxel(mask.voxels.size(), job,
+                   [&](std::size_t i) { open.voxels[i] = mask.voxels[i] == unknown; });
+    const Components pieces = connected_components(open, Connectivity::all26, job);
     const std::vector<Votes> votes = votes_of(pieces, tree);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    for_each_voxel(mask.voxels.size(), job, [&](std::size_t i) {
         const std::uint32_t piece = pieces.labels.voxels[i];
         if (piece != 0 && !votes[piece].empty())
             mask.voxels[i] = static_cast<std::uint8_t>(most_voted(votes[piece]));
-    }
+    });
 }
 
 }  // namespace hepatica

@@ -117,12 +117,13 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     std::optional<LinkModel> model;
     if (chooses(options)) model = read_link_model(*options.model);
     const Volume ct = read_volume(options.ct, job, &warnings, options.series);
-    require_plausible_ct(ct, options.ct.string());
+    require_plausible_ct(ct, options.ct.string(), job);
     require_seeds_in_image(options.seeds, ct.grid);
-    patient.source = {options.name, digest_of(ct), ct.grid, parameters_json(options)};
+    patient.source = {options.name, digest_of(ct, job), ct.grid, parameters_json(options)};
 
-    Anatomy anatomy = options.vessel_mask ? given_anatomy(options, ct.grid, warnings, job)
-                                          : segmented_anatomy(options, std::move(model), ct, warnings, job);
+    Anatomy anatomy = options.vessel_mask
+                          ? given_anatomy(options, ct.grid, warnings, job)
+                          : segmented_anatomy(options, std::move(model), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
     mark_tumours(options, ct.grid, patient.organs, job);
@@ -153,8 +154,9 @@ int stage_count(const ReconstructOptions& options) {
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     const int tumours = static_cast<int>(options.tumour_masks.size());
-    return reading + tumours + (chooses(options) ? 1 : 0) + (options.vessel_mask ? given_liver + given_mask : segmentation) +
-           make_tree_stages + make_body_stages;
+    return reading + tumours + (chooses(options) ? 1 : 0) +
+           (options.vessel_mask ? given_liver + given_mask : segmentation) + make_tree_stages +
+           make_body_stages;
 }
 
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {

@@ -44,8 +44,8 @@ std::string rounded(double value, int decimals = 0) {
 Mask with_thin_vessels_round(const Mask& vessels, const Mask& skeleton, const VesselTree& tree,
                              Job& job) {
     Mask round = round_thin_lumens(vessels, tree, thin_radius_mm, job);
-    rejoin(skeleton, kept_branch_mm, round);
-    return hysteresis(skeleton, round, 0.0);  // no crumbs of the outline
+    rejoin(skeleton, kept_branch_mm, round, job);
+    return hysteresis(skeleton, round, 0.0, job);  // no crumbs of the outline
 }
 
 // Adds the vessels of the hilum and returns where the trunk comes in.
@@ -99,7 +99,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     for (std::uint8_t& voxel : result.mask.voxels)
         if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);
     result.components =
-        static_cast<int>(connected_components(result.mask, Connectivity::all26).sizes.size());
+        static_cast<int>(connected_components(result.mask, Connectivity::all26, job).sizes.size());
     result.intensity = std::move(found.frame.intensity);
     return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/line_coherence.h"
 
 namespace hepatica {
@@ -18,17 +19,17 @@ constexpr std::size_t most_bins = 4 * bins_per_deviation;
 std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double deviation,
                                             const Mask& liver, const Mask& where, Job& job) {
     Mask candidates(values.grid);
-    for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
+    for_each_voxel(candidates.voxels.size(), job, [&](std::size_t i) {
         candidates.voxels[i] = liver.voxels[i] && values.voxels[i] > static_cast<float>(deviation);
-    job.throw_if_cancelled();
+    });
     const FloatVolume lines = line_coherence(values, candidates, LineOptions{}, job);
-    job.throw_if_cancelled();
     std::vector<std::size_t> histogram(most_bins);
     const double bins_per_unit = bins_per_deviation / deviation;
-    for (std::size_t i = 0; i < lines.voxels.size(); ++i)
+    for_each_voxel_in_order(lines.voxels.size(), job, [&](std::size_t i) {
         if (where.voxels[i] && lines.voxels[i] > 0.0f)
             ++histogram[std::min(most_bins - 1,
                                  static_cast<std::size_t>(lines.voxels[i] * bins_per_unit))];
+    });
     return histogram;
 }
 
@@ -39,9 +40,9 @@ double false_line_threshold(const FloatVolume& values, double deviation, const M
     const std::vector<std::size_t> bright =
         histogram_of_lines(values, deviation, liver, where, job);
     progress();
-    FloatVolume negative = values;
-    for (float& v : negative.voxels) v = -v;
-    job.throw_if_cancelled();
+    FloatVolume negative = copied_image(values, job);
+    for_each_voxel(negative.voxels.size(), job,
+                   [&](std::size_t i) { negative.voxels[i] = -negative.voxels[i]; });
     const std::vector<std::size_t> dark =
         histogram_of_lines(negative, deviation, liver, where, job);
     std::size_t bin = most_bins;

@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "core/base/parallel.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -185,8 +186,9 @@ FloatVolume march_inwards(const Grid& grid, MarchingOrder order, const Inside& i
     front.march([&](std::size_t i) { return inside(i) ? 1.0f : never; },
                 [](std::size_t) { return false; }, objects, job);
     FloatVolume distance = front.take();
-    for (float& d : distance.voxels)
-        if (d == never) d = 0.0f;
+    for_each_voxel(distance.voxels.size(), job, [&](std::size_t i) {
+        if (distance.voxels[i] == never) distance.voxels[i] = 0.0f;
+    });
     return distance;
 }
 

@@ -126,7 +126,7 @@ Mask refine(const Mask& mask, const RefinementOptions& options, Job& job) {
     const Mask labels = crop(mask, box);
     Mask surface = level_set(labels, options, job);
     if (options.keep_thin_branches)
-        rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface);
+        rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface, job);
     const Mask refined = labelled(surface, labels);
 
     Mask result(mask.grid);

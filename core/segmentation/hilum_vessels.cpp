@@ -2,11 +2,11 @@
 #include "core/segmentation/hilum_vessels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/image/section.h"
-#include "core/segmentation/liver_region.h"
 #include "core/segmentation/vessel_growth.h"
 
 namespace hepatica {
@@ -17,6 +17,8 @@ namespace {
 constexpr double fissure_mm = 30.0, reach_mm = 30.0;
 constexpr double narrowest_mm = 1.5;
 constexpr double vessel_smoothing_mm = 0.8;
+// Twice the radius of the opening, and eight deviations of the smoothing.
+constexpr double local_mm = 2.0 * narrowest_mm + 8.0 * vessel_smoothing_mm;
 // Of a vessel's rise over the tissue; above the second lie bone and contrast medium in bowels.
 // Where fat lies around a vessel, the first draws its wall some 0.6 mm too far inside.
 constexpr double least_rise = 0.5, most_rise = 2.0;
@@ -29,52 +31,97 @@ bool nearer_than_cava(const Vec3& p, const Hilum& hilum) {
     return away < reach_mm && away < (p - beside).norm();
 }
 
-Mask fissures_at(const Hilum& hilum, const Mask& liver, Job& job) {
-    Mask fissures = close_liver(liver, fissure_mm, job);
+// The voxels about the hilum among which vessels are looked for, and one more on each side, in
+// which those of the liver begin.
+IndexBox box_about(const Hilum& hilum, const Grid& grid) {
+    const Vec3 middle = grid.to_index(hilum.at_mm);
+    IndexBox box;
+    for (int a = 0; a < 3; ++a) {
+        const double reach = reach_mm / grid.spacing_mm[a] + 1.0;
+        const double last = grid.dims[a];
+        box.begin[a] = static_cast<int>(std::clamp(std::floor(middle[a] - reach), 0.0, last));
+        box.end[a] = static_cast<int>(std::clamp(std::ceil(middle[a] + reach) + 1.0, 0.0, last));
+    }
+    return box;
+}
+
+// What of an image lies about the hilum, with so much around it that smoothing and opening are the
+// same there as in the whole image.
+struct Surroundings {
+    Mask liver, vessels, fissures, bright;
+};
+
+Mask fissures_in(const IndexBox& box, const Hilum& hilum, const Mask& liver, Job& job) {
+    Mask fissures = close_in(liver, fissure_mm, box, job);
+    const Grid& grid = fissures.grid;
     for (std::size_t i = 0; i < fissures.voxels.size(); ++i) {
         if (fissures.voxels[i] == 0) continue;
-        const auto [x, y, z] = fissures.grid.index_of(i);
-        fissures.voxels[i] =
-            liver.voxels[i] == 0 && nearer_than_cava(fissures.grid.to_mm(x, y, z), hilum);
+        const auto [x, y, z] = grid.index_of(i);
+        const int in_x = x + box.begin[0], in_y = y + box.begin[1], in_z = z + box.begin[2];
+        fissures.voxels[i] = liver.at(in_x, in_y, in_z) == 0 &&
+                             nearer_than_cava(liver.grid.to_mm(in_x, in_y, in_z), hilum);
     }
     return fissures;
 }
 
-Mask as_bright_as_vessels(const LiverFrame& frame, const Hilum& hilum, Job& job) {
-    FloatVolume smooth = frame.intensity;
-    gaussian_smooth(smooth, Vec3::Constant(vessel_smoothing_mm), job);
+Mask as_bright_as_vessels(FloatVolume intensity, const Hilum& hilum, Job& job) {
+    gaussian_smooth(intensity, Vec3::Constant(vessel_smoothing_mm), job);
     const double rise = hilum.vessel_hu - hilum.parenchyma_hu;
     const double low = hilum.parenchyma_hu + least_rise * rise;
     const double high = hilum.parenchyma_hu + most_rise * rise;
-    Mask bright(smooth.grid);
+    Mask bright(intensity.grid);
     for (std::size_t i = 0; i < bright.voxels.size(); ++i)
-        bright.voxels[i] = smooth.voxels[i] > low && smooth.voxels[i] < high;
+        bright.voxels[i] = intensity.voxels[i] > low && intensity.voxels[i] < high;
     return bright;
+}
+
+Surroundings surroundings_in(const IndexBox& box, const LiverFrame& frame, const Mask& vessels,
+                             const Hilum& hilum, Job& job) {
+    return {crop(frame.liver, box), crop(vessels, box), fissures_in(box, hilum, frame.liver, job),
+            as_bright_as_vessels(crop(frame.intensity, box), hilum, job)};
+}
+
+// Those of the fissures that are wide and connected with vessels of the liver.
+Mask wide_vessels(const Surroundings& near, Job& job) {
+    Mask wide(near.vessels.grid);
+    for (std::size_t i = 0; i < wide.voxels.size(); ++i)
+        wide.voxels[i] = near.vessels.voxels[i] != 0 ||
+                         (near.fissures.voxels[i] != 0 && near.bright.voxels[i] != 0);
+    wide = open(wide, narrowest_mm, job);
+    Mask known = wide;
+    for (std::size_t i = 0; i < known.voxels.size(); ++i)
+        known.voxels[i] = wide.voxels[i] != 0 && near.vessels.voxels[i] != 0;
+    Mask found = hysteresis(known, wide, 0.0, job);
+    for (std::size_t i = 0; i < found.voxels.size(); ++i)
+        if (near.fissures.voxels[i] == 0) found.voxels[i] = 0;
+    return found;
+}
+
+std::optional<Vec3> trunk_of(const Mask& found, const Surroundings& near, Job& job) {
+    Mask beyond = open(near.bright, narrowest_mm, job);
+    for (std::size_t i = 0; i < beyond.voxels.size(); ++i)
+        if (near.liver.voxels[i] != 0) beyond.voxels[i] = 0;
+    const std::optional<Section> section = largest_section(found, beyond);
+    if (section && section->area_mm2 >= least_section_mm2) return section->middle_mm;
+    return std::nullopt;
 }
 
 }  // namespace
 
 HilumVessels hilum_vessels(const LiverFrame& frame, const Mask& vessels, const Hilum& hilum,
                            Job& job) {
-    const Mask fissures = fissures_at(hilum, frame.liver, job);
-    const Mask bright = as_bright_as_vessels(frame, hilum, job);
-    Mask wide(vessels.grid);
-    for (std::size_t i = 0; i < wide.voxels.size(); ++i)
-        wide.voxels[i] =
-            vessels.voxels[i] != 0 || (fissures.voxels[i] != 0 && bright.voxels[i] != 0);
-    wide = open(wide, narrowest_mm, job);
-    Mask known = wide;
-    for (std::size_t i = 0; i < known.voxels.size(); ++i)
-        known.voxels[i] = wide.voxels[i] != 0 && vessels.voxels[i] != 0;
-    HilumVessels found{hysteresis(known, wide, 0.0), std::nullopt};
-    for (std::size_t i = 0; i < fissures.voxels.size(); ++i)
-        if (fissures.voxels[i] == 0) found.vessels.voxels[i] = 0;
-    Mask beyond = open(bright, narrowest_mm, job);
-    for (std::size_t i = 0; i < beyond.voxels.size(); ++i)
-        if (frame.liver.voxels[i] != 0) beyond.voxels[i] = 0;
-    const std::optional<Section> section = largest_section(found.vessels, beyond);
-    if (section && section->area_mm2 >= least_section_mm2) found.trunk_mm = section->middle_mm;
-    return found;
+    HilumVessels result{Mask(vessels.grid), std::nullopt};
+    const IndexBox inner = box_about(hilum, vessels.grid);
+    if (inner.empty()) return result;
+    const IndexBox box = grow_box(inner, vessels.grid, local_mm);
+    const Surroundings near = surroundings_in(box, frame, vessels, hilum, job);
+    const Mask found = wide_vessels(near, job);
+    result.trunk_mm = trunk_of(found, near, job);
+    for (int z = box.begin[2]; z < box.end[2]; ++z)
+        for (int y = box.begin[1]; y < box.end[1]; ++y)
+            std::copy_n(&found.at(0, y - box.begin[1], z - box.begin[2]), found.grid.dims[0],
+                        &result.vessels.at(box.begin[0], y, z));
+    return result;
 }
 
 }  // namespace hepatica

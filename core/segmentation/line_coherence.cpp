@@ -2,6 +2,7 @@
 #include "core/segmentation/line_coherence.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -84,10 +86,11 @@ FloatVolume line_coherence(const FloatVolume& values, const Mask& candidates,
                            const LineOptions& options, Job& job) {
     const Grid& grid = values.grid;
     const Rays rays(grid, options);
-    FloatVolume best(grid);
+    FloatVolume best = filled_image(grid, 0.0f, job);
     const float share = 1.0f / static_cast<float>(2 * rays.reach + 1);
+    std::atomic<int> done{0};
     parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t layer, std::size_t) {
-        job.throw_if_cancelled();
+        job.advance(static_cast<double>(done++) / grid.dims[2]);
         std::vector<float> half(static_cast<std::size_t>(options.directions));
         const auto z = static_cast<int>(layer);
         std::size_t i = grid.offset(0, 0, z);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/liver_region.h"
 
 namespace hepatica {
@@ -47,13 +48,25 @@ IndexBox box_in(const Grid& ct, const Mask& liver) {
     return in_ct;
 }
 
+// to_float(crop(ct, box)). Throws Cancelled.
+FloatVolume part_of(const Volume& ct, const IndexBox& box, const Job& job) {
+    FloatVolume part = filled_image(crop(ct.grid, box), 0.0f, job);
+    for (int z = 0; z < part.grid.dims[2]; ++z) {
+        job.throw_if_cancelled();
+        for (int y = 0; y < part.grid.dims[1]; ++y)
+            std::copy_n(&ct.at(box.begin[0], box.begin[1] + y, box.begin[2] + z), part.grid.dims[0],
+                        &part.at(0, y, z));
+    }
+    return part;
+}
+
 }  // namespace
 
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
     if (!(spacing_mm >= 0.3 && spacing_mm <= 1.5))
         throw InputError("a working spacing of " + std::to_string(spacing_mm) + " mm was asked for",
                          "segmentation", "Use 0.3 to 1.5 mm.");
-    FloatVolume part = to_float(crop(ct, box_in(ct.grid, liver)));
+    FloatVolume part = part_of(ct, box_in(ct.grid, liver), job);
     job.advance(0.1);
     Vec3 blur = Vec3::Zero();  // against aliasing where the cubes are coarser than the voxels
     for (Eigen::Index a = 0; a < 3; ++a) {

@@ -131,7 +131,7 @@ Mask placed(const Mask& part, const IndexBox& box, const Grid& whole) {
 Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
     Mask closed = close(liver, radius_mm, job);
     unite(closed, liver);
-    return fill_holes(closed);
+    return fill_holes(closed, job);
 }
 
 FoundLiver find_liver(const Volume& ct, Job& job) {

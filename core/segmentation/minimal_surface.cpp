@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/vessel_growth.h"
 
 namespace hepatica {
@@ -36,13 +37,13 @@ Band band_around(const Mask& vessels, const Mask& liver, Job& job) {
     const Mask wide = grow_within(near, everywhere, h);
     job.throw_if_cancelled();
     Band band;
-    std::vector<std::int32_t> place(grid.count(), -1);
-    for (std::size_t i = 0; i < wide.voxels.size(); ++i)
-        if (wide.voxels[i]) {
-            place[i] = static_cast<std::int32_t>(band.voxels.size());
-            band.voxels.push_back(i);
-            band.free.push_back(near.voxels[i]);
-        }
+    Image<std::int32_t> place = filled_image(grid, std::int32_t{-1}, job);
+    for_each_voxel_in_order(wide.voxels.size(), job, [&](std::size_t i) {
+        if (!wide.voxels[i]) return;
+        place.voxels[i] = static_cast<std::int32_t>(band.voxels.size());
+        band.voxels.push_back(i);
+        band.free.push_back(near.voxels[i]);
+    });
     job.throw_if_cancelled();
     for (const std::size_t i : band.voxels) {
         const Index3 at = grid.index_of(i);
@@ -50,7 +51,8 @@ Band band_around(const Mask& vessels, const Mask& liver, Job& job) {
         for (std::size_t k = 0; k < 6; ++k) {
             Index3 n = at;
             n[k % 3] += k < 3 ? 1 : -1;
-            around[k] = grid.contains(n[0], n[1], n[2]) ? place[grid.offset(n[0], n[1], n[2])] : -1;
+            around[k] =
+                grid.contains(n[0], n[1], n[2]) ? place.voxels[grid.offset(n[0], n[1], n[2])] : -1;
         }
         band.neighbours.push_back(around);
     }
@@ -91,7 +93,7 @@ std::vector<float> minimise(const Band& band, const std::vector<float>& cost, in
     std::vector<float> ahead = u;
     std::vector<std::array<float, 3>> dual(n, {0.0f, 0.0f, 0.0f});
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        job.throw_if_cancelled();
+        job.advance(static_cast<double>(iteration) / iterations);
         parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 float squares = 0.0f;

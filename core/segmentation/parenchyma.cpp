@@ -92,7 +92,7 @@ Mask like_parenchyma(const FloatVolume& smooth, const Parenchyma& grown, double 
 Mask without_necks(const Mask& alike, const Mask& seat, Job& job) {
     const Mask core = erode(alike, neck_mm, job);
     job.throw_if_cancelled();
-    const Components pieces = connected_components(core, Connectivity::faces6);
+    const Components pieces = connected_components(core, Connectivity::faces6, job);
     std::vector<std::size_t> of_seat(pieces.sizes.size() + 1, 0);
     for (std::size_t i = 0; i < seat.voxels.size(); ++i)
         if (seat.voxels[i] != 0) ++of_seat[pieces.labels.voxels[i]];
@@ -128,7 +128,7 @@ Mask seat_of(const Mask& core, Job& job) {
     Mask deep(core.grid);
     for (std::size_t i = 0; i < deep.voxels.size(); ++i)
         deep.voxels[i] = static_cast<double>(depth.voxels[i]) >= seat_depth_share * most_mm;
-    const Components pieces = connected_components(deep, Connectivity::faces6);
+    const Components pieces = connected_components(deep, Connectivity::faces6, job);
     for (std::size_t i = 0; i < deep.voxels.size(); ++i)
         deep.voxels[i] = pieces.labels.voxels[i] == pieces.labels.voxels[deepest];
     Mask seat = dilate(deep, seat_depth_share * most_mm, job);

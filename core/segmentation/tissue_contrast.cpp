@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -26,16 +27,18 @@ constexpr int rounds = 3;
 constexpr float prior_weight = 0.02f;
 
 // Robust statistics need no more than a sample: every n-th object voxel.
-std::vector<float> sample(const FloatVolume& values, const Mask& where) {
+std::vector<float> sample(const FloatVolume& values, const Mask& where, const Job& job) {
     constexpr std::size_t enough = 400000;
     std::size_t objects = 0;
-    for (const std::uint8_t v : where.voxels) objects += v != 0;
+    for_each_voxel_in_order(where.voxels.size(), job,
+                            [&](std::size_t i) { objects += where.voxels[i] != 0; });
     const std::size_t stride = std::max<std::size_t>(1, objects / enough);
     std::vector<float> chosen;
     chosen.reserve(objects / stride + 1);
     std::size_t seen = 0;
-    for (std::size_t i = 0; i < where.voxels.size(); ++i)
+    for_each_voxel_in_order(where.voxels.size(), job, [&](std::size_t i) {
         if (where.voxels[i] && seen++ % stride == 0) chosen.push_back(values.voxels[i]);
+    });
     return chosen;
 }
 
@@ -98,7 +101,11 @@ class CoarseLevel {
 }  // namespace
 
 RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
-    std::vector<float> chosen = sample(values, where);
+    return robust_spread(values, where, Job());
+}
+
+RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job) {
+    std::vector<float> chosen = sample(values, where, job);
     if (chosen.empty()) return {};
     RobustSpread spread;
     spread.median = median(chosen);
@@ -111,12 +118,12 @@ RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
 }
 
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job) {
-    FloatVolume smooth = intensity;
+    FloatVolume smooth = copied_image(intensity, job);
     gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job);
     TissueContrast tissue;
     tissue.interior = erode(liver, rim_mm, job);
     job.throw_if_cancelled();
-    RobustSpread spread = robust_spread(smooth, tissue.interior);
+    RobustSpread spread = robust_spread(smooth, tissue.interior, job);
     job.throw_if_cancelled();
     if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
         throw InputError("the liver region is empty", "liver mask",
@@ -124,20 +131,17 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
 
     tissue.parenchyma_hu = spread.median;
     CoarseLevel coarse(intensity.grid);
-    FloatVolume level(intensity.grid, static_cast<float>(spread.median));
-    job.throw_if_cancelled();
-    FloatVolume rise(intensity.grid);
-    job.throw_if_cancelled();
+    FloatVolume level = filled_image(intensity.grid, static_cast<float>(spread.median), job);
+    FloatVolume rise = filled_image(intensity.grid, 0.0f, job);
     const auto subtract = [&](const FloatVolume& from) {
-        parallel_blocks(rise.voxels.size(), 65536, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                rise.voxels[i] = liver.voxels[i] ? from.voxels[i] - level.voxels[i] : 0.0f;
+        for_each_voxel(rise.voxels.size(), job, [&](std::size_t i) {
+            rise.voxels[i] = liver.voxels[i] ? from.voxels[i] - level.voxels[i] : 0.0f;
         });
     };
     for (int round = 0; round < rounds; ++round) {
         subtract(smooth);
         job.throw_if_cancelled();
-        spread = robust_spread(rise, tissue.interior);
+        spread = robust_spread(rise, tissue.interior, job);
         job.throw_if_cancelled();
         const auto limit = static_cast<float>(outlier_deviations * spread.deviation);
         level = resample(
@@ -150,12 +154,13 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     }
     subtract(intensity);
     job.throw_if_cancelled();
-    spread = robust_spread(rise, tissue.interior);
+    spread = robust_spread(rise, tissue.interior, job);
     job.throw_if_cancelled();
     tissue.noise_hu = spread.deviation;
     tissue.excess = std::move(rise);
-    for (std::size_t i = 0; i < liver.voxels.size(); ++i)
+    for_each_voxel(liver.voxels.size(), job, [&](std::size_t i) {
         if (liver.voxels[i]) tissue.excess.voxels[i] -= static_cast<float>(spread.median);
+    });
     return tissue;
 }
 

@@ -32,5 +32,6 @@ struct RobustSpread {
     double deviation = 0.0;
 };
 RobustSpread robust_spread(const FloatVolume& values, const Mask& where);
+RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job);
 
 }  // namespace hepatica

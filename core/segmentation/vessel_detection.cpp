@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/false_line_threshold.h"
 #include "core/segmentation/line_coherence.h"
 #include "core/segmentation/minimal_surface.h"
@@ -92,56 +93,60 @@ Mask above(const FloatVolume& values, double threshold, const Mask& where) {
 }
 
 RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& interior, Job& job) {
-    const RobustSpread all = robust_spread(rise, interior);
+    const RobustSpread all = robust_spread(rise, interior, job);
     Mask suspects = above(rise, all.median + suspect_deviations * all.deviation, interior);
     job.throw_if_cancelled();
-    suspects = hysteresis(suspects, suspects, smallest_suspect_mm3);
+    suspects = hysteresis(suspects, suspects, smallest_suspect_mm3, job);
     job.throw_if_cancelled();
     suspects = dilate(suspects, suspect_reach_mm, job);
     job.throw_if_cancelled();
     Mask quiet = interior;
-    for (std::size_t i = 0; i < quiet.voxels.size(); ++i)
+    for_each_voxel(quiet.voxels.size(), job, [&](std::size_t i) {
         if (suspects.voxels[i]) quiet.voxels[i] = 0;
-    const RobustSpread away = robust_spread(rise, quiet);
+    });
+    const RobustSpread away = robust_spread(rise, quiet, job);
     return {away.deviation > 0.0 ? away.median : all.median,
             std::max(away.deviation, least_deviation_hu)};
 }
 
 Evidence smoothed(const TissueContrast& tissue, Job& job) {
     Evidence evidence;
-    evidence.rise = tissue.excess;
+    evidence.rise = copied_image(tissue.excess, job);
     gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
     job.throw_if_cancelled();
     const RobustSpread spread = spread_away_from_vessels(evidence.rise, tissue.interior, job);
     job.throw_if_cancelled();
-    for (float& v : evidence.rise.voxels) v -= static_cast<float>(spread.median);
+    for_each_voxel(evidence.rise.voxels.size(), job, [&](std::size_t i) {
+        evidence.rise.voxels[i] -= static_cast<float>(spread.median);
+    });
     evidence.deviation = spread.deviation;
     return evidence;
 }
 
 // Excess clipped to what one voxel may say, smoothed by sigma_mm.
 FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma_mm, Job& job) {
-    FloatVolume values = tissue.excess;
+    FloatVolume values = copied_image(tissue.excess, job);
     const auto low = static_cast<float>(-clip_below_deviations * deviation);
     const auto high = static_cast<float>(clip_above_deviations * deviation);
-    for (float& v : values.voxels) v = std::clamp(v, low, high);
-    job.throw_if_cancelled();
+    for_each_voxel(values.voxels.size(), job, [&](std::size_t i) {
+        values.voxels[i] = std::clamp(values.voxels[i], low, high);
+    });
     gaussian_smooth(values, Vec3::Constant(sigma_mm), job);
     return values;
 }
 
 Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
     Mask strong = lines;
-    for (std::size_t i = 0; i < strong.voxels.size(); ++i)
+    for_each_voxel(strong.voxels.size(), job, [&](std::size_t i) {
         if (!weak.voxels[i]) strong.voxels[i] = 0;
-    job.throw_if_cancelled();
-    strong = hysteresis(strong, strong, smallest_strong_mm3);
+    });
+    strong = hysteresis(strong, strong, smallest_strong_mm3, job);
     job.advance(0.65);
     job.throw_if_cancelled();
     const Mask grown = grow_within(strong, weak, growth_mm);
     job.advance(0.7);
     job.throw_if_cancelled();
-    return hysteresis(grown, grown, smallest_vessel_mm3);
+    return hysteresis(grown, grown, smallest_vessel_mm3, job);
 }
 
 double share_of(double fine, double coarse, const Sampling& sampling) {
@@ -156,9 +161,9 @@ Mask coherent(const TissueContrast& tissue, const Mask& liver, Evidence& evidenc
     }
     const FloatVolume bright = clipped(tissue, evidence.deviation, line_sigma_mm, job);
     FloatVolume standing_out = clipped(tissue, evidence.deviation, surroundings_sigma_mm, job);
-    for (std::size_t i = 0; i < bright.voxels.size(); ++i)
+    for_each_voxel(bright.voxels.size(), job, [&](std::size_t i) {
         standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
-    job.throw_if_cancelled();
+    });
     job.advance(0.2);
     const double threshold_hu = false_line_threshold(
         standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
@@ -213,7 +218,8 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
 
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          const DetectionOptions& options, Job& job) {
-    if (options.method == SegmentationMethod::multi_layer) return detect_by_layers(tissue, liver, job);
+    if (options.method == SegmentationMethod::multi_layer)
+        return detect_by_layers(tissue, liver, job);
     const Sampling sampling = sampling_of(ct_spacing_mm);
     Evidence evidence = smoothed(tissue, job);
     job.advance(0.1);
@@ -223,7 +229,7 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
                              : tubular(tissue, inner, evidence, sampling, job);
     job.advance(0.75);
     job.throw_if_cancelled();
-    FloatVolume wall = tissue.excess;
+    FloatVolume wall = copied_image(tissue.excess, job);
     gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
     job.advance(0.8);
     job.throw_if_cancelled();
@@ -232,7 +238,7 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
     job.advance(0.9);
     const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
     job.throw_if_cancelled();
-    rejoin(skeleton, kept_branch_mm, fitted);
+    rejoin(skeleton, kept_branch_mm, fitted, job);
     Detection found{std::move(fitted), Mask(), std::nullopt};
     if (evidence.false_line_hu > 0.0)
         found.evidence = {std::move(evidence.rise), evidence.deviation, evidence.false_line_hu};

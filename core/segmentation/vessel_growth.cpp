@@ -6,22 +6,28 @@
 #include <vector>
 
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/neighbours.h"
 
 namespace hepatica {
 
 Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3) {
-    const Components pieces = connected_components(weak, Connectivity::all26);
+    return hysteresis(strong, weak, minimum_mm3, Job());
+}
+
+Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3, const Job& job) {
+    const Components pieces = connected_components(weak, Connectivity::all26, job);
     std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
-    for (std::size_t i = 0; i < weak.voxels.size(); ++i)
+    for_each_voxel_in_order(weak.voxels.size(), job, [&](std::size_t i) {
         if (strong.voxels[i]) kept[pieces.labels.voxels[i]] = 1;
+    });
     kept[0] = 0;
     const double voxel_mm3 = weak.grid.spacing_mm.prod();
     for (std::size_t p = 0; p < pieces.sizes.size(); ++p)
         if (static_cast<double>(pieces.sizes[p]) * voxel_mm3 < minimum_mm3) kept[p + 1] = 0;
     Mask mask(weak.grid);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-        mask.voxels[i] = kept[pieces.labels.voxels[i]];
+    for_each_voxel(mask.voxels.size(), job,
+                   [&](std::size_t i) { mask.voxels[i] = kept[pieces.labels.voxels[i]]; });
     return mask;
 }
 
@@ -56,44 +62,55 @@ Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
 }
 
 Mask pieces_within(const Mask& mask, const Mask& where, double least_share) {
-    const Components pieces = connected_components(mask, Connectivity::all26);
+    return pieces_within(mask, where, least_share, Job());
+}
+
+Mask pieces_within(const Mask& mask, const Mask& where, double least_share, const Job& job) {
+    const Components pieces = connected_components(mask, Connectivity::all26, job);
     std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    for_each_voxel_in_order(mask.voxels.size(), job, [&](std::size_t i) {
         if (where.voxels[i]) ++inner[pieces.labels.voxels[i]];
+    });
     Mask kept(mask.grid);
-    for (std::size_t i = 0; i < kept.voxels.size(); ++i) {
+    for_each_voxel(kept.voxels.size(), job, [&](std::size_t i) {
         const std::uint32_t piece = pieces.labels.voxels[i];
         if (piece != 0 && static_cast<double>(inner[piece]) >=
                               least_share * static_cast<double>(pieces.sizes[piece - 1]))
             kept.voxels[i] = mask.voxels[i];
-    }
+    });
     return kept;
 }
 
 void rejoin(const Mask& skeleton, double kept_mm, Mask& surface) {
+    rejoin(skeleton, kept_mm, surface, Job());
+}
+
+void rejoin(const Mask& skeleton, double kept_mm, Mask& surface, const Job& job) {
     const Grid& grid = surface.grid;
     Mask outside(grid);
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+    for_each_voxel(outside.voxels.size(), job, [&](std::size_t i) {
         outside.voxels[i] = skeleton.voxels[i] && !surface.voxels[i];
-    const Components pieces = connected_components(outside, Connectivity::all26);
-    const Components parts = connected_components(surface, Connectivity::all26);
+    });
+    const Components pieces = connected_components(outside, Connectivity::all26, job);
+    const Components parts = connected_components(surface, Connectivity::all26, job);
     std::vector<std::uint32_t> touched(pieces.sizes.size() + 1, 0);  // first part met
     std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
     const double step = grid.spacing_mm.mean();
     for (std::size_t p = 0; p < pieces.sizes.size(); ++p)
         kept[p + 1] = static_cast<double>(pieces.sizes[p]) * step > kept_mm;
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i) {
+    for_each_voxel_in_order(outside.voxels.size(), job, [&](std::size_t i) {
         const std::uint32_t piece = pieces.labels.voxels[i];
-        if (piece == 0 || kept[piece]) continue;
+        if (piece == 0 || kept[piece]) return;
         for_each_neighbour(grid, i, [&](std::size_t n) {
             const std::uint32_t part = parts.labels.voxels[n];
             if (part == 0) return;
             if (touched[piece] == 0) touched[piece] = part;
             if (touched[piece] != part) kept[piece] = 1;
         });
-    }
-    for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+    });
+    for_each_voxel(outside.voxels.size(), job, [&](std::size_t i) {
         if (kept[pieces.labels.voxels[i]]) surface.voxels[i] = 1;
+    });
 }
 
 }  // namespace hepatica

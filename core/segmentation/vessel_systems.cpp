@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/fast_marching.h"
 
 namespace hepatica {
@@ -60,8 +61,10 @@ constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
 // Time that a front needs per millimetre. It is fastest in the middle of wide vessels.
 FloatVolume slowness_in(const Mask& vessels, Job& job) {
     FloatVolume slowness = distance_from_boundary(vessels, MarchingOrder::first, job);
-    for (float& s : slowness.voxels)
+    for_each_voxel(slowness.voxels.size(), job, [&](std::size_t i) {
+        float& s = slowness.voxels[i];
         if (s > 0.0f) s = 1.0f / (s * s);
+    });
     return slowness;
 }
 
@@ -88,10 +91,11 @@ class Fronts {
         : vessels_(vessels),
           slowness_(slowness_in(vessels, job)),
           steps_(steps_to_neighbours(vessels.grid)),
-          time_(vessels.voxels.size(), std::numeric_limits<double>::infinity()),
+          time_(filled_image(vessels.grid, std::numeric_limits<double>::infinity(), job)),
           labels_(vessels.grid) {
-        for (std::size_t i = 0; i < vessels.voxels.size(); ++i)
+        for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
             if (vessels.voxels[i] != 0) labels_.voxels[i] = unknown;
+        });
     }
 
     void start(std::size_t voxel, VascularSystem system) { arrive(voxel, 0.0, system); }
@@ -101,7 +105,7 @@ class Fronts {
         while (!queue_.empty()) {
             const auto [time, voxel] = queue_.top();
             queue_.pop();
-            if (time > time_[voxel]) continue;  // a faster front was there before
+            if (time > time_.voxels[voxel]) continue;  // a faster front was there before
             if (++settled % 16384 == 0) job.throw_if_cancelled();
             spread(voxel);
         }
@@ -110,8 +114,8 @@ class Fronts {
 
   private:
     void arrive(std::size_t voxel, double time, VascularSystem system) {
-        if (time >= time_[voxel]) return;
-        time_[voxel] = time;
+        if (time >= time_.voxels[voxel]) return;
+        time_.voxels[voxel] = time;
         labels_.voxels[voxel] = static_cast<std::uint8_t>(system);
         queue_.emplace(time, voxel);
     }
@@ -124,7 +128,7 @@ class Fronts {
             const std::size_t next = grid.offset(x + step.x, y + step.y, z + step.z);
             if (vessels_.voxels[next] == 0) continue;
             const double mean = 0.5 * (slowness_.voxels[voxel] + slowness_.voxels[next]);
-            arrive(next, time_[voxel] + mean * step.length_mm,
+            arrive(next, time_.voxels[voxel] + mean * step.length_mm,
                    VascularSystem{labels_.voxels[voxel]});
         }
     }
@@ -134,7 +138,7 @@ class Fronts {
     const Mask& vessels_;
     FloatVolume slowness_;
     std::vector<Step> steps_;
-    std::vector<double> time_;
+    Image<double> time_;
     Mask labels_;
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;
 };

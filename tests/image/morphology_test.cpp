@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/filters.h"
 
 namespace hepatica {
 namespace {
@@ -139,6 +142,67 @@ TEST(Morphology, ClosingIsTheSameInAWiderImage) {
                 << x << " " << y << " " << z << ", seed " << seed;
         }
     }
+}
+
+// The definition: what no ball reaches whose middle is further from the object than the radius.
+std::uint8_t closed_by_search(const Mask& mask, const Index3& at, double radius_mm) {
+    const Vec3& spacing = mask.grid.spacing_mm;
+    Index3 reach{};
+    for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(radius_mm / spacing[a]) + 1;
+    const auto within = [&](const Vec3& steps) {
+        return steps.cwiseProduct(spacing).squaredNorm() <= radius_mm * radius_mm * (1.0 + 1e-6);
+    };
+    const auto is_far = [&](const Index3& middle) {
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+            const Index3 other = mask.grid.index_of(i);
+            if (mask.voxels[i] != 0 &&
+                within(Vec3(other[0] - middle[0], other[1] - middle[1], other[2] - middle[2])))
+                return false;
+        }
+        return true;
+    };
+    for (int z = -reach[2]; z <= reach[2]; ++z)
+        for (int y = -reach[1]; y <= reach[1]; ++y)
+            for (int x = -reach[0]; x <= reach[0]; ++x)
+                if (within(Vec3(x, y, z)) && is_far({at[0] + x, at[1] + y, at[2] + z})) return 0;
+    return 1;
+}
+
+TEST(Morphology, ClosesAsASearchOverAllBallsDoes) {
+    Job job;
+    const std::vector<Vec3> spacings{{1, 1, 1}, {0.7, 0.7, 2.5}, {3.0, 0.4, 1.1}};
+    for (std::uint64_t seed = 0; seed < 9; ++seed) {
+        const Mask mask = random_mask({9, 7, 6}, spacings[seed % spacings.size()],
+                                      0.04 + 0.02 * static_cast<double>(seed), seed);
+        const double radius_mm = 1.0 + 0.4 * static_cast<double>(seed % 4);
+        const Mask closed = close(mask, radius_mm, job);
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+            ASSERT_EQ(closed.voxels[i], closed_by_search(mask, mask.grid.index_of(i), radius_mm))
+                << i << ", seed " << seed;
+    }
+}
+
+// Boxes inside of the image and beyond its border, radii below a voxel and as wide as the image.
+TEST(Morphology, ClosingInABoxIsThatPartOfTheClosing) {
+    Job job;
+    std::mt19937 random(5);
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const double share = std::array{0.003, 0.05, 0.4, 0.97, 0.0}[seed % 5];
+        const Mask mask = random_mask({26, 21, 17}, {1.0, 0.8, 1.5}, share, seed);
+        const double radius_mm = std::array{0.5, 2.0, 4.3, 30.0}[seed % 4];
+        IndexBox box;
+        for (int a = 0; a < 3; ++a) {
+            box.begin[a] = static_cast<int>(random() % 20) - 4;
+            box.end[a] = std::max(box.begin[a], 0) + 1 + static_cast<int>(random() % 12);
+            box.begin[a] = std::min(box.begin[a], mask.grid.dims[a] - 1);
+        }
+        const Mask expected = crop(close(mask, radius_mm, job), box);
+        const Mask part = close_in(mask, radius_mm, box, job);
+        EXPECT_TRUE(same_grid(part.grid, expected.grid));
+        ASSERT_EQ(part.voxels, expected.voxels) << "seed " << seed;
+    }
+    const Mask mask = random_mask({5, 5, 5}, {1, 1, 1}, 0.5, 1);
+    EXPECT_THROW(close_in(mask, 1.0, {{5, 0, 0}, {7, 5, 5}}, job), InputError);
 }
 
 // A slab as near to the border as the radius, or nearer, stays the slab that it is.

@@ -39,7 +39,7 @@ TEST(RealData, ReadsThePortalVenousCtOfIrcad) {
     EXPECT_TRUE(ct.grid.spacing_mm.isApprox(Vec3(0.57, 0.57, 1.6), 1e-6));
     EXPECT_EQ(*std::ranges::min_element(ct.voxels), -1024);
     EXPECT_EQ(*std::ranges::max_element(ct.voxels), 1023);
-    EXPECT_NO_THROW(require_plausible_ct(ct, "ircad"));
+    EXPECT_NO_THROW(require_plausible_ct(ct, "ircad", job));
 
     // The expert's masks lie on it voxel by voxel: the portal vein is brightest where its mask is,
     // and a voxel further in any direction it is darker. Parenchyma 114 HU, portal vein 186.

@@ -403,7 +403,7 @@ TEST(RequireSameGrid, NamesSizesOrPlace) {
 TEST(RequirePlausibleCt, RefusesWhatShowsNoPatient) {
     Grid grid = small_grid();
     const auto says = [&](const Volume& volume) {
-        return refusal([&] { require_plausible_ct(volume, "ct"); });
+        return refusal([&] { require_plausible_ct(volume, "ct", Job()); });
     };
     EXPECT_NE(says(Volume(grid)).find("value 0 in every voxel"), std::string::npos);
     EXPECT_NE(says(Volume(grid, -1024)).find("every voxel"), std::string::npos);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
+
 namespace hepatica {
 namespace {
 
@@ -44,6 +46,27 @@ TEST(ImageDigest, BearsTheRoundingOfAFormat) {
     rounded.grid.spacing_mm = rounded.grid.spacing_mm.cast<float>().cast<double>();
     rounded.grid.origin_mm = rounded.grid.origin_mm.cast<float>().cast<double>();
     EXPECT_EQ(digest_of(rounded), digest_of(some_ct()));
+}
+
+// 12 million voxels in parts of 2 million.
+TEST(ImageDigest, IsTheSameInPartsAndHearsACancelInEach) {
+    Volume ct = some_ct();
+    ct.grid.dims = {300, 200, 200};
+    ct.voxels.assign(ct.grid.count(), -7);
+    ct.voxels.back() = 11;
+    int looks = 0;
+    Job whole;
+    whole.observe([&](JobEvent event) { looks += event == JobEvent::check; });
+    EXPECT_EQ(digest_of(ct, whole), digest_of(ct));
+    EXPECT_EQ(looks, 6);
+    for (const int last : {1, 3, 6}) {
+        int seen = 0;
+        Job job;
+        job.observe([&](JobEvent event) {
+            if (event == JobEvent::check && ++seen == last) job.cancel();
+        });
+        EXPECT_THROW(digest_of(ct, job), Cancelled);
+    }
 }
 
 }  // namespace

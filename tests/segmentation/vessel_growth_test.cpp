@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/segmentation/tissue_contrast.h"
 
 namespace hepatica {
 namespace {
@@ -118,6 +122,49 @@ TEST(Rejoin, DoesNotCallOnePartTwo) {
     const Mask before = surface;
     rejoin(skeleton, 2.0, surface);
     EXPECT_EQ(surface.voxels, before.voxels);
+}
+
+// Looks at its job again and again, ends at whichever of its looks it is cancelled, and changes
+// nothing by looking.
+void expect_to_hear_a_cancel(const std::function<void(const Job&)>& work, int least_looks) {
+    int looks = 0;
+    Job whole;
+    whole.observe([&](JobEvent) { ++looks; });
+    work(whole);
+    EXPECT_GE(looks, least_looks);
+    for (const int last : {1, looks / 2, looks}) {
+        int seen = 0;
+        Job job;
+        job.observe([&](JobEvent) {
+            if (++seen == last) job.cancel();
+        });
+        EXPECT_THROW(work(job), Cancelled) << last << " of " << looks;
+    }
+}
+
+TEST(VesselGrowth, HearsACancelAndIsTheSameWithAJob) {
+    Grid grid = half_millimetres();
+    grid.dims[2] = 400;
+    Mask weak(grid), strong(grid);
+    for (int z = 0; z < 400; ++z) draw(weak, z % 7, 20, z % 11, z);
+    draw(strong, 9, 14, 5, 200);
+    const Job job;
+    EXPECT_EQ(hysteresis(strong, weak, 1.0, job).voxels, hysteresis(strong, weak, 1.0).voxels);
+    EXPECT_EQ(pieces_within(weak, strong, 0.1, job).voxels,
+              pieces_within(weak, strong, 0.1).voxels);
+    Mask joined = strong, joined_with_job = strong;
+    rejoin(weak, 1.0, joined);
+    rejoin(weak, 1.0, joined_with_job, job);
+    EXPECT_EQ(joined.voxels, joined_with_job.voxels);
+    expect_to_hear_a_cancel([&](const Job& j) { hysteresis(strong, weak, 1.0, j); }, 400);
+    expect_to_hear_a_cancel([&](const Job& j) { pieces_within(weak, strong, 0.1, j); }, 400);
+    expect_to_hear_a_cancel(
+        [&](const Job& j) {
+            Mask surface = strong;
+            rejoin(weak, 1.0, surface, j);
+        },
+        800);
+    expect_to_hear_a_cancel([&](const Job& j) { robust_spread(FloatVolume(grid), weak, j); }, 2);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace {
 class Pieces {
   public:
     Pieces(const VesselGraph& graph, const Mask& vessels)
-        : mask_(vessels), of_node_(component_of_nodes(graph)), label_(vessels.voxels.size(), -1) {
+        : mask_(vessels), of_node_(component_of_nodes(graph)), label_(vessels.grid, -1) {
         count_ = of_node_.empty() ? 0 : *std::ranges::max_element(of_node_) + 1;
         for (const VesselLink& link : graph.links)
             for (const Vec3& p : link.points_mm) fill(p, of_node_[link.from]);
@@ -32,7 +32,7 @@ class Pieces {
 
     int count() const { return count_; }
     int of_node(int node) const { return of_node_[node]; }
-    int of_voxel(std::size_t offset) const { return label_[offset]; }
+    int of_voxel(std::size_t offset) const { return label_.voxels[offset]; }
 
     Index3 voxel_at(const Vec3& position_mm) const {
         return nearest_voxel(mask_.grid, position_mm);
@@ -42,9 +42,9 @@ class Pieces {
     void fill(const Vec3& seed_mm, int piece) {
         const auto [sx, sy, sz] = voxel_at(seed_mm);
         const std::size_t start = mask_.grid.offset(sx, sy, sz);
-        if (mask_.voxels[start] == 0 || label_[start] >= 0) return;
+        if (mask_.voxels[start] == 0 || label_.voxels[start] >= 0) return;
         std::vector<std::size_t> open{start};
-        label_[start] = piece;
+        label_.voxels[start] = piece;
         while (!open.empty()) {
             const auto [x, y, z] = mask_.grid.index_of(open.back());
             open.pop_back();
@@ -53,8 +53,8 @@ class Pieces {
                     for (int dx = -1; dx <= 1; ++dx) {
                         if (!mask_.grid.contains(x + dx, y + dy, z + dz)) continue;
                         const std::size_t q = mask_.grid.offset(x + dx, y + dy, z + dz);
-                        if (mask_.voxels[q] == 0 || label_[q] >= 0) continue;
-                        label_[q] = piece;
+                        if (mask_.voxels[q] == 0 || label_.voxels[q] >= 0) continue;
+                        label_.voxels[q] = piece;
                         open.push_back(q);
                     }
         }
@@ -62,7 +62,7 @@ class Pieces {
 
     const Mask& mask_;
     std::vector<int> of_node_;
-    std::vector<int> label_;
+    Image<int> label_;
     int count_ = 0;
 };
 
