@@ -8,11 +8,13 @@
 #include <QMessageBox>
 #include <clocale>
 #include <cstdio>
+#include <optional>
 
 #include "app/process_clock.h"
 #include "app/report/report_main.h"
 #include "app/users_cache.h"
 #include "core/patient/patient_case.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
 #include "ui/theme.h"
@@ -65,6 +67,38 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
     std::fflush(stdout);
 }
 
+// One window after another: a change of language makes the window anew.
+int run_windows(hepatica::Settings& settings, const hepatica::MainWindow::Patients& patients,
+                const Options& options) {
+    using namespace hepatica;
+    std::optional<OpenRequest> wanted;
+    if (options.built_in) wanted = OpenRequest{true, {}};
+    for (bool is_first = true;; is_first = false) {
+        bool another = false;
+        MainWindow window(settings, patients);
+        window.on_begin_anew([&](const std::optional<OpenRequest>& shown) {
+            wanted = shown;
+            another = true;
+        });
+        window.on_first_picture([&] {
+            if (options.startup_report && is_first) {
+                print_report(seconds_since_process_start(), window.view().renderer_name(),
+                             options.json);
+            }
+            if (options.quit_after_start) return QCoreApplication::quit();
+            if (is_first && !options.path.isEmpty()) {
+                window.open(options.path);
+            } else if (wanted) {
+                window.open(*wanted);
+            }
+        });
+        window.show();
+        const int ended = QApplication::exec();
+        if (!another) return ended;
+        use_language(settings.language());
+    }
+}
+
 int refuse(const QString& problem) {
     std::fprintf(stderr, "hepatica: %s\n", qPrintable(problem));
     return 1;
@@ -92,6 +126,7 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);
     Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
+    use_language(settings.language());
     apply_theme(application, theme_named(settings.theme()));
     if (const QString problem = opengl_problem(); !problem.isEmpty()) {
         if (!options.quit_after_start) QMessageBox::critical(nullptr, "Hepatica", problem);
@@ -104,19 +139,5 @@ int main(int argc, char** argv) {
     };
     MainWindow::Patients patients{load, write_case};
     patients.keep = write_case;
-    MainWindow window(settings, std::move(patients));
-    window.on_first_picture([&] {
-        if (options.startup_report) {
-            print_report(seconds_since_process_start(), window.view().renderer_name(),
-                         options.json);
-        }
-        if (options.quit_after_start) return application.quit();
-        if (!options.path.isEmpty()) {
-            window.open(options.path);
-        } else if (options.built_in) {
-            window.open(OpenRequest{true, {}});
-        }
-    });
-    window.show();
-    return QApplication::exec();
+    return run_windows(settings, patients, options);
 }

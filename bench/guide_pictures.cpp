@@ -2,6 +2,8 @@
 // Makes the pictures of the guide from the window itself, with the built-in patient:
 //
 //     xvfb-run -s "-screen 0 1280x820x24" build/release/bin/guide_pictures assets/guide/pictures
+//
+// A second argument is the language that the window speaks there, such as "de".
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
@@ -14,6 +16,7 @@
 #include <functional>
 
 #include "core/patient/patient_case.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
 #include "ui/pixel_mapping.h"
@@ -127,13 +130,14 @@ class Photographer {
 };
 
 int run(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "Usage: guide_pictures FOLDER\n");
+    if (argc != 2 && argc != 3) {
+        std::fprintf(stderr, "Usage: guide_pictures FOLDER [LANGUAGE]\n");
         return 2;
     }
     prepare_opengl();
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
+    use_language(argc == 3 ? argv[2] : "en");
     apply_theme(application);
     QTemporaryDir folder;
     Settings settings(folder.filePath("settings.ini"));

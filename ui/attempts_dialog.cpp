@@ -14,7 +14,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/plot_panel.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -28,7 +30,7 @@ constexpr int least_axis = 5;
 // A result is written in world time and shown in the user's.
 QString local_time(const std::string& utc) {
     const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-    return time.isValid() ? time.toLocalTime().toString("d MMM yyyy, hh:mm")
+    return time.isValid() ? QLocale().toString(time.toLocalTime(), "d MMM yyyy, hh:mm")
                           : QString::fromStdString(utc);
 }
 
@@ -43,7 +45,10 @@ QTableWidgetItem* text_item(const QString& text) {
 Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
     const QuantityWords& words = words_of(quantity);
     const std::string unit = *words.unit ? std::string(" (") + words.unit + ")" : "";
-    Chart chart{"Learning curve", "Attempt", words.words + unit, {Curve{words.words, {}, {}}}};
+    Chart chart{Words::id("Learning curve"),
+                Words::id("Attempt"),
+                words.words + unit,
+                {Curve{words.words, {}, {}}}};
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         chart.curves[0].x.push_back(static_cast<double>(i + 1));
         chart.curves[0].y.push_back(attempts[i].value(quantity));
@@ -55,9 +60,9 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
     }
     if (const auto band = band_of(attempts, quantity)) {
         const std::vector<double> ends{0.0, static_cast<double>(attempts.size())};
-        chart.curves.push_back({"reference", ends, {band->most, band->most}});
+        chart.curves.push_back({Words::id("reference"), ends, {band->most, band->most}});
         if (band->least != band->most)
-            chart.curves.push_back({"its least", ends, {band->least, band->least}});
+            chart.curves.push_back({Words::id("its least"), ends, {band->least, band->least}});
     }
     return chart;
 }
@@ -69,25 +74,25 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
       table_(new QTableWidget),
       quantity_(new QComboBox),
       plot_(new PlotView),
-      look_back_(new QPushButton("Look &back on it")),
-      save_(new QPushButton("Save as &CSV…")) {
-    setWindowTitle("Attempts");
+      look_back_(new QPushButton(Words::tr("Look &back on it"))),
+      save_(new QPushButton(Words::tr("Save as &CSV…"))) {
+    setWindowTitle(Words::tr("Attempts"));
     resize(860, 560);
     title_->setObjectName("attemptsTitle");
     title_->setWordWrap(true);
     table_->setObjectName("attempts");
-    table_->setAccessibleName("Attempts");
+    table_->setAccessibleName(Words::tr("Attempts"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->verticalHeader()->hide();
     quantity_->setObjectName("attemptsQuantity");
-    quantity_->setAccessibleName("Quantity of the learning curve");
+    quantity_->setAccessibleName(Words::tr("Quantity of the learning curve"));
     look_back_->setObjectName("attemptsLookBack");
     auto* column = new QVBoxLayout(this);
     column->addWidget(title_);
     column->addWidget(table_, 1);
     auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel("Learning curve of"));
+    row->addWidget(new QLabel(Words::tr("Learning curve of")));
     row->addWidget(quantity_);
     row->addStretch(1);
     column->addLayout(row);
@@ -122,14 +127,13 @@ void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesyste
     fill_table();
     draw_curve();
     const std::size_t count = attempts_.list.size();
-    QString text = QString(
-                       "<b>%1</b>: %2 %3. Tick those of an instructor: they are the band in "
-                       "the learning curve.")
-                       .arg(QString::fromStdString(lesson).toHtmlEscaped())
-                       .arg(count)
-                       .arg(count == 1 ? "attempt" : "attempts");
+    QString text = Words::tr(
+                       "<b>%1</b>: %n attempt(s). Tick those of an instructor: they are the band "
+                       "in the learning curve.",
+                       nullptr, static_cast<int>(count))
+                       .arg(QString::fromStdString(lesson).toHtmlEscaped());
     for (const std::string& words : attempts_.passed_over)
-        text += "<br>Left out: " + QString::fromStdString(words).toHtmlEscaped();
+        text += "<br>" + Words::tr("Left out: %1").arg(translated(words).toHtmlEscaped());
     title_->setText(text);
     show();
     raise();
@@ -148,16 +152,18 @@ void AttemptsDialog::choose_quantities() {
     }
     const QSignalBlocker quiet(quantity_);
     quantity_->clear();
-    for (const Quantity quantity : quantities_) quantity_->addItem(words_of(quantity).words);
+    for (const Quantity quantity : quantities_)
+        quantity_->addItem(Words::tr(words_of(quantity).words));
 }
 
 void AttemptsDialog::fill_table() {
     const QSignalBlocker quiet(table_);
-    QStringList heads{"Attempt", "Ended", "Result", "Reference"};
+    QStringList heads{Words::tr("Attempt"), Words::tr("Ended"), Words::tr("Result"),
+                      Words::tr("Reference")};
     for (const Quantity quantity : quantities_) {
         const QuantityWords& words = words_of(quantity);
-        heads << (*words.unit ? QString("%1 (%2)").arg(words.words, words.unit)
-                              : QString(words.words));
+        const QString name = Words::tr(words.words);
+        heads << (*words.unit ? QString("%1 (%2)").arg(name, words.unit) : name);
     }
     table_->clear();
     table_->setColumnCount(static_cast<int>(heads.size()));
@@ -167,9 +173,10 @@ void AttemptsDialog::fill_table() {
         const Attempt& attempt = attempts_.list[static_cast<std::size_t>(row)];
         table_->setItem(row, Column::number, text_item(QString::number(row + 1)));
         table_->setItem(row, Column::ended, text_item(local_time(attempt.ended_at)));
-        auto* outcome = text_item(attempt.passed ? "✓ passed" : "✗ not passed");
+        auto* outcome =
+            text_item(attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed"));
         QStringList why;
-        for (const std::string& reason : attempt.reasons) why << QString::fromStdString(reason);
+        for (const std::string& reason : attempt.reasons) why << translated(reason);
         outcome->setToolTip(why.join("\n"));
         table_->setItem(row, Column::result, outcome);
         auto* box = new QTableWidgetItem;
@@ -178,7 +185,7 @@ void AttemptsDialog::fill_table() {
         table_->setItem(row, Column::reference, box);
         for (std::size_t k = 0; k < quantities_.size(); ++k) {
             const double value = attempt.value(quantities_[k]);
-            auto* item = text_item(std::isfinite(value) ? QString::number(value, 'g', 4) : "");
+            auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 4) : "");
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
         }

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "ui/window_words.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -16,12 +17,14 @@ Failure failure_of(const std::exception_ptr& error) {
         return {in_window_words(known.problem()), in_window_words(known.place()),
                 in_window_words(known.remedy())};
     } catch (const std::bad_alloc&) {
-        return {"not enough memory", "", "close other programs, or use a smaller image"};
+        return {Words::id("not enough memory"), "",
+                Words::id("close other programs, or use a smaller image")};
     } catch (const std::exception& unknown) {
         return {std::string("internal error: ") + unknown.what(), "",
-                "please report it with what you did before"};
+                Words::id("please report it with what you did before")};
     } catch (...) {
-        return {"internal error", "", "please report it with what you did before"};
+        return {Words::id("internal error"), "",
+                Words::id("please report it with what you did before")};
     }
 }
 

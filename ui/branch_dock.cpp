@@ -16,12 +16,17 @@
 #include "core/patient/liver_segments.h"
 #include "core/tree/territories/couinaud_segments.h"
 #include "render/palette.h"
+#include "ui/core_words.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
-const QStringList columns{"Branch",      "System",  "Generation",       "Length (mm)",
-                          "Radius (mm)", "Segment", "Share of flow (%)"};
+QStringList columns() {
+    return {Words::tr("Branch"),           Words::tr("System"),      Words::tr("Generation"),
+            Words::tr("Length (mm)"),      Words::tr("Radius (mm)"), Words::tr("Segment"),
+            Words::tr("Share of flow (%)")};
+}
 
 // Sorts as a number and shows so many decimals.
 QTableWidgetItem* number(double value, int decimals) {
@@ -54,10 +59,10 @@ std::vector<BranchLabel> labels_of(const PatientCase& patient,
 }  // namespace
 
 BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
-    : QDockWidget("Branches", parent),
+    : QDockWidget(Words::tr("Branches"), parent),
       callbacks_(std::move(callbacks)),
       table_(new QTableWidget),
-      colours_(new QCheckBox("Colour by liver segment")),
+      colours_(new QCheckBox(Words::tr("Colour by liver segment"))),
       note_(new QLabel) {
     setObjectName("Branches");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
@@ -65,21 +70,24 @@ BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
     auto* column = new QVBoxLayout(content);
     auto* row = new QHBoxLayout;
     colours_->setObjectName("segmentColours");
-    colours_->setToolTip("Branches of the portal vein in the colours of Couinaud's segments");
+    colours_->setToolTip(
+        Words::tr("Branches of the portal vein in the colours of Couinaud's segments"));
     note_->setObjectName("quiet");
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* save = new QPushButton("Save as CSV…");
+    auto* save = new QPushButton(Words::tr("Save as CSV…"));
     save->setObjectName("saveBranches");
     row->addWidget(colours_);
     row->addWidget(note_, 1);
     row->addWidget(save);
     column->addLayout(row);
     table_->setObjectName("branches");
-    table_->setAccessibleName("Branches of the vessels");
-    table_->setColumnCount(static_cast<int>(columns.size()));
-    table_->setHorizontalHeaderLabels(columns);
-    table_->horizontalHeaderItem(static_cast<int>(columns.size()) - 1)
-        ->setToolTip("Of what flows into the root of its own tree: a system may have several");
+    table_->setAccessibleName(Words::tr("Branches of the vessels"));
+    const QStringList heads = columns();
+    table_->setColumnCount(static_cast<int>(heads.size()));
+    table_->setHorizontalHeaderLabels(heads);
+    table_->horizontalHeaderItem(static_cast<int>(heads.size()) - 1)
+        ->setToolTip(
+            Words::tr("Of what flows into the root of its own tree: a system may have several"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -148,8 +156,9 @@ void BranchDock::show_rows(std::vector<BranchLabel> labels) {
     rows_ = branch_rows(patient_->tree, labels, flow_shares_);
     fill_table();
     colours_->setEnabled(!labels.empty());
-    note_->setText(labels.empty() ? "No liver segments: they need a liver mask and a portal vein"
-                                  : QString("%1 branches").arg(static_cast<int>(rows_.size())));
+    note_->setText(labels.empty()
+                       ? Words::tr("No liver segments: they need a liver mask and a portal vein")
+                       : Words::tr("%n branch(es)", nullptr, static_cast<int>(rows_.size())));
     colour_vessels();
 }
 
@@ -160,7 +169,7 @@ void BranchDock::fill_table() {
     for (int i = 0; i < table_->rowCount(); ++i) {
         const BranchRow& row = rows_[static_cast<std::size_t>(i)];
         table_->setItem(i, 0, number(row.branch + 1, 0));
-        table_->setItem(i, 1, new QTableWidgetItem(QString::fromStdString(title_of(row.system))));
+        table_->setItem(i, 1, new QTableWidgetItem(translated(title_of(row.system))));
         table_->setItem(i, 2, number(row.generation, 0));
         table_->setItem(i, 3, number(row.length_mm, 1));
         table_->setItem(i, 4, number(row.radius_mm, 2));

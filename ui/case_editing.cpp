@@ -9,6 +9,8 @@
 #include "core/base/patient_space.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
+#include "ui/core_words.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -18,31 +20,31 @@ constexpr double beside_wall_mm = 2.0;  // that still counts as a click on a ves
 QString name_of(const TreeEdit& edit) {
     switch (edit.kind) {
         case TreeEditKind::cut_link:
-            return "Vessel cut";
+            return Words::tr("Vessel cut");
         case TreeEditKind::add_link:
-            return edit.path_mm.empty() ? "Vessels linked" : "Gap bridged";
+            return edit.path_mm.empty() ? Words::tr("Vessels linked") : Words::tr("Gap bridged");
         case TreeEditKind::delete_branch:
-            return "Branch deleted";
+            return Words::tr("Branch deleted");
         case TreeEditKind::delete_tree:
-            return "Tree deleted";
+            return Words::tr("Tree deleted");
         case TreeEditKind::set_root:
-            return "Root set";
+            return Words::tr("Root set");
         case TreeEditKind::draw_vessel:
-            return "Vessel drawn";
+            return Words::tr("Vessel drawn");
         case TreeEditKind::seed_system:
-            return "Seed: " + QString::fromStdString(title_of(edit.system));
+            return Words::tr("Seed: %1").arg(translated(title_of(edit.system)));
         case TreeEditKind::reassign_system:
             break;
     }
-    return "Given to: " + QString::fromStdString(title_of(edit.system));
+    return Words::tr("Given to: %1").arg(translated(title_of(edit.system)));
 }
 
 QString text_of(const TreeEdit& edit) {
-    return name_of(edit) + " at " + QString::fromStdString(place_text(edit.at_mm));
+    return Words::tr("%1 at %2").arg(name_of(edit), translated(place_text(edit.at_mm)));
 }
 
 QString text_of(const Bridge& bridge) {
-    return QString("%1 %, gap of %2 mm")
+    return Words::tr("%L1 %, gap of %L2 mm")
         .arg(100.0 * bridge.confidence, 0, 'f', 0)
         .arg(bridge.gap_mm, 0, 'f', 1);
 }
@@ -106,14 +108,15 @@ void CaseEditing::update_panel() {
     panel_.show_edits(edits, workspace_.can_undo(), workspace_.can_redo());
     QStringList state;
     if (workspace_.awaits_body())
-        state << "The body of the corrected tree is being made; the view shows the one before.";
+        state << Words::tr(
+            "The body of the corrected tree is being made; the view shows the one before.");
     const PatientCase& patient = *workspace_.patient();
     const auto built = std::ranges::count(patient.corrections.bridges, true, &Bridge::built);
     if (built > 0)
-        state << QString("%1 gaps were bridged by the reconstruction, %2 mm in all.")
-                     .arg(built)
+        state << Words::tr("%n gap(s) were bridged by the reconstruction, %L1 mm in all.", nullptr,
+                           static_cast<int>(built))
                      .arg(bridged_length_mm(patient.tree), 0, 'f', 1);
-    for (const std::string& doubt : doubts_) state << "⚠ " + QString::fromStdString(doubt);
+    for (const std::string& doubt : doubts_) state << "⚠ " + translated(doubt);
     panel_.show_state(state.join("\n"));
 }
 
@@ -137,7 +140,7 @@ void CaseEditing::click(const TreePoint& point) {
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             link_from_mm_ = edit.at_mm;
-            return callbacks_.say("Now click the vessel that it shall be linked with");
+            return callbacks_.say(Words::tr("Now click the vessel that it shall be linked with"));
         }
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         link_from_mm_.reset();
@@ -153,7 +156,7 @@ void CaseEditing::click_at(const Vec3& place_mm) {
         station_at(tree.segments[static_cast<std::size_t>(point.segment)], point.arclength_mm)
             .radius_mm;
     if (point.distance_mm > radius_mm + beside_wall_mm)
-        return callbacks_.say("No vessel there: click on one");
+        return callbacks_.say(Words::tr("No vessel there: click on one"));
     click(point);
 }
 
@@ -168,7 +171,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
     const std::shared_ptr<const PatientCase> patient = workspace_.patient();
     const auto refuse = [answered, tell = callbacks_.not_drawn](const Failure& failure) {
         tell(failure);
-        answered({false, "Not drawn: why stands above"});
+        answered({false, Words::tr("Not drawn: why stands above").toStdString()});
     };
     // The worker has its own part of the CT: another one may be shown while it ends.
     Volume part;
@@ -193,7 +196,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
 
 void CaseEditing::add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered) {
     callbacks_.add(edit);
-    answered({true, QString("A vessel of %1 mm, radius %2 mm")
+    answered({true, Words::tr("A vessel of %L1 mm, radius %L2 mm")
                         .arg(arclengths_mm(edit.path_mm).back(), 0, 'f', 0)
                         .arg(edit.radii_mm[edit.radii_mm.size() / 2], 0, 'f', 1)
                         .toStdString()});

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -17,13 +19,13 @@ using Patient = ShelvedLesson::Patient;
 QString title_of(Patient patient) {
     switch (patient) {
         case Patient::this_case:
-            return CaseLessons::tr("For this patient");
+            return Words::tr("For this patient");
         case Patient::any:
-            return CaseLessons::tr("For any patient");
+            return Words::tr("For any patient");
         case Patient::unreadable:
             break;
     }
-    return CaseLessons::tr("Cannot be read");
+    return Words::tr("Cannot be read");
 }
 
 }  // namespace
@@ -32,9 +34,9 @@ CaseLessons::CaseLessons(Begin begin, QWidget* parent)
     : QWidget(parent),
       begin_(std::move(begin)),
       list_(new QTreeWidget),
-      start_(new QPushButton(tr("&Begin the lesson"))) {
+      start_(new QPushButton(Words::tr("&Begin the lesson"))) {
     list_->setObjectName("caseLessons");
-    list_->setAccessibleName(tr("Lessons that go with the case"));
+    list_->setAccessibleName(Words::tr("Lessons that go with the case"));
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
     list_->setItemsExpandable(false);
@@ -43,7 +45,7 @@ CaseLessons::CaseLessons(Begin begin, QWidget* parent)
     start_->setAutoDefault(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* title = new QLabel(tr("Lessons"));
+    auto* title = new QLabel(Words::tr("Lessons"));
     title->setBuddy(list_);
     column->addWidget(title);
     column->addWidget(list_, 1);
@@ -75,9 +77,10 @@ void CaseLessons::show_lessons(std::vector<ShelvedLesson> lessons, bool can_begi
         row->setData(0, Qt::UserRole, static_cast<int>(i));
     }
     if (lessons_.empty()) {
-        auto* none = new QTreeWidgetItem(list_, {tr("No lesson in this folder goes with it")});
+        auto* none =
+            new QTreeWidgetItem(list_, {Words::tr("No lesson in this folder goes with it")});
         none->setFlags(Qt::NoItemFlags);
-        none->setToolTip(0, tr("Lesson > Edit lessons makes one; save it in this folder"));
+        none->setToolTip(0, Words::tr("Lesson > Edit lessons makes one; save it in this folder"));
     }
     list_->expandAll();
     follow_choice();

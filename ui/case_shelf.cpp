@@ -15,7 +15,9 @@
 #include "core/patient/patient_case.h"
 #include "core/tree/system_summary.h"
 #include "render/palette.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -48,27 +50,25 @@ AttemptsOfPatients attempts_by_patient(const fs::path& recordings) {
 
 QString sentence_of(const std::vector<Attempt>& attempts) {
     const auto passed = std::ranges::count_if(attempts, &Attempt::passed);
-    return QString("%1 attempts at lessons, %2 passed; the last: %3, %4")
-        .arg(attempts.size())
+    return Words::tr("%n attempt(s) at lessons, %1 passed; the last: %2, %3", nullptr,
+                     static_cast<int>(attempts.size()))
         .arg(passed)
         .arg(QString::fromStdString(attempts.back().lesson).toHtmlEscaped(),
-             attempts.back().passed ? "passed" : "not passed");
+             attempts.back().passed ? Words::tr("passed") : Words::tr("not passed"));
 }
 
 QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts) {
     QStringList lines;
     for (const SystemSummary& system : systems_of(patient.tree))
-        lines << QString("%1: %2 mm, %3 root%4")
-                     .arg(QString::fromStdString(title_of(system.system)))
-                     .arg(system.length_mm, 0, 'f', 0)
-                     .arg(system.roots.size())
-                     .arg(system.roots.size() == 1 ? "" : "s");
-    lines << QString("%1 branches, %2 tetrahedra")
+        lines << Words::tr("%1: %L2 mm, %n root(s)", nullptr, static_cast<int>(system.roots.size()))
+                     .arg(translated(title_of(system.system)))
+                     .arg(system.length_mm, 0, 'f', 0);
+    lines << Words::tr("%1 branches, %2 tetrahedra")
                  .arg(patient.tree.segments.size())
                  .arg(patient.mesh.tetrahedra.size());
     if (patient.doubts)
         for (const std::string& doubt : sentences(*patient.doubts))
-            lines << "• " + QString::fromStdString(doubt).toHtmlEscaped();
+            lines << "• " + translated(doubt).toHtmlEscaped();
     const auto played = attempts.find(to_hex(hash_of(patient)));
     if (played != attempts.end()) lines << sentence_of(played->second);
     return lines.join("<br>");
@@ -82,7 +82,7 @@ ShelvedCase shelved(const fs::path& place, const AttemptsOfPatients& attempts) {
         entry.facts = facts_of(patient, attempts);
         entry.readable = true;
     } catch (const InputError& error) {
-        entry.facts = QString("It cannot be opened: %1. %2")
+        entry.facts = Words::tr("It cannot be opened: %1. %2")
                           .arg(QString::fromStdString(error.problem()).toHtmlEscaped(),
                                QString::fromStdString(error.remedy()).toHtmlEscaped());
     }
@@ -127,15 +127,17 @@ QImage drawing_of(const VesselTree& tree, const QSize& size) {
 }
 
 std::vector<ShelvedCase> cases_in(const fs::path& folder, const fs::path& recordings, Job& job) {
-    job.begin_stage("Reading the cases");
+    job.begin_stage(Words::id("Reading the cases"));
     std::error_code failed;
     std::vector<fs::path> places;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed))
         if (is_case(entry->path())) places.push_back(entry->path());
     if (failed)
-        throw InputError("cannot be read: " + failed.message(), folder.string(),
-                         "Choose another folder");
+        throw InputError(Words::tr("cannot be read: %1")
+                             .arg(QString::fromStdString(failed.message()))
+                             .toStdString(),
+                         folder.string(), Words::id("Choose another folder"));
     std::ranges::sort(places);
     const AttemptsOfPatients attempts = attempts_by_patient(recordings);
     const std::vector<ShelvedLesson> lessons = lessons_in(folder, job);

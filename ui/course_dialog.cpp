@@ -10,20 +10,26 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
-const QStringList heads{"Lesson", "Pass marks of the course", "Attempts", "Standing"};
+QStringList heads_of_table() {
+    return {Words::tr("Lesson"), Words::tr("Pass marks of the course"), Words::tr("Attempts"),
+            Words::tr("Standing")};
+}
 
 QString marks_of(const CourseLine& line) {
     QStringList words;
-    for (const Predicate& mark : line.pass) words << QString::fromStdString(to_words(mark, {}));
-    return words.empty() ? QString("the lesson's own") : words.join("\n");
+    for (const Predicate& mark : line.pass) words << translated(to_words(mark, {}));
+    return words.empty() ? Words::tr("the lesson's own") : words.join("\n");
 }
 
 QString standing_of(const CourseLine& line) {
-    if (line.passed) return "✓ passed";
-    return line.attempts > 0 ? "✗ not passed yet" : "not tried yet";
+    if (line.passed) return Words::tr("✓ passed");
+    return line.attempts > 0 ? Words::tr("✗ not passed yet") : Words::tr("not tried yet");
 }
 
 }  // namespace
@@ -33,12 +39,13 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
       begin_(std::move(begin)),
       title_(new QLabel),
       table_(new QTableWidget),
-      start_(new QPushButton("&Begin the lesson")) {
-    setWindowTitle("Course");
+      start_(new QPushButton(Words::tr("&Begin the lesson"))) {
+    setWindowTitle(Words::tr("Course"));
     resize(720, 420);
     title_->setObjectName("courseTitle");
     table_->setObjectName("course");
-    table_->setAccessibleName("Lessons of the course");
+    table_->setAccessibleName(Words::tr("Lessons of the course"));
+    const QStringList heads = heads_of_table();
     table_->setColumnCount(static_cast<int>(heads.size()));
     table_->setHorizontalHeaderLabels(heads);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -68,7 +75,7 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
 void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines) {
     lines_ = std::move(lines);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
-    title_->setText(QString("<b>%1</b>: %2 of %3 lessons passed")
+    title_->setText(Words::tr("<b>%1</b>: %2 of %3 lessons passed")
                         .arg(QString::fromStdString(name).toHtmlEscaped())
                         .arg(passed)
                         .arg(lines_.size()));

@@ -5,11 +5,12 @@
 
 #include "ui/plot_panel.h"
 #include "ui/vessel_flow.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
 CurvesDock::CurvesDock(std::function<void(const Failure&)> failed, QWidget* parent)
-    : QDockWidget("Curves", parent), failed_(std::move(failed)), plots_(new PlotPanel) {
+    : QDockWidget(Words::tr("Curves"), parent), failed_(std::move(failed)), plots_(new PlotPanel) {
     setObjectName("Curves");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     setWidget(plots_);

@@ -6,7 +6,10 @@ namespace hepatica {
 DecimalSpinBox::DecimalSpinBox(double lower, double upper, double value, int decimals,
                                const QString& unit, QWidget* parent)
     : QDoubleSpinBox(parent) {
-    setLocale(QLocale::c());
+    QLocale numbers;
+    // What parts thousands in one language is the decimal sign of another.
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    setLocale(numbers);
     setDecimals(decimals);
     setRange(lower, upper);
     setValue(value);
@@ -14,14 +17,18 @@ DecimalSpinBox::DecimalSpinBox(double lower, double upper, double value, int dec
     setKeyboardTracking(false);
 }
 
+QString DecimalSpinBox::with_sign(QString text) const {
+    const QString sign = locale().decimalPoint();
+    return text.replace(',', sign).replace('.', sign);
+}
+
 QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
-    text.replace(',', '.');
+    text = with_sign(text);
     return QDoubleSpinBox::validate(text, position);
 }
 
 double DecimalSpinBox::valueFromText(const QString& text) const {
-    QString with_point = text;
-    return QDoubleSpinBox::valueFromText(with_point.replace(',', '.'));
+    return QDoubleSpinBox::valueFromText(with_sign(text));
 }
 
 }  // namespace hepatica

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number field that takes a decimal comma and a decimal point alike, whatever the locale says.
+// A number field that shows the decimal sign of the window's language and takes a comma and a point
+// alike.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -13,6 +14,9 @@ class DecimalSpinBox : public QDoubleSpinBox {
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
+
+  private:
+    QString with_sign(QString text) const;
 };
 
 }  // namespace hepatica

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -22,16 +24,20 @@ struct EditTool {
 };
 
 constexpr std::array<EditTool, 7> tools{{
-    {TreeEditKind::cut_link, "Cut the vessel", "Click where it shall part"},
-    {TreeEditKind::add_link, "Link two vessels", "Click the one, then the other"},
-    {TreeEditKind::delete_branch, "Delete a branch", "Click it; all that hangs on it goes with it"},
-    {TreeEditKind::delete_tree, "Delete a whole tree",
-     "Click any branch of it; all that hangs on its root goes"},
-    {TreeEditKind::set_root, "Set the root", "Click near the end where blood comes in"},
-    {TreeEditKind::reassign_system, "Give to a system",
-     "Click a branch; all that hangs on it goes with it"},
-    {TreeEditKind::seed_system, "Say what a vessel is",
-     "Click a vessel; all that belongs with it takes the system below, however far it reaches"},
+    {TreeEditKind::cut_link, Words::id("Cut the vessel"), Words::id("Click where it shall part")},
+    {TreeEditKind::add_link, Words::id("Link two vessels"),
+     Words::id("Click the one, then the other")},
+    {TreeEditKind::delete_branch, Words::id("Delete a branch"),
+     Words::id("Click it; all that hangs on it goes with it")},
+    {TreeEditKind::delete_tree, Words::id("Delete a whole tree"),
+     Words::id("Click any branch of it; all that hangs on its root goes")},
+    {TreeEditKind::set_root, Words::id("Set the root"),
+     Words::id("Click near the end where blood comes in")},
+    {TreeEditKind::reassign_system, Words::id("Give to a system"),
+     Words::id("Click a branch; all that hangs on it goes with it")},
+    {TreeEditKind::seed_system, Words::id("Say what a vessel is"),
+     Words::id("Click a vessel; all that belongs with it takes the system below, however far it "
+               "reaches")},
 }};
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
@@ -58,31 +64,32 @@ EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
 }
 
 QWidget* EditPanel::make_tools() {
-    auto* box = new QGroupBox("A click in Edit mode", this);
+    auto* box = new QGroupBox(Words::tr("A click in Edit mode"), this);
     auto* form = new QFormLayout(box);
     tool_ = new QComboBox(box);
-    tool_->setAccessibleName("Tool of the edit");
+    tool_->setAccessibleName(Words::tr("Tool of the edit"));
     tool_->setObjectName("EditTool");
     for (const EditTool& tool : tools) {
         tool_->addItem(tool.name);
         tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);
     }
-    form->addRow("does", tool_);
-    auto* tip = new QLabel(tools[0].tip, box);
+    form->addRow(Words::tr("does"), tool_);
+    auto* tip = new QLabel(Words::tr(tools[0].tip), box);
     tip->setObjectName("quiet");
     tip->setWordWrap(true);
     form->addRow(tip);
-    auto* drawing = new QLabel("A vessel that is missing is drawn in the slices (F7)", box);
+    auto* drawing =
+        new QLabel(Words::tr("A vessel that is missing is drawn in the slices (F7)"), box);
     drawing->setObjectName("quiet");
     drawing->setWordWrap(true);
     form->addRow(drawing);
     system_ = new QComboBox(box);
-    system_->setAccessibleName("System that a branch is given to");
+    system_->setAccessibleName(Words::tr("System that a branch is given to"));
     system_->setObjectName("EditSystem");
     for (const VascularSystem system : vascular_systems)
         system_->addItem(QString::fromStdString(title_of(system)), number_of(system));
     system_->setEnabled(false);
-    form->addRow("System", system_);
+    form->addRow(Words::tr("System"), system_);
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
         tip->setText(tools.at(static_cast<std::size_t>(index)).tip);
         system_->setEnabled(tool() == TreeEditKind::reassign_system ||
@@ -93,21 +100,21 @@ QWidget* EditPanel::make_tools() {
 }
 
 QWidget* EditPanel::make_bridges() {
-    auto* box = new QGroupBox("Gaps that might be bridged", this);
+    auto* box = new QGroupBox(Words::tr("Gaps that might be bridged"), this);
     auto* column = new QVBoxLayout(box);
-    bridges_ = make_list(box, "Gaps that might be bridged");
+    bridges_ = make_list(box, Words::tr("Gaps that might be bridged"));
     bridges_->setToolTip(
-        "Dashed in the view, with the confidence that it is one vessel. A click "
-        "on the dashed line bridges it, too.");
+        Words::tr("Dashed in the view, with the confidence that it is one vessel. A click "
+                  "on the dashed line bridges it, too."));
     column->addWidget(bridges_);
     add_confidence_slider(*column);
     auto* buttons = new QHBoxLayout;
-    accept_ = new QPushButton("Bridge it", box);
-    accept_all_ = new QPushButton("Bridge all of them", box);
+    accept_ = new QPushButton(Words::tr("Bridge it"), box);
+    accept_all_ = new QPushButton(Words::tr("Bridge all of them"), box);
     accept_all_->setObjectName("acceptAll");
     accept_all_->setToolTip(
-        "All gaps that are listed, best first; what another one made needless is "
-        "left out");
+        Words::tr("All gaps that are listed, best first; what another one made needless is "
+                  "left out"));
     buttons->addWidget(accept_);
     buttons->addWidget(accept_all_);
     column->addLayout(buttons);
@@ -128,28 +135,29 @@ void EditPanel::add_confidence_slider(QVBoxLayout& column) {
     auto* row = new QHBoxLayout;
     auto* slider = new QSlider(Qt::Horizontal, this);
     slider->setObjectName("bridgeConfidence");
-    slider->setAccessibleName("Least confidence of the gaps that are shown");
+    slider->setAccessibleName(Words::tr("Least confidence of the gaps that are shown"));
     slider->setRange(0, 100);
-    auto* value = new QLabel("of 0 % or more", this);
-    value->setMinimumWidth(value->fontMetrics().horizontalAdvance("of 100 % or more"));
+    auto* value = new QLabel(Words::tr("of %1 % or more").arg(0), this);
+    value->setMinimumWidth(
+        value->fontMetrics().horizontalAdvance(Words::tr("of %1 % or more").arg(100)));
     row->addWidget(slider);
     row->addWidget(value);
     column.addLayout(row);
     connect(slider, &QSlider::valueChanged, this, [this, value](int percent) {
-        value->setText(QString("of %1 % or more").arg(percent));
+        value->setText(Words::tr("of %1 % or more").arg(percent));
         if (callbacks_.least_confidence) callbacks_.least_confidence(0.01 * percent);
     });
 }
 
 QWidget* EditPanel::make_edits() {
-    auto* box = new QGroupBox("Done so far", this);
+    auto* box = new QGroupBox(Words::tr("Done so far"), this);
     auto* column = new QVBoxLayout(box);
-    edits_ = make_list(box, "Edits");
+    edits_ = make_list(box, Words::tr("Edits"));
     edits_->setSelectionMode(QAbstractItemView::NoSelection);
     column->addWidget(edits_);
     auto* row = new QHBoxLayout;
-    undo_ = new QPushButton("Undo", box);
-    redo_ = new QPushButton("Redo", box);
+    undo_ = new QPushButton(Words::tr("Undo"), box);
+    redo_ = new QPushButton(Words::tr("Redo"), box);
     connect(undo_, &QPushButton::clicked, this, [this] { callbacks_.undo(); });
     connect(redo_, &QPushButton::clicked, this, [this] { callbacks_.redo(); });
     row->addWidget(undo_);
@@ -178,7 +186,7 @@ void EditPanel::show_bridges(const QStringList& lines) {
     accept_->setEnabled(false);
     bridges_->setEnabled(!lines.isEmpty());
     accept_all_->setEnabled(!lines.isEmpty());
-    if (lines.isEmpty()) bridges_->addItem("none");
+    if (lines.isEmpty()) bridges_->addItem(Words::tr("none"));
 }
 
 void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {

@@ -11,6 +11,7 @@
 
 #include "core/base/program_files.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -18,13 +19,13 @@ Guide::Guide(QWidget* parent)
     : QDialog(parent),
       browser_(new QTextBrowser(this)),
       folder_(to_text(asset("guide/index.md").parent_path())) {
-    setWindowTitle("Guide");
+    setWindowTitle(Words::tr("Guide"));
     setObjectName("guide");
     resize(860, 740);
     browser_->setFrameShape(QFrame::NoFrame);
-    browser_->setAccessibleName("Page of the guide");
-    auto* first = new QPushButton("First page", this);
-    auto* back = new QPushButton("Back", this);
+    browser_->setAccessibleName(Words::tr("Page of the guide"));
+    auto* first = new QPushButton(Words::tr("First page"), this);
+    auto* back = new QPushButton(Words::tr("Back"), this);
     back->setEnabled(false);
     auto* row = new QHBoxLayout;
     row->addWidget(first);

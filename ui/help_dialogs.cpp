@@ -8,6 +8,7 @@
 
 #include "ui/actions.h"
 #include "ui/guide.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -24,7 +25,7 @@ void show_guide(QWidget& parent) {
 void show_cheat_sheet(QWidget& parent) {
     auto* sheet = new QDialog(&parent);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
-    sheet->setWindowTitle("Keys and mouse");
+    sheet->setWindowTitle(Words::tr("Keys and mouse"));
     sheet->resize(620, 640);
     auto* text = new QTextBrowser(sheet);
     text->setFrameShape(QFrame::NoFrame);
@@ -35,12 +36,12 @@ void show_cheat_sheet(QWidget& parent) {
 }
 
 void show_about(QWidget& parent, const QString& renderer) {
-    QMessageBox::about(&parent, "About Hepatica",
-                       "<b>Hepatica " HEPATICA_VERSION
-                       "</b><p>Practise on a patient's own "
-                       "liver vessels.</p><p>Renderer: " +
-                           renderer.toHtmlEscaped() +
-                           "</p><p>Licence: GPL-3.0-or-later. Not a medical device.</p>");
+    QMessageBox::about(
+        &parent, Words::tr("About Hepatica"),
+        Words::tr("<b>Hepatica %1</b><p>Practise on a patient's own liver vessels.</p>"
+                  "<p>Renderer: %2</p>"
+                  "<p>Licence: GPL-3.0-or-later. Not a medical device.</p>")
+            .arg(HEPATICA_VERSION, renderer.toHtmlEscaped()));
 }
 
 }  // namespace hepatica

@@ -20,6 +20,7 @@
 #include "core/scene/default_injection.h"
 #include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -39,11 +40,14 @@ struct Preset {
 };
 
 constexpr std::array<Preset, 3> presets{{
-    {"Water-soluble carrier", "carrier", 0.0, "Flows like blood: 3.5 mPa s, 1060 kg/m³."},
-    {"Lipiodol emulsion, 2 to 1", "lipiodol", 0.67,
-     "Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization."},
-    {"Gas, as in the paper", "gas", 0.40,
-     "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus."},
+    {Words::id("Water-soluble carrier"), "carrier", 0.0,
+     Words::id("Flows like blood: 3.5 mPa s, 1060 kg/m³.")},
+    {Words::id("Lipiodol emulsion, 2 to 1"), "lipiodol", 0.67,
+     Words::id(
+         "Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization.")},
+    {Words::id("Gas, as in the paper"), "gas", 0.40,
+     Words::id(
+         "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus.")},
 }};
 
 // The preset that is the default injection.
@@ -56,9 +60,9 @@ int first_preset() {
 }
 
 constexpr std::array<std::pair<const char*, const char*>, 3> models{{
-    {"regime", "Regime: wall friction once, laminar to turbulent"},
-    {"consistent", "Consistent: equation (10) with the flux along the cone"},
-    {"published", "Published: equations (5) to (10) as printed"},
+    {"regime", Words::id("Regime: wall friction once, laminar to turbulent")},
+    {"consistent", Words::id("Consistent: equation (10) with the flux along the cone")},
+    {"published", Words::id("Published: equations (5) to (10) as printed")},
 }};
 
 }  // namespace
@@ -70,7 +74,7 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
     column->addWidget(make_clock());
     hover_ = new QLabel(this);
     hover_->setObjectName("quiet");
-    hover_->setAccessibleName("Under the mouse");
+    hover_->setAccessibleName(Words::tr("Under the mouse"));
     hover_->setWordWrap(true);
     hover_->setMinimumHeight(3 * fontMetrics().height());
     hover_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -84,13 +88,13 @@ InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
 }
 
 QWidget* InjectPanel::make_settings() {
-    auto* box = new QGroupBox("Next injection", this);
+    auto* box = new QGroupBox(Words::tr("Next injection"), this);
     auto* form = new QFormLayout(box);
     preset_ = new QComboBox(box);
-    for (const Preset& preset : presets) preset_->addItem(QString::fromUtf8(preset.name));
+    for (const Preset& preset : presets) preset_->addItem(Words::tr(preset.name));
     connect(preset_, &QComboBox::currentIndexChanged, this,
             [this](int index) { choose_preset(index); });
-    form->addRow("Drug", preset_);
+    form->addRow(Words::tr("Drug"), preset_);
     source_ = new QLabel(box);
     source_->setObjectName("quiet");
     source_->setWordWrap(true);
@@ -99,49 +103,51 @@ QWidget* InjectPanel::make_settings() {
         new DecimalSpinBox(least_g_s, most_g_s, default_injection::mass_flow_g_s, 3, "g/s", box);
     flow_->setObjectName("flow");
     flow_->setSingleStep(0.5);
-    flow_->setToolTip("Mass flow at the catheter's tip");
-    flow_label_ = new QLabel("Mass flow", box);
+    flow_->setToolTip(Words::tr("Mass flow at the catheter's tip"));
+    flow_label_ = new QLabel(Words::tr("Mass flow"), box);
     flow_label_->setBuddy(flow_);
     form->addRow(flow_label_, flow_);
     void_fraction_ = new DecimalSpinBox(0.0, 0.999, default_injection::void_fraction, 3, "", box);
     void_fraction_->setSingleStep(0.05);
-    void_fraction_->setToolTip("Share of the volume that the second phase (gas, oil) takes");
+    void_fraction_->setToolTip(
+        Words::tr("Share of the volume that the second phase (gas, oil) takes"));
     connect(void_fraction_, &QDoubleSpinBox::valueChanged, this, [this] { show_flow_range(); });
-    form->addRow("Void fraction", void_fraction_);
+    form->addRow(Words::tr("Void fraction"), void_fraction_);
     viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", box);
-    viscosity_->setSpecialValueText("of the mixture");
-    viscosity_->setToolTip("Viscosity of what is injected; 0 takes that of the mixture");
-    form->addRow("Viscosity", viscosity_);
+    viscosity_->setSpecialValueText(Words::tr("of the mixture"));
+    viscosity_->setToolTip(Words::tr("Viscosity of what is injected; 0 takes that of the mixture"));
+    form->addRow(Words::tr("Viscosity"), viscosity_);
     model_ = new QComboBox(box);
     for (const auto& [name, description] : models) {
         model_->addItem(name);
-        model_->setItemData(model_->count() - 1, description, Qt::ToolTipRole);
+        model_->setItemData(model_->count() - 1, Words::tr(description), Qt::ToolTipRole);
     }
     model_->setCurrentText(default_injection::pressure_model);
-    model_->setToolTip("Form of the pressure law");
-    form->addRow("Pressure law", model_);
+    model_->setToolTip(Words::tr("Form of the pressure law"));
+    form->addRow(Words::tr("Pressure law"), model_);
     return box;
 }
 
 QLayout* InjectPanel::make_units() {
     units_choice_ = new QComboBox(this);
     units_choice_->setObjectName("flowUnits");
-    units_choice_->addItems({tr("g/s, Pa"), tr("mL/min, mmHg")});  // in the order of FlowUnits
-    units_choice_->setToolTip(tr("Of flows and pressures in the panels and curves"));
+    units_choice_->addItems(
+        {Words::tr("g/s, Pa"), Words::tr("mL/min, mmHg")});  // in the order of FlowUnits
+    units_choice_->setToolTip(Words::tr("Of flows and pressures in the panels and curves"));
     connect(units_choice_, &QComboBox::activated, this, [this](int index) {
         set_units(static_cast<FlowUnits>(index));
         if (on_units) on_units(units_);
     });
     auto* form = new QFormLayout;
-    form->addRow(tr("Units"), units_choice_);
+    form->addRow(Words::tr("Units"), units_choice_);
     return form;
 }
 
 QWidget* InjectPanel::make_clock() {
-    auto* box = new QGroupBox("Drug front", this);
+    auto* box = new QGroupBox(Words::tr("Drug front"), this);
     auto* column = new QVBoxLayout(box);
     auto* row = new QHBoxLayout;
-    play_ = new QPushButton("Play", box);
+    play_ = new QPushButton(Words::tr("Play"), box);
     play_->setObjectName("play");
     connect(play_, &QPushButton::clicked, this, [this] { toggle_playing(); });
     row->addWidget(play_);
@@ -153,17 +159,17 @@ QWidget* InjectPanel::make_clock() {
     time_->setRange(0, slider_steps);
     time_->setSingleStep(key_step);
     time_->setPageStep(page_step);
-    time_->setAccessibleName("Time of the drug front");
+    time_->setAccessibleName(Words::tr("Time of the drug front"));
     connect(time_, &QSlider::valueChanged, this,
             [this](int place) { ask_for_time(drug_.end_s * place / slider_steps); });
     column->addWidget(time_);
     auto* form = new QFormLayout;
     speed_ = new DecimalSpinBox(0.01, 100.0, FlowSpec{}.drug_speed, 2, "×", box);
     speed_->setObjectName("speed");
-    speed_->setToolTip("Seconds of the drug's clock per second of the simulation");
+    speed_->setToolTip(Words::tr("Seconds of the drug's clock per second of the simulation"));
     connect(speed_, &QDoubleSpinBox::valueChanged, this,
             [this](double factor) { post_(SetDrugSpeed{factor}); });
-    form->addRow("Speed", speed_);
+    form->addRow(Words::tr("Speed"), speed_);
     column->addLayout(form);
     return box;
 }
@@ -203,9 +209,9 @@ void InjectPanel::set_units(FlowUnits units) {
     flow_->setSingleStep(clinic ? 10.0 : 0.5);
     show_flow_range();
     flow_->setValue(clinic ? ml_min_of(chosen_g_s, density_g_mm3()) : chosen_g_s);
-    flow_label_->setText(clinic ? tr("Volume flow") : QString("Mass flow"));
-    flow_->setToolTip(clinic ? tr("Volume flow at the catheter's tip")
-                             : QString("Mass flow at the catheter's tip"));
+    flow_label_->setText(clinic ? Words::tr("Volume flow") : Words::tr("Mass flow"));
+    flow_->setToolTip(clinic ? Words::tr("Volume flow at the catheter's tip")
+                             : Words::tr("Mass flow at the catheter's tip"));
 }
 
 InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
@@ -233,9 +239,9 @@ void InjectPanel::show_drug(const DrugView& drug) {
     const bool injected = drug.arrival_s != nullptr;
     play_->setEnabled(injected);
     time_->setEnabled(injected);
-    play_->setText(drug.playing ? "Pause" : "Play");
+    play_->setText(drug.playing ? Words::tr("Pause") : Words::tr("Play"));
     if (!injected) {
-        time_label_->setText("nothing injected");
+        time_label_->setText(Words::tr("nothing injected"));
         return;
     }
     if (!time_->isSliderDown() && !asked_time_s_ && drug.end_s > 0.0) {
@@ -243,13 +249,13 @@ void InjectPanel::show_drug(const DrugView& drug) {
         const double share = std::clamp(drug.time_s / drug.end_s, 0.0, 1.0);
         time_->setValue(static_cast<int>(std::lround(slider_steps * share)));
     }
-    time_label_->setText(QString("%1 of %2 s")
+    time_label_->setText(Words::tr("%L1 of %L2 s")
                              .arg(std::min(drug.time_s, drug.end_s), 0, 'f', 2)
                              .arg(drug.end_s, 0, 'f', 2));
 }
 
 void InjectPanel::show_hover(const QString& text) {
-    hover_->setText(text.isEmpty() ? QString("Point at a vessel to see what lies downstream.")
+    hover_->setText(text.isEmpty() ? Words::tr("Point at a vessel to see what lies downstream.")
                                    : text);
 }
 

@@ -18,13 +18,14 @@
 #include "ui/course_dialog.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
 namespace fs = std::filesystem;
 
 LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
-    : QDockWidget("Lesson", parent),
+    : QDockWidget(Words::tr("Lesson"), parent),
       ways_(std::move(ways)),
       recordings_(std::move(recordings)),
       panel_(new LessonPanel({[this] { begin(); }, [this] { leave(); },
@@ -38,7 +39,9 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_attempts(csv); },
-           [this](const std::exception_ptr& error) { ways_.failed("Mark an attempt", error); }},
+           [this](const std::exception_ptr& error) {
+               ways_.failed(Words::tr("Mark an attempt"), error);
+           }},
           parent)),
       course_(new CourseDialog([this](const CourseLine& line) { start(line.lesson, line.pass); },
                                parent)) {
@@ -65,23 +68,25 @@ void LessonDock::fill(QMenu& menu) {
         connect(action, &QAction::triggered, this, [this, id = entry.id] { start(id); });
     }
     menu.addSeparator();
-    connect(menu.addAction("&Course…"), &QAction::triggered, this, [this] { show_course({}); });
-    connect(menu.addAction("&Open lesson…"), &QAction::triggered, this,
+    connect(menu.addAction(Words::tr("&Course…")), &QAction::triggered, this,
+            [this] { show_course({}); });
+    connect(menu.addAction(Words::tr("&Open lesson…")), &QAction::triggered, this,
             [this] { ask_for_lesson(); });
-    connect(menu.addAction("Open co&urse…"), &QAction::triggered, this,
+    connect(menu.addAction(Words::tr("Open co&urse…")), &QAction::triggered, this,
             [this] { ask_for_course(); });
-    connect(menu.addAction("&Edit lessons…"), &QAction::triggered, this, [this] { ways_.edit(); });
+    connect(menu.addAction(Words::tr("&Edit lessons…")), &QAction::triggered, this,
+            [this] { ways_.edit(); });
 }
 
 void LessonDock::ask_for_lesson() {
-    const QString file =
-        QFileDialog::getOpenFileName(parentWidget(), "Open lesson", {}, "Lessons (*.json)");
+    const QString file = QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open lesson"), {},
+                                                      Words::tr("Lessons (*.json)"));
     if (!file.isEmpty()) start(to_path(file).string());
 }
 
 void LessonDock::ask_for_course() {
-    const QString file =
-        QFileDialog::getOpenFileName(parentWidget(), "Open course", {}, "Courses (*.json)");
+    const QString file = QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open course"), {},
+                                                      Words::tr("Courses (*.json)"));
     if (!file.isEmpty()) show_course(to_path(file));
 }
 
@@ -92,7 +97,7 @@ void LessonDock::show_course(const fs::path& file) {
         course_->show_course(
             course.name, standing_of(course, file.parent_path(), all_attempts(recordings_).list));
     } catch (...) {
-        ways_.failed("Open course", std::current_exception());
+        ways_.failed(Words::tr("Open course"), std::current_exception());
     }
 }
 
@@ -100,7 +105,7 @@ bool LessonDock::read(const std::string& name) {
     try {
         lesson_ = find_lesson(name);
     } catch (...) {
-        ways_.failed("Open lesson", std::current_exception());
+        ways_.failed(Words::tr("Open lesson"), std::current_exception());
         return false;
     }
     name_ = name;
@@ -165,7 +170,7 @@ bool LessonDock::try_out(const Lesson& lesson) {
             if (entry.path().extension() == ".hrec") fs::remove(entry.path());
         write_lesson(file, lesson);
     } catch (...) {
-        ways_.failed("Try the lesson", std::current_exception());
+        ways_.failed(Words::tr("Try the lesson"), std::current_exception());
         return false;
     }
     return start(file.string());
@@ -190,7 +195,7 @@ void LessonDock::begin() {
         result_kept_ = false;
         ways_.use(std::move(play.simulation));
     } catch (...) {
-        return ways_.failed("Begin the lesson", std::current_exception());
+        return ways_.failed(Words::tr("Begin the lesson"), std::current_exception());
     }
     panel_->begin(*lesson_, doubts_about_places(*lesson_, patient->tree));
     show_figures();
@@ -226,7 +231,7 @@ void LessonDock::keep_result() {
         write_attempt(attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
                                  now.toStdString()));
     } catch (...) {
-        ways_.failed("Keep the result", std::current_exception());
+        ways_.failed(Words::tr("Keep the result"), std::current_exception());
     }
 }
 

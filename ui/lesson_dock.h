@@ -30,7 +30,7 @@ class LessonDock : public QDockWidget {
         std::function<void(const QString& case_folder)> open_case;  // likewise
         // In place of the one that runs; null: that of free play.
         std::function<void(std::unique_ptr<Simulation>)> use;
-        std::function<void(const std::string& doing, const std::exception_ptr& error)> failed;
+        std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
         // Asks where to, and writes the report of a recording there.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             report;

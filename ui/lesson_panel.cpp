@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/core_words.h"
 #include "ui/lesson_words.h"
 #include "ui/push_button.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -29,7 +31,7 @@ QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks
                const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
     const QString now =
-        known ? QString::fromStdString(to_words(bound.predicate.quantity, bound.value, units)) : "";
+        known ? translated(to_words(bound.predicate.quantity, bound.value, units)) : "";
     return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
         .arg(QString::fromUtf8(bound.kept ? kept : broken),
              QString::fromStdString(to_words(bound.predicate, marks, units)).toHtmlEscaped(),
@@ -59,11 +61,11 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     hold_->setObjectName("lessonHold");
     hold_->setTextVisible(false);
     hold_->setRange(0, 100);
-    hold_->setAccessibleName("How long the goal has been held");
+    hold_->setAccessibleName(Words::tr("How long the goal has been held"));
     column->addWidget(hold_);
     hint_ = add_label(*column, "lessonHint");
     auto* first_row = new QHBoxLayout;
-    hint_button_ = add_button(*first_row, "&Hint", "lessonHintButton", [this] {
+    hint_button_ = add_button(*first_row, Words::tr("&Hint"), "lessonHintButton", [this] {
         hinted_step_ = shown_step_;
         hint_->setVisible(true);
         hint_button_->setEnabled(false);
@@ -71,28 +73,28 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->addLayout(first_row);
     limits_ = add_label(*column, "lessonLimits");
     end_ = add_label(*column, "lessonEnd");
-    report_ = new QPushButton("Write a &report…");
+    report_ = new QPushButton(Words::tr("Write a &report…"));
     report_->setObjectName("lessonReport");
     connect(report_, &QPushButton::clicked, this, [run = ways.report] { run(); });
     column->addWidget(report_);
-    look_back_ = new QPushButton("Look &back on it");
+    look_back_ = new QPushButton(Words::tr("Look &back on it"));
     look_back_->setObjectName("lessonLookBack");
     connect(look_back_, &QPushButton::clicked, this, [run = ways.look_back] { run(); });
     column->addWidget(look_back_);
-    attempts_ = new QPushButton("All &attempts…");
+    attempts_ = new QPushButton(Words::tr("All &attempts…"));
     attempts_->setObjectName("lessonAttempts");
     connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
     column->addWidget(attempts_);
     auto* last_row = new QHBoxLayout;
-    add_button(*last_row, "&Begin again", "lessonAgain", ways.again);
-    add_button(*last_row, "&Leave", "lessonLeave", ways.leave);
+    add_button(*last_row, Words::tr("&Begin again"), "lessonAgain", ways.again);
+    add_button(*last_row, Words::tr("&Leave"), "lessonLeave", ways.leave);
     column->addLayout(last_row);
     column->addStretch(1);
 }
 
 void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& doubts) {
     QStringList lines;
-    for (const std::string& doubt : doubts) lines << "⚠ " + QString::fromStdString(doubt);
+    for (const std::string& doubt : doubts) lines << "⚠ " + translated(doubt);
     doubts_->setTextFormat(Qt::PlainText);
     doubts_->setText(lines.join("\n"));
     doubts_->setVisible(!lines.isEmpty());
@@ -111,7 +113,8 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
     report_->setVisible(!running);
     look_back_->setVisible(!running);
     attempts_->setVisible(!running);
-    limits_->setText(table_of("Limits", standing.limits, lesson_.mark_names(), units_, "✓", "✗"));
+    limits_->setText(
+        table_of(Words::tr("Limits"), standing.limits, lesson_.mark_names(), units_, "✓", "✗"));
     if (running)
         show_step(standing);
     else
@@ -121,11 +124,12 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
 void LessonPanel::show_step(const LessonStanding& standing) {
     shown_step_ = standing.step;
     const LessonStep& step = lesson_.steps[standing.step];
-    step_->setText(QString("Step %1 of %2: %3")
+    step_->setText(Words::tr("Step %1 of %2: %3")
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
                        .arg(QString::fromStdString(step.text)));
-    goal_->setText(table_of("Goal", standing.goal, lesson_.mark_names(), units_, "●", "○"));
+    goal_->setText(
+        table_of(Words::tr("Goal"), standing.goal, lesson_.mark_names(), units_, "●", "○"));
     hold_->setVisible(step.hold_s > 0.0);
     const double held_s = standing.steps[standing.step].held_s;
     if (step.hold_s > 0.0)
@@ -139,18 +143,20 @@ void LessonPanel::show_step(const LessonStanding& standing) {
 void LessonPanel::show_end(const LessonStanding& standing) {
     hint_->hide();
     const bool passed = standing.outcome == LessonOutcome::passed;
-    QString html = passed ? "<p><b>✓ Passed</b></p>" : "<p><b>✗ Not passed</b></p>";
+    QString html =
+        "<p><b>" + (passed ? Words::tr("✓ Passed") : Words::tr("✗ Not passed")) + "</b></p>";
     for (const std::string& reason : reasons_in(standing, lesson_.mark_names(), units_))
-        html += "<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>";
+        html += "<p>" + translated(reason).toHtmlEscaped() + "</p>";
     std::vector<BoundStanding> seen = standing.pass;  // only who reaches the end meets them
     std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
-    html += table_of("Pass marks", seen, lesson_.mark_names(), units_, "✓", "✗");
+    html += table_of(Words::tr("Pass marks"), seen, lesson_.mark_names(), units_, "✓", "✗");
     const LessonMetrics& metrics = standing.metrics;
-    html +=
-        QString("<p>%1, path %2, peak force %3</p>")
-            .arg(QString::fromStdString(to_words(Quantity::time_s, metrics.time_s)),
-                 QString::fromStdString(to_words(Quantity::path_mm, metrics.path_mm)),
-                 QString::fromStdString(to_words(Quantity::peak_force_mn, metrics.peak_force_mn)));
+    html += "<p>" +
+            Words::tr("%1, path %2, peak force %3")
+                .arg(translated(to_words(Quantity::time_s, metrics.time_s)),
+                     translated(to_words(Quantity::path_mm, metrics.path_mm)),
+                     translated(to_words(Quantity::peak_force_mn, metrics.peak_force_mn))) +
+            "</p>";
     end_->setText(html);
 }
 

@@ -16,6 +16,7 @@
 #include "core/patient/patient_case.h"
 #include "ui/case_lessons.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 LibraryDialog::LibraryDialog(Settings& settings, Ways ways, QWidget* parent)
     : QDialog(parent), settings_(settings), ways_(std::move(ways)) {
-    setWindowTitle("Library of cases");
+    setWindowTitle(Words::tr("Library of cases"));
     resize(940, 560);
     build();
 }
@@ -37,7 +38,7 @@ void LibraryDialog::build() {
     folder_->setObjectName("libraryFolder");
     folder_->setMinimumWidth(1);
     row->addWidget(folder_, 1);
-    choose_ = new QPushButton("&Another folder…");
+    choose_ = new QPushButton(Words::tr("&Another folder…"));
     choose_->setAutoDefault(false);
     connect(choose_, &QPushButton::clicked, this, [this] { choose_folder(); });
     row->addWidget(choose_);
@@ -45,7 +46,7 @@ void LibraryDialog::build() {
     auto* middle = new QHBoxLayout;
     list_ = new QListWidget;
     list_->setObjectName("library");
-    list_->setAccessibleName("Cases");
+    list_->setAccessibleName(Words::tr("Cases"));
     list_->setViewMode(QListView::IconMode);
     list_->setIconSize(QSize(180, 150));
     list_->setGridSize(QSize(196, 184));
@@ -73,11 +74,11 @@ void LibraryDialog::build() {
     middle->addLayout(of_case);
     column->addLayout(middle, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    open_ = buttons->addButton("&Open", QDialogButtonBox::ActionRole);
+    open_ = buttons->addButton(Words::tr("&Open"), QDialogButtonBox::ActionRole);
     open_->setObjectName("libraryOpen");
     open_->setDefault(true);
-    take_ = buttons->addButton("&Take in a case…", QDialogButtonBox::ActionRole);
-    give_ = buttons->addButton("&Save as one file…", QDialogButtonBox::ActionRole);
+    take_ = buttons->addButton(Words::tr("&Take in a case…"), QDialogButtonBox::ActionRole);
+    give_ = buttons->addButton(Words::tr("&Save as one file…"), QDialogButtonBox::ActionRole);
     connect(open_, &QPushButton::clicked, this, [this] {
         if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) {
             hide();
@@ -85,16 +86,18 @@ void LibraryDialog::build() {
         }
     });
     connect(take_, &QPushButton::clicked, this, [this] {
-        const QString from = QFileDialog::getOpenFileName(
-            this, "Take in a case", settings_.last_folder(), "Cases in one file (*.hepz)");
+        const QString from =
+            QFileDialog::getOpenFileName(this, Words::tr("Take in a case"), settings_.last_folder(),
+                                         Words::tr("Cases in one file (*.hepz)"));
         if (!from.isEmpty()) take_in(to_path(from));
     });
     connect(give_, &QPushButton::clicked, this, [this] {
         const ShelvedCase* one = chosen();
         if (one == nullptr) return;
-        const QString to = QFileDialog::getSaveFileName(
-            this, "Save as one file", settings_.last_folder() + "/" + one->name + ".hepz",
-            "Cases in one file (*.hepz)");
+        const QString to =
+            QFileDialog::getSaveFileName(this, Words::tr("Save as one file"),
+                                         settings_.last_folder() + "/" + one->name + ".hepz",
+                                         Words::tr("Cases in one file (*.hepz)"));
         if (!to.isEmpty()) give_away(to_path(to.endsWith(".hepz") ? to : to + ".hepz"));
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
@@ -115,14 +118,14 @@ void LibraryDialog::open_library() {
 }
 
 void LibraryDialog::choose_folder() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, "Folder with cases", settings_.library_folder());
+    const QString folder = QFileDialog::getExistingDirectory(this, Words::tr("Folder with cases"),
+                                                             settings_.library_folder());
     if (folder.isEmpty()) return;
     settings_.set_library_folder(folder);
     read_folder();
 }
 
-void LibraryDialog::run(const std::string& doing, BackgroundJob::Work work) {
+void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
     job_.reset();
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [](const JobProgress&) {};
@@ -144,7 +147,7 @@ void LibraryDialog::read_folder() {
     folder_->setText(to_text(folder));
     cases_.clear();
     list_->clear();
-    run("Read the library",
+    run(Words::tr("Read the library"),
         [this, folder,
          recordings = to_path(settings_.recordings_folder())](Job& job) -> std::function<void()> {
             return [this, cases = cases_in(folder, recordings, job)] {
@@ -179,16 +182,16 @@ void LibraryDialog::show_chosen() {
     lessons_->setVisible(one != nullptr);
     lessons_->show_lessons(one != nullptr ? one->lessons : std::vector<ShelvedLesson>(),
                            open_->isEnabled());
-    if (busy_ && one == nullptr) return facts_->setText("Reading the cases…");
-    facts_->setText(one != nullptr
-                        ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts
-                        : QString("There is no case in this folder. Choose another one, or save a "
-                                  "patient here: File &gt; Save case as."));
+    if (busy_ && one == nullptr) return facts_->setText(Words::tr("Reading the cases…"));
+    facts_->setText(
+        one != nullptr ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts
+                       : Words::tr("There is no case in this folder. Choose another one, or save a "
+                                   "patient here: File &gt; Save case as."));
 }
 
 void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
-    run("Copy the case", [this, from, to](Job& job) -> std::function<void()> {
-        job.begin_stage("Copying the case");
+    run(Words::tr("Copy the case"), [this, from, to](Job& job) -> std::function<void()> {
+        job.begin_stage(Words::id("Copying the case"));
         write_case(to, read_case(from));
         return [this] { reread_ = true; };
     });
@@ -201,9 +204,9 @@ void LibraryDialog::give_away(const fs::path& to) {
 void LibraryDialog::take_in(const fs::path& from) {
     const fs::path to = to_path(settings_.library_folder()) / from.stem().concat(".hep");
     if (fs::exists(to))
-        return ways_.failed("Take in a case",
-                            {"there is a case of this name already", to.string(),
-                             "Give the file another name, or take the other case away"});
+        return ways_.failed(Words::tr("Take in a case"),
+                            {Words::id("there is a case of this name already"), to.string(),
+                             Words::id("Give the file another name, or take the other case away")});
     copy(from, to);
 }
 

@@ -26,7 +26,7 @@ class LibraryDialog : public QDialog {
   public:
     struct Ways {
         std::function<void(const QString& place)> open;
-        std::function<void(const std::string& doing, const Failure&)> failed;
+        std::function<void(const QString& doing, const Failure&)> failed;
         // On the patient in that case.
         std::function<void(const ShelvedLesson&, const QString& place)> begin_lesson;
     };
@@ -55,7 +55,7 @@ class LibraryDialog : public QDialog {
     void show_chosen();
     const ShelvedCase* chosen() const;
     void copy(const std::filesystem::path& from, const std::filesystem::path& to);
-    void run(const std::string& doing, BackgroundJob::Work work);
+    void run(const QString& doing, BackgroundJob::Work work);
 
     Settings& settings_;
     Ways ways_;

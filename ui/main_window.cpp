@@ -49,6 +49,7 @@
 #include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -71,9 +72,9 @@ constexpr std::array<std::pair<ActionId, ViewDirection>, 6> views{{
     {ActionId::view_inferior, ViewDirection::inferior},
 }};
 
-QDockWidget* make_dock(QMainWindow& window, const QString& title, QWidget* content) {
-    auto* dock = new QDockWidget(title, &window);
-    dock->setObjectName(title);
+QDockWidget* make_dock(QMainWindow& window, const char* name, QWidget* content) {
+    auto* dock = new QDockWidget(Words::tr(name), &window);
+    dock->setObjectName(name);
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     auto* scroll = new QScrollArea(dock);
     scroll->setWidgetResizable(true);
@@ -118,6 +119,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_context();
     connect_measuring();
     connect_themes();
+    connect_languages();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
@@ -161,7 +163,7 @@ void MainWindow::build_view() {
          [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
              tear(mode, stroke);
          },
-         [this] { statusBar()->showMessage("No vessel there: click on one", 6000); }},
+         [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); }},
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
@@ -181,10 +183,10 @@ void MainWindow::build_view() {
 void MainWindow::build_panels() {
     inject_ = new InjectPanel([this](Command command) { post(std::move(command)); });
     quality_ = new QualityPanel([this](Command command) { post(std::move(command)); });
-    make_dock(*this, "Injection", inject_);
-    make_dock(*this, "Simulation", quality_);
+    make_dock(*this, Words::id("Injection"), inject_);
+    make_dock(*this, Words::id("Simulation"), quality_);
     edit_panel_ = new EditPanel;
-    QDockWidget* edit_dock = make_dock(*this, "Corrections", edit_panel_);
+    QDockWidget* edit_dock = make_dock(*this, Words::id("Corrections"), edit_panel_);
     tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
     tool_panel_ =
         new ToolPanel({[this](const ToolSize& size) { view_->mouse().hand().set_size(size); },
@@ -194,10 +196,11 @@ void MainWindow::build_panels() {
                            view_->draw_again();
                        }});
     view_->scene().set_warnings_visible(tool_panel_->shows_warnings());
-    tabifyDockWidget(edit_dock, make_dock(*this, "Tool", tool_panel_));
+    tabifyDockWidget(edit_dock, make_dock(*this, Words::id("Tool"), tool_panel_));
     findChild<QDockWidget*>("Injection")->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    curves_ = new CurvesDock([this](const Failure& failure) { fail("Curves", failure); }, this);
+    curves_ = new CurvesDock([this](const Failure& failure) { fail(Words::tr("Curves"), failure); },
+                             this);
     curves_->plots().on_save = [this](bool picture) { save_plots(picture); };
     addDockWidget(Qt::BottomDockWidgetArea, curves_);
     curves_->hide();
@@ -228,7 +231,9 @@ void MainWindow::build_branches() {
         colour_by_segments(of_branches);
     };
     callbacks.save = [this](const std::string& csv) { save_table("branches", csv); };
-    callbacks.failed = [this](const Failure& failure) { fail("Liver segments", failure); };
+    callbacks.failed = [this](const Failure& failure) {
+        fail(Words::tr("Liver segments"), failure);
+    };
     branches_ = new BranchDock(std::move(callbacks), this);
     // One behind the other: side by side both are wider than a small screen.
     tabifyDockWidget(curves_, branches_);
@@ -239,14 +244,16 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
     const QString kept = settings_.recovery_folder();
     recovery_ = std::make_unique<Recovery>(
         to_path(kept), kept.isEmpty() ? Recovery::Write() : patients.keep,
-        [this](const Failure& failure) { fail("Keeping a copy of unsaved work", failure); });
+        [this](const Failure& failure) {
+            fail(Words::tr("Keeping a copy of unsaved work"), failure);
+        });
     PatientKeeper::Screen screen;
     screen.show = [this](LoadedPatient patient, bool corrected) {
         show_patient(std::move(patient), corrected);
     };
     screen.changed = [this] { show_workspace(); };
     screen.failed = [this](const std::string& doing, const Failure& failure) {
-        fail(doing, failure);
+        fail(QString::fromStdString(doing), failure);
     };
     screen.say = [this](const std::string& text) {
         statusBar()->showMessage(QString::fromStdString(text), 6000);
@@ -268,7 +275,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
 }
 
 void MainWindow::build_tool_bar() {
-    auto* bar = new QToolBar("Tools", this);
+    auto* bar = new QToolBar(Words::tr("Tools"), this);
     bar->setObjectName("Tools");
     bar->setMovable(false);
     auto* modes = new QActionGroup(this);
@@ -297,8 +304,8 @@ void MainWindow::build_tool_bar() {
     bar->addSeparator();
     for (const auto& [id, direction] : views) bar->addAction(&(*actions_)[id]);
     // All six views shall fit beside them on a small screen.
-    (*actions_)[ActionId::edit_mode].setIconText("Edit");
-    (*actions_)[ActionId::play_pause].setIconText("Run");
+    (*actions_)[ActionId::edit_mode].setIconText(Words::tr("Edit"));
+    (*actions_)[ActionId::play_pause].setIconText(Words::tr("Run"));
     addToolBar(bar);
 }
 
@@ -306,7 +313,7 @@ void MainWindow::connect_files() {
     library_ = new LibraryDialog(
         settings_,
         {[this](const QString& path) { open(path); },
-         [this](const std::string& doing, const Failure& failure) { fail(doing, failure); },
+         [this](const QString& doing, const Failure& failure) { fail(doing, failure); },
          [this](const ShelvedLesson& lesson, const QString& place) {
              lessons_->start_on(lesson.file.string(), place);
          }},
@@ -325,15 +332,15 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::save_case_as, [this] { keeper_->ask_and_save(); });
     actions_->on(ActionId::save_picture, [this] { ask_where_to_save_picture(); });
     actions_->on(ActionId::quit, [this] { close(); });
-    auto* recent =
-        new RecentMenu(settings_,
-                       {[this](const QString& path) { open(path); },
-                        [this](const QString& path) {
-                            messages_->show_notice(path +
-                                                   " is not there any more; it was taken "
-                                                   "off the list of recent files.");
-                        }},
-                       this);
+    auto* recent = new RecentMenu(
+        settings_,
+        {[this](const QString& path) { open(path); },
+         [this](const QString& path) {
+             messages_->show_notice(Words::tr("%1 is not there any more; it was taken off "
+                                              "the list of recent files.")
+                                        .arg(path));
+         }},
+        this);
     QMenu* file_menu = menuBar()->actions().front()->menu();
     file_menu->insertMenu(&(*actions_)[ActionId::built_in], recent);
 }

@@ -84,6 +84,12 @@ class MainWindow : public QMainWindow {
 
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
+    // Called when this window closes and another one shall be made in its place, as another
+    // language needs, with who was shown here where he can be opened again. Without it that is not
+    // offered.
+    void on_begin_anew(std::function<void(const std::optional<OpenRequest>&)> callback) {
+        begin_anew_ = std::move(callback);
+    }
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -108,6 +114,8 @@ class MainWindow : public QMainWindow {
     void connect_measuring();
     void follow_measuring();
     void connect_themes();
+    void connect_languages();
+    void speak(const QString& code);
 
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
@@ -118,6 +126,8 @@ class MainWindow : public QMainWindow {
     void build_lesson_editor();
     // Opens a lesson's own patient; whoever was shown before can be had back when it is left.
     void open_for_lesson(const OpenRequest& request);
+    // Who is shown, where he can be opened again.
+    std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
@@ -135,10 +145,10 @@ class MainWindow : public QMainWindow {
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void remember(const std::filesystem::path& path);
-    void fail(const std::string& doing, const Failure& failure);
+    void fail(const QString& doing, const Failure& failure);
     void show_jobs();
     // Runs what may fail and shows the failure.
-    void attempt(const std::string& doing, const std::function<void()>& task);
+    void attempt(const QString& doing, const std::function<void()>& task);
 
     // main_window_play.cpp: what is shown and played with.
     void show_patient(LoadedPatient patient, bool corrected);
@@ -198,6 +208,8 @@ class MainWindow : public QMainWindow {
     double picture_ms_ = 0.0;
     std::string last_message_;
     std::function<void()> first_picture_;
+    std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
+    bool begins_anew_ = false;  // once it has closed
     // Who was shown before a lesson brought its own patient.
     std::optional<OpenRequest> before_lesson_;
     bool may_close_ = false;

@@ -33,6 +33,7 @@
 #include "ui/slices/view_layout.h"
 #include "ui/video_export.h"
 #include "ui/vtk_widget.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -87,21 +88,21 @@ void MainWindow::remember(const std::filesystem::path& path) {
     settings_.set_last_folder(to_text(path.parent_path()));
 }
 
-void MainWindow::fail(const std::string& doing, const Failure& failure) {
+void MainWindow::fail(const QString& doing, const Failure& failure) {
     messages_->show_failure(failure);
-    log_->add_failure(QString::fromStdString(doing), failure);
+    log_->add_failure(doing, failure);
 }
 
 void MainWindow::ask_for_case() {
-    const QString folder = QFileDialog::getExistingDirectory(this, "Open case (a folder NAME.hep)",
-                                                             settings_.last_folder());
+    const QString folder = QFileDialog::getExistingDirectory(
+        this, Words::tr("Open case (a folder NAME.hep)"), settings_.last_folder());
     if (!folder.isEmpty()) open(folder);
 }
 
 std::optional<std::filesystem::path> MainWindow::ask_where_ct_lies() {
     const QString file = QFileDialog::getOpenFileName(
-        this, "The CT of this patient: a volume, or any one file of its DICOM folder",
-        settings_.last_folder(), "All files (*)");
+        this, Words::tr("The CT of this patient: a volume, or any one file of its DICOM folder"),
+        settings_.last_folder(), Words::tr("All files (*)"));
     if (file.isEmpty()) return std::nullopt;
     return to_path(file);
 }
@@ -114,31 +115,33 @@ void MainWindow::ask_for_reconstruction() {
 
 void MainWindow::ask_where_to_save_picture() {
     const QString file = QFileDialog::getSaveFileName(
-        this, "Save picture", settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
-    if (!file.isEmpty()) attempt("Save picture", [&] { save_picture(file); });
+        this, Words::tr("Save picture"), settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
+    if (!file.isEmpty()) attempt(Words::tr("Save picture"), [&] { save_picture(file); });
 }
 
 void MainWindow::save_plots(bool picture) {
     const QString file = QFileDialog::getSaveFileName(
-        this, "Save curves", settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
-        picture ? "PNG (*.png)" : "Tables (*.csv)");
+        this, Words::tr("Save curves"),
+        settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
+        picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    attempt("Save curves", [&] {
+    attempt(Words::tr("Save curves"), [&] {
         PlotPanel& plots = curves_->plots();
         picture ? plots.save_picture(file) : plots.save_table(file);
     });
 }
 
 void MainWindow::save_table(const QString& name, const std::string& csv) {
-    const QString file = QFileDialog::getSaveFileName(
-        this, "Save the table", settings_.last_folder() + "/" + name + ".csv", "Tables (*.csv)");
+    const QString file = QFileDialog::getSaveFileName(this, Words::tr("Save the table"),
+                                                      settings_.last_folder() + "/" + name + ".csv",
+                                                      Words::tr("Tables (*.csv)"));
     if (!file.isEmpty())
-        attempt("Save the table", [&] { write_text_atomically(to_path(file), csv); });
+        attempt(Words::tr("Save the table"), [&] { write_text_atomically(to_path(file), csv); });
 }
 
 void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, "Folder for the report", settings_.last_folder());
+    const QString folder = QFileDialog::getExistingDirectory(
+        this, Words::tr("Folder for the report"), settings_.last_folder());
     if (folder.isEmpty()) return;
     QStringList arguments{"--report", to_text(recording),
                           "--out",    folder,
@@ -150,18 +153,19 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
     connect(process, &QProcess::finished, this, [this, process, folder](int code) {
         statusBar()->clearMessage();
         if (code == 0)
-            messages_->show_notice("The report is in " + folder);
+            messages_->show_notice(Words::tr("The report is in %1").arg(folder));
         else
-            fail("Write the report",
+            fail(Words::tr("Write the report"),
                  {QString::fromUtf8(process->readAllStandardError()).trimmed().toStdString(),
-                  folder.toStdString(), "Choose another folder"});
+                  folder.toStdString(), Words::id("Choose another folder")});
         process->deleteLater();
     });
     connect(process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart)
-            fail("Write the report", {"the program could not be started again", "", ""});
+            fail(Words::tr("Write the report"),
+                 {Words::id("the program could not be started again"), "", ""});
     });
-    statusBar()->showMessage("Writing the report: the play is gone through once more…");
+    statusBar()->showMessage(Words::tr("Writing the report: the play is gone through once more…"));
     process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 
@@ -169,18 +173,21 @@ void MainWindow::offer_unsaved_work() {
     const auto left = recovery_->left_behind();
     if (left.empty()) return;
     const QString when =
-        QFileInfo(to_text(left.front())).lastModified().toString("d MMM yyyy, hh:mm");
+        QLocale().toString(QFileInfo(to_text(left.front())).lastModified(), "d MMM yyyy, hh:mm");
     messages_->show_notice(
-        QString("The program ended without saving %1 (%2)%3. The work is not lost: it stays under "
-                "File > Open unsaved work until it is saved or let go.")
+        Words::tr(
+            "The program ended without saving %1 (%2)%3. The work is not lost: it stays under "
+            "File > Open unsaved work until it is saved or let go.")
             .arg(to_text(left.front().stem()), when,
-                 left.size() > 1 ? QString(", and %1 more").arg(left.size() - 1) : QString()),
-        "Open it", [this] { open_unsaved_work(); });
+                 left.size() > 1
+                     ? Words::tr(", and %n more", nullptr, static_cast<int>(left.size() - 1))
+                     : QString()),
+        Words::tr("Open it"), [this] { open_unsaved_work(); });
 }
 
 void MainWindow::open_unsaved_work() {
     const auto left = recovery_->left_behind();
-    if (left.empty()) return messages_->show_notice("No earlier run left unsaved work.");
+    if (left.empty()) return messages_->show_notice(Words::tr("No earlier run left unsaved work."));
     OpenRequest request;
     request.reconstruct.ct = left.front();
     request.unsaved_copy = true;
@@ -189,16 +196,17 @@ void MainWindow::open_unsaved_work() {
 
 void MainWindow::ask_for_ct(bool folder) {
     const QString path =
-        folder ? QFileDialog::getExistingDirectory(this, "Open CT folder (DICOM)",
+        folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),
                                                    settings_.last_folder())
-               : QFileDialog::getOpenFileName(this, "Open CT file", settings_.last_folder(),
-                                              openable_filter());
+               : QFileDialog::getOpenFileName(this, Words::tr("Open CT file"),
+                                              settings_.last_folder(), openable_filter());
     if (!path.isEmpty()) open(path);
 }
 
 std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, "Open recording", settings_.recordings_folder(), "Recordings (*.hrec)");
+    const QString path = QFileDialog::getOpenFileName(this, Words::tr("Open recording"),
+                                                      settings_.recordings_folder(),
+                                                      Words::tr("Recordings (*.hrec)"));
     if (path.isEmpty()) return std::nullopt;
     return to_path(path);
 }
@@ -207,11 +215,11 @@ void MainWindow::save_picture(const QString& file) {
     const QImage picture = view_->picture();
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
-            throw InputError("the picture cannot be written", file.toStdString(),
-                             "choose a folder you may write to, on a disk with room");
+            throw InputError(Words::id("the picture cannot be written"), file.toStdString(),
+                             Words::id("choose a folder you may write to, on a disk with room"));
         }
     });
-    statusBar()->showMessage("Saved " + file, 6000);
+    statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
 }
 
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
@@ -219,18 +227,19 @@ void MainWindow::ask_and_save_film(double end_s, const std::function<void(double
     const QString place =
         ffmpeg_program().isEmpty()
             ? QFileDialog::getExistingDirectory(
-                  this, "Folder for the pictures of the film (ffmpeg is not installed)", start)
-            : QFileDialog::getSaveFileName(this, "Save a film", start + "/play.mp4",
-                                           "Films (*.mp4)");
+                  this, Words::tr("Folder for the pictures of the film (ffmpeg is not installed)"),
+                  start)
+            : QFileDialog::getSaveFileName(this, Words::tr("Save a film"), start + "/play.mp4",
+                                           Words::tr("Films (*.mp4)"));
     if (place.isEmpty()) return;
     const bool named = ffmpeg_program().isEmpty() || place.endsWith(".mp4", Qt::CaseInsensitive);
-    attempt("Save a film",
+    attempt(Words::tr("Save a film"),
             [&] { save_film(to_path(named ? place : place + ".mp4"), end_s, go_to); });
 }
 
 void MainWindow::save_film(const std::filesystem::path& place, double end_s,
                            const std::function<void(double)>& go_to) {
-    QProgressDialog progress("Saving the film…", "Cancel", 0, 1000, this);
+    QProgressDialog progress(Words::tr("Saving the film…"), Words::tr("Cancel"), 0, 1000, this);
     progress.setWindowModality(Qt::WindowModal);
     progress.setMinimumDuration(0);
     progress.findChild<QProgressBar*>()->setTextVisible(false);
@@ -238,8 +247,8 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
     film.end_s = end_s;
     film.picture = [&](double at_s) {
         if (!review_->complete())
-            throw InputError("the review ended before the film did", place.string(),
-                             "Open the recording again");
+            throw InputError(Words::id("the review ended before the film did"), place.string(),
+                             Words::id("Open the recording again"));
         go_to(at_s);
         patient_->simulation->update_frame();
         view_->show_frame(frame());
@@ -255,10 +264,10 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
     } catch (const Cancelled&) {
         return;
     }
-    statusBar()->showMessage("Saved " + to_text(place), 6000);
+    statusBar()->showMessage(Words::tr("Saved %1").arg(to_text(place)), 6000);
 }
 
-void MainWindow::attempt(const std::string& doing, const std::function<void()>& task) {
+void MainWindow::attempt(const QString& doing, const std::function<void()>& task) {
     try {
         task();
     } catch (...) {
@@ -276,21 +285,28 @@ void MainWindow::dropEvent(QDropEvent* event) {
         event->acceptProposedAction();
         return open(url.toLocalFile());
     }
-    messages_->show_failure({"only files and folders of this computer can be opened", "",
-                             "save it to a folder and drop that"});
+    messages_->show_failure({Words::id("only files and folders of this computer can be opened"), "",
+                             Words::id("save it to a folder and drop that")});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (lesson_editor_ && !may_close_ && !lesson_editor_->may_end()) return event->ignore();
+    const auto stay = [this] { begins_anew_ = false; };
+    if (lesson_editor_ && !may_close_ && !lesson_editor_->may_end()) {
+        stay();
+        return event->ignore();
+    }
     in_close_event_ = true;
     if (!may_close_) {
-        keeper_->leave([this] {
-            may_close_ = true;
-            if (!in_close_event_) close();
-        });
+        keeper_->leave(
+            [this] {
+                may_close_ = true;
+                if (!in_close_event_) close();
+            },
+            stay);
     }
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
+    if (begins_anew_) begin_anew_(patient_from_where());
     review_->end();
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();

@@ -19,6 +19,7 @@
 #include "ui/second_view.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -45,7 +46,7 @@ void MainWindow::build_lessons() {
         review_->end();
         use(std::move(simulation));
     };
-    ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
+    ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
     ways.report = [this](const std::filesystem::path& recording, const std::string& lesson) {
@@ -63,20 +64,24 @@ void MainWindow::build_lessons() {
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     lessons_->set_units(flow_units_named(settings_.flow_units()));
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
-    auto* menu = new QMenu("&Lesson", menuBar());
+    auto* menu = new QMenu(Words::tr("&Lesson"), menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
 }
 
+std::optional<OpenRequest> MainWindow::patient_from_where() const {
+    if (!patient_) return std::nullopt;
+    OpenRequest request;
+    request.built_in = patient_->title == built_in_title;
+    request.reconstruct.ct = keeper_->workspace().folder();
+    // Nobody can open again what lies nowhere.
+    if (!request.built_in && request.reconstruct.ct.empty()) return std::nullopt;
+    return request;
+}
+
 void MainWindow::open_for_lesson(const OpenRequest& request) {
     std::optional<OpenRequest> before = before_lesson_;
-    if (patient_ && !lessons_->playing()) {
-        before = OpenRequest{};
-        before->built_in = patient_->title == built_in_title;
-        before->reconstruct.ct = keeper_->workspace().folder();
-    }
-    // Nobody can open again what lies nowhere.
-    if (before && !before->built_in && before->reconstruct.ct.empty()) before.reset();
+    if (patient_ && !lessons_->playing()) before = patient_from_where();
     open(request);
     before_lesson_ = before;
 }
@@ -84,10 +89,11 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
 void MainWindow::offer_patient_from_before() {
     const std::optional<OpenRequest> before = std::exchange(before_lesson_, std::nullopt);
     if (!before) return;
-    const QString name =
-        before->built_in ? "the built-in patient" : to_text(before->reconstruct.ct.filename());
-    messages_->show_notice("The lesson's own patient is shown. Before it, it was " + name + ".",
-                           "Open " + name, [this, before] { open(*before); });
+    const QString name = before->built_in ? Words::tr("the built-in patient")
+                                          : to_text(before->reconstruct.ct.filename());
+    messages_->show_notice(
+        Words::tr("The lesson's own patient is shown. Before it, it was %1.").arg(name),
+        Words::tr("Open %1").arg(name), [this, before] { open(*before); });
 }
 
 LessonEditor& MainWindow::lesson_editor() {
@@ -111,25 +117,28 @@ void MainWindow::build_lesson_editor() {
     };
     ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {
-        const QString file = QFileDialog::getOpenFileName(
-            lesson_editor_, "Edit lesson", settings_.last_folder(), "Lessons (*.json)");
+        const QString file =
+            QFileDialog::getOpenFileName(lesson_editor_, Words::tr("Edit lesson"),
+                                         settings_.last_folder(), Words::tr("Lessons (*.json)"));
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
         const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
-        QFileDialog dialog(lesson_editor_, "Save lesson", suggested, "Lessons (*.json)");
+        QFileDialog dialog(lesson_editor_, Words::tr("Save lesson"), suggested,
+                           Words::tr("Lessons (*.json)"));
         dialog.setAcceptMode(QFileDialog::AcceptSave);
         dialog.setDefaultSuffix("json");  // before it asks about a file that is there
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return to_path(dialog.selectedFiles().front());
     };
     ways.may_discard = [this] {
-        return QMessageBox::question(lesson_editor_, "Hepatica",
-                                     "The lesson holds changes that are not saved. Let them go?",
-                                     QMessageBox::Discard | QMessageBox::Cancel,
-                                     QMessageBox::Cancel) == QMessageBox::Discard;
+        return QMessageBox::question(
+                   lesson_editor_, "Hepatica",
+                   Words::tr("The lesson holds changes that are not saved. Let them go?"),
+                   QMessageBox::Discard | QMessageBox::Cancel,
+                   QMessageBox::Cancel) == QMessageBox::Discard;
     };
-    ways.failed = [this](const std::string& doing, const std::exception_ptr& error) {
+    ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
     draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
@@ -170,7 +179,9 @@ void MainWindow::build_review() {
     ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {
         ask_and_save_film(end_s, go_to);
     };
-    ways.failed = [this](const Failure& failure) { fail("Look back on a recording", failure); };
+    ways.failed = [this](const Failure& failure) {
+        fail(Words::tr("Look back on a recording"), failure);
+    };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);
     addDockWidget(Qt::BottomDockWidgetArea, review_);

@@ -8,6 +8,7 @@
 
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
+#include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
 #include "ui/inject_panel.h"
@@ -27,6 +28,7 @@
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 #include "ui/window_words.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -114,15 +116,15 @@ void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches
 void MainWindow::show_warnings() {
     if (patient_->warnings.empty()) return;
     for (const std::string& warning : patient_->warnings)
-        log_->add_warning(QString::fromStdString(patient_->title), QString::fromStdString(warning));
-    messages_->show_notice(QString::fromStdString(in_short(patient_->warnings)), "All messages",
+        log_->add_warning(translated(patient_->title), translated(warning));
+    messages_->show_notice(in_short(patient_->warnings), Words::tr("All messages"),
                            [this] { log_->show(); });
 }
 
 void MainWindow::show_workspace() {
     const Workspace& workspace = keeper_->workspace();
     if (!workspace.has_patient()) return;
-    setWindowTitle(QString::fromStdString(workspace.title()) + "[*] - Hepatica");
+    setWindowTitle(translated(workspace.title()) + "[*] - Hepatica");
     setWindowModified(workspace.dirty());
     view_->scene().set_caption(workspace.title());
     recovery_->follow(workspace);
@@ -199,16 +201,16 @@ void MainWindow::show_figures() {
 // below it.
 void MainWindow::show_message_of(const FrameStatistics& statistics) {
     if (statistics.message == last_message_) return;
-    if (messages_->text() == QString::fromStdString(last_message_)) messages_->dismiss();
+    if (messages_->text() == translated(last_message_)) messages_->dismiss();
     last_message_ = statistics.message;
-    const QString text = QString::fromStdString(last_message_);
+    const QString text = translated(last_message_);
     if (!statistics.paused || text.isEmpty()) {
         statusBar()->showMessage(text, 4000);
         return;
     }
-    log_->add_warning("Simulation", text);
+    log_->add_warning(Words::tr("Simulation"), text);
     if (!statistics.diverged) return messages_->show_notice(text);
-    messages_->show_notice(text, "Back to the last good state",
+    messages_->show_notice(text, Words::tr("Back to the last good state"),
                            [this] { (*actions_)[ActionId::restore].trigger(); });
 }
 
@@ -222,8 +224,7 @@ void MainWindow::show_hover(const SurfacePick& pick) {
             patient_->patient->mesh.vertices_mm[static_cast<std::size_t>(vertex)]);
     const TreePoint point = patient_->anatomy.tree_point(vertex);
     if (QGuiApplication::keyboardModifiers() & Qt::ShiftModifier) branches_->select(point.segment);
-    inject_->show_hover(
-        QString::fromStdString(patient_->anatomy.describe(point, patient_->flow_shares)));
+    inject_->show_hover(translated(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
     view_->draw_again();
 }
@@ -236,7 +237,7 @@ void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& 
     view_->draw_again();
     if (!patient_) return;
     if (!stroke) {
-        statusBar()->showMessage("The line meets no vessel: draw it across one", 6000);
+        statusBar()->showMessage(Words::tr("The line meets no vessel: draw it across one"), 6000);
         return;
     }
     if (!frame().tear) post(tool_panel_->tear());
@@ -269,16 +270,17 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
-    statusBar()->showMessage(mode == MouseMode::pull      ? "Drag a vessel to pull it"
-                             : mode == MouseMode::inject  ? "Click on a vessel to inject there"
-                             : mode == MouseMode::edit    ? "Click on a vessel to correct the tree"
-                             : mode == MouseMode::place   ? "Click on a vessel: the place is there"
-                             : mode == MouseMode::measure ? ruler_->guidance().c_str()
-                             : mode == MouseMode::cut     ? "Draw a line across a vessel to cut it"
-                             : mode == MouseMode::weaken
-                                 ? "Draw a line across a vessel: it tears there when pulled"
-                                 : "The mouse leads the tool, the wheel moves it in depth",
-                             6000);
+    statusBar()->showMessage(
+        mode == MouseMode::pull      ? Words::tr("Drag a vessel to pull it")
+        : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
+        : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
+        : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
+        : mode == MouseMode::measure ? translated(ruler_->guidance())
+        : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
+        : mode == MouseMode::weaken
+            ? Words::tr("Draw a line across a vessel: it tears there when pulled")
+            : Words::tr("The mouse leads the tool, the wheel moves it in depth"),
+        6000);
 }
 
 void MainWindow::take_tool(const std::string& kind) {

@@ -13,6 +13,7 @@
 #include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -22,21 +23,26 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };
-    callbacks.failed = [this](const Failure& failure) { fail("Reading the CT", failure); };
+    callbacks.failed = [this](const Failure& failure) {
+        fail(Words::tr("Reading the CT"), failure);
+    };
     callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,
                             VesselPen::Answered answered) {
-        if (review_->reviewing()) return answered({false, "Not drawn: end the review first"});
+        if (review_->reviewing())
+            return answered({false, Words::tr("Not drawn: end the review first").toStdString()});
         editing_->draw(ct, places, std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
     callbacks.correct = [this](const Vec3& place) {
         if (review_->reviewing())
-            return messages_->show_notice("Nothing is corrected during a review: end it first");
+            return messages_->show_notice(
+                Words::tr("Nothing is corrected during a review: end it first"));
         editing_->click_at(place);
     };
     callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
         if (review_->reviewing())
-            return messages_->show_notice("Nothing is rebuilt during a review: end it first");
+            return messages_->show_notice(
+                Words::tr("Nothing is rebuilt during a review: end it first"));
         messages_->dismiss();
         keeper_->remake(std::move(ct), std::move(vessels));
     };
@@ -66,9 +72,9 @@ void MainWindow::build_editing() {
                 view_->draw_again();
             },
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
-            [this](const Failure& failure) { fail("Drawing a vessel", failure); },
+            [this](const Failure& failure) { fail(Words::tr("Drawing a vessel"), failure); },
             [this](const QString& text) {
-                log_->add_warning("Corrections", text);
+                log_->add_warning(Words::tr("Corrections"), text);
                 messages_->show_notice(text);
             }});
 }

@@ -2,10 +2,13 @@
 // What stands around the vessels in the view, what is measured there, and how window and view look.
 #include <QActionGroup>
 #include <QApplication>
+#include <QMenu>
+#include <QMenuBar>
 #include <QStatusBar>
 #include <array>
 #include <utility>
 
+#include "ui/language.h"
 #include "ui/liver_keeper.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -13,6 +16,7 @@
 #include "ui/theme.h"
 #include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -25,11 +29,13 @@ void MainWindow::connect_context() {
         view_->draw_again();
     };
     screen.none = [this] {
-        messages_->show_notice(
+        messages_->show_notice(Words::tr(
             "This case knows no liver. Reconstruct the CT, with a mask of the liver where the "
-            "program does not find it by itself.");
+            "program does not find it by itself."));
     };
-    screen.failed = [this](const Failure& failure) { fail("The liver's surface", failure); };
+    screen.failed = [this](const Failure& failure) {
+        fail(Words::tr("The liver's surface"), failure);
+    };
     liver_ = std::make_unique<LiverKeeper>(std::move(screen));
     actions_->on(ActionId::toggle_liver, [this, &liver] {
         view_->scene().set_liver_visible(liver.isChecked());
@@ -68,6 +74,35 @@ void MainWindow::connect_themes() {
         });
     }
     view_->scene().set_look(now.view);
+}
+
+// A language holds for widgets that are made from then on: the window is made anew.
+void MainWindow::connect_languages() {
+    auto* menu = new QMenu(Words::tr("Lang&uage"), this);
+    auto* group = new QActionGroup(menu);
+    for (const Language& language : languages()) {
+        const QString code = language.code;
+        QAction* action = group->addAction(code.isEmpty() ? Words::tr(language.name)
+                                                          : QString::fromUtf8(language.name));
+        action->setObjectName("language_" + code);
+        action->setCheckable(true);
+        action->setChecked(code == settings_.language());
+        menu->addAction(action);
+        connect(action, &QAction::triggered, this, [this, code] { speak(code); });
+    }
+    QMenu* views = menuBar()->actions().at(2)->menu();
+    views->addSeparator();
+    views->addMenu(menu);
+}
+
+void MainWindow::speak(const QString& code) {
+    settings_.set_language(code);
+    const QString text = Words::tr("The window speaks the other language from its next start on.");
+    if (!begin_anew_) return messages_->show_notice(text);
+    messages_->show_notice(text, Words::tr("Start it anew now"), [this] {
+        begins_anew_ = true;
+        close();
+    });
 }
 
 void MainWindow::connect_measuring() {

@@ -9,6 +9,9 @@
 #include <QToolButton>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 
 MessageBar::MessageBar(QWidget* parent)
@@ -25,7 +28,7 @@ MessageBar::MessageBar(QWidget* parent)
     auto* close = new QToolButton(this);
     close->setText("✕");
     close->setAutoRaise(true);
-    close->setAccessibleName("Dismiss");
+    close->setAccessibleName(Words::tr("Dismiss"));
     connect(close, &QToolButton::clicked, this, [this] { dismiss(); });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 8, 8);
@@ -36,11 +39,9 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::show_failure(const Failure& failure) {
-    const auto escaped = [](const std::string& text) {
-        return QString::fromStdString(text).toHtmlEscaped();
-    };
+    const auto escaped = [](const std::string& text) { return translated(text).toHtmlEscaped(); };
     QString html = "<b>" + escaped(failure.problem) + "</b>";
-    if (!failure.place.empty()) html += "<br>in " + escaped(failure.place);
+    if (!failure.place.empty()) html += "<br>" + Words::tr("in %1").arg(escaped(failure.place));
     if (!failure.remedy.empty()) html += "<br>" + escaped(failure.remedy);
     show_as("failure", html);
 }

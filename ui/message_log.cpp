@@ -11,6 +11,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -32,13 +35,14 @@ class WrappingDelegate : public QStyledItemDelegate {
 }  // namespace
 
 MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget(this)) {
-    setWindowTitle("Messages");
+    setWindowTitle(Words::tr("Messages"));
     resize(820, 380);
-    list_->setHeaderLabels({"Time", "Kind", "About", "Message"});
+    list_->setHeaderLabels(
+        {Words::tr("Time"), Words::tr("Kind"), Words::tr("About"), Words::tr("Message")});
     list_->setRootIsDecorated(false);
     list_->setWordWrap(true);
     list_->setTextElideMode(Qt::ElideNone);
-    list_->setAccessibleName("Messages");
+    list_->setAccessibleName(Words::tr("Messages"));
     for (int column = 0; column < 3; ++column)
         list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
@@ -46,7 +50,7 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
     connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeWidget::doItemsLayout,
             Qt::QueuedConnection);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    QPushButton* copy = buttons->addButton("Copy all", QDialogButtonBox::ActionRole);
+    QPushButton* copy = buttons->addButton(Words::tr("Copy all"), QDialogButtonBox::ActionRole);
     connect(copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(as_text()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
@@ -56,14 +60,14 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
 }
 
 void MessageLog::add_warning(const QString& source, const QString& text) {
-    add("Warning", source, text);
+    add(Words::tr("Warning"), source, text);
 }
 
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
-    QString text = QString::fromStdString(failure.problem);
-    if (!failure.place.empty()) text.prepend(QString::fromStdString(failure.place) + ": ");
-    if (!failure.remedy.empty()) text += ". " + QString::fromStdString(failure.remedy);
-    add("Failure", source, text);
+    QString text = translated(failure.problem);
+    if (!failure.place.empty()) text.prepend(translated(failure.place) + ": ");
+    if (!failure.remedy.empty()) text += ". " + translated(failure.remedy);
+    add(Words::tr("Failure"), source, text);
 }
 
 void MessageLog::add(const QString& kind, const QString& source, const QString& text) {

@@ -6,6 +6,8 @@
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -40,55 +42,59 @@ void prepare_opengl() {
 QString display_problem() {
     const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
     if (platform.startsWith("wayland")) {
-        return "QT_QPA_PLATFORM asks for Wayland, where the three-dimensional view cannot draw: it "
-               "needs GLX. Unset QT_QPA_PLATFORM; the window then comes through Xwayland, which "
-               "the "
-               "package xwayland installs.";
+        return Words::tr(
+            "QT_QPA_PLATFORM asks for Wayland, where the three-dimensional view cannot draw: it "
+            "needs GLX. Unset QT_QPA_PLATFORM; the window then comes through Xwayland, which "
+            "the package xwayland installs.");
     }
     if (!platform.startsWith("xcb") || x_display_answers()) return {};
-    const QString other = "; hepatica-cli makes pictures without any display.";
+    const QString other = Words::tr("hepatica-cli makes pictures without any display.");
     if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        return "This is a Wayland session without an X server, and the three-dimensional view "
-               "needs one. Install the package xwayland and log in again" +
-               other;
+        return Words::tr(
+                   "This is a Wayland session without an X server, and the three-dimensional view "
+                   "needs one. Install the package xwayland and log in again; %1")
+            .arg(other);
     }
     if (qEnvironmentVariableIsEmpty("DISPLAY")) {
-        return "There is no display: the variable DISPLAY is not set. Start the program in a "
-               "graphical session, or under xvfb-run" +
-               other;
+        return Words::tr(
+                   "There is no display: the variable DISPLAY is not set. Start the program in a "
+                   "graphical session, or under xvfb-run; %1")
+            .arg(other);
     }
-    return "The display " + qEnvironmentVariable("DISPLAY") +
-           " cannot be reached. Set DISPLAY to that of your graphical session, allow this user "
-           "there (xhost), or start under xvfb-run" +
-           other;
+    return Words::tr(
+               "The display %1 cannot be reached. Set DISPLAY to that of your graphical session, "
+               "allow this user "
+               "there (xhost), or start under xvfb-run; %2")
+        .arg(qEnvironmentVariable("DISPLAY"), other);
 }
 
 QString opengl_problem() {
-    const QString remedy =
+    const QString remedy = Words::tr(
         "Install libgl1-mesa-dri (software rendering) or your graphics card's driver, and start "
-        "the program on an X11 display with GLX. hepatica-cli makes pictures without any display.";
+        "the program on an X11 display with GLX. hepatica-cli makes pictures without any display.");
     QOpenGLContext context;
-    if (!context.create()) return "No OpenGL context can be made. " + remedy;
+    if (!context.create()) return Words::tr("No OpenGL context can be made. %1").arg(remedy);
     if (context.nativeInterface<QNativeInterface::QGLXContext>() == nullptr) {
-        return "OpenGL does not come through GLX here, which the three-dimensional view needs. "
-               "Unset QT_QPA_PLATFORM and QT_XCB_GL_INTEGRATION, and start the program on an X11 "
-               "display with GLX (under Wayland: install xwayland).";
+        return Words::tr(
+            "OpenGL does not come through GLX here, which the three-dimensional view needs. "
+            "Unset QT_QPA_PLATFORM and QT_XCB_GL_INTEGRATION, and start the program on an X11 "
+            "display with GLX (under Wayland: install xwayland).");
     }
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface)) {
-        return "OpenGL cannot draw on this display. " + remedy;
+        return Words::tr("OpenGL cannot draw on this display. %1").arg(remedy);
     }
     const auto version = context.format().version();
     context.doneCurrent();
     if (version < qMakePair(major_version, minor_version)) {
-        return QString("OpenGL %1.%2 is too old; %3.%4 is needed. ")
-                   .arg(version.first)
-                   .arg(version.second)
-                   .arg(major_version)
-                   .arg(minor_version) +
-               remedy;
+        return Words::tr("OpenGL %1.%2 is too old; %3.%4 is needed. %5")
+            .arg(version.first)
+            .arg(version.second)
+            .arg(major_version)
+            .arg(minor_version)
+            .arg(remedy);
     }
     return {};
 }

@@ -6,6 +6,8 @@
 #include <QString>
 #include <filesystem>
 
+#include "ui/words.h"
+
 namespace hepatica {
 
 inline std::filesystem::path to_path(const QString& text) {
@@ -25,13 +27,14 @@ inline bool same_place(const std::filesystem::path& a, const std::filesystem::pa
 
 // For file dialogs.
 inline QString volume_filter() {
-    return "Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)";
+    return Words::tr("Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)");
 }
 
 // What "Open CT file" offers: a case in one file is no folder, as cases are else.
 inline QString openable_filter() {
-    return "Volumes and cases in one file (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr *.hepz);;"
-           "All files (*)";
+    return Words::tr(
+        "Volumes and cases in one file (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr *.hepz);;"
+        "All files (*)");
 }
 
 }  // namespace hepatica

@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/opening/patient_image.h"
+#include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -55,8 +57,9 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     const std::filesystem::path& path = request.reconstruct.ct;
     QueuedJob job;
     job.kind = JobKind::open;
-    job.title =
-        request.built_in ? "Opening the built-in patient" : "Opening " + path.filename().string();
+    job.title = (request.built_in ? Words::tr("Opening the built-in patient")
+                                  : Words::tr("Opening %1").arg(to_text(path.filename())))
+                    .toStdString();
     job.begin = [this, request]() -> BackgroundJob::Work {
         written_.clear();
         return [this, request](Job& progress) -> std::function<void()> {
@@ -77,7 +80,7 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
         screen_.not_opened();
     };
     job.cancelled = [this] {
-        screen_.say("Cancelled");
+        screen_.say(Words::tr("Cancelled").toStdString());
         screen_.not_opened();
     };
     jobs_.replace(std::move(job));
@@ -87,7 +90,7 @@ void PatientKeeper::choose_series(OpenRequest request,
                                   const std::vector<SeriesDescription>& series) {
     const std::optional<int> chosen = questions_.which_series(series);
     if (!chosen) {
-        screen_.say("Cancelled");
+        screen_.say(Words::tr("Cancelled").toStdString());
         return screen_.not_opened();
     }
     request.reconstruct.series = *chosen;
@@ -118,7 +121,8 @@ void PatientKeeper::add(const TreeEdit& edit) {
 // Going back and forth means nothing while the patient is being exchanged.
 bool PatientKeeper::waits_for_remaking() const {
     if (!jobs_.holds(JobKind::remake)) return false;
-    screen_.say("The vessels are being rebuilt: undo and redo wait for that");
+    screen_.say(
+        Words::tr("The vessels are being rebuilt: undo and redo wait for that").toStdString());
     return true;
 }
 
@@ -140,7 +144,7 @@ void PatientKeeper::correct() {
     if (!workspace_.awaits_body()) return jobs_.drop(JobKind::correct);
     QueuedJob job;
     job.kind = JobKind::correct;
-    job.title = "Correcting the tree";
+    job.title = Words::tr("Correcting the tree").toStdString();
     job.begin = [this] { return correction(); };
     job.failed = [this, title = job.title](const Failure& failure) {
         stay_with_shown_body();
@@ -148,7 +152,7 @@ void PatientKeeper::correct() {
     };
     job.cancelled = [this] {
         stay_with_shown_body();
-        screen_.say("The correction was taken back");
+        screen_.say(Words::tr("The correction was taken back").toStdString());
     };
     jobs_.replace(std::move(job));
 }
@@ -157,7 +161,7 @@ void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
     if (!workspace_.has_patient()) return;
     QueuedJob job;
     job.kind = JobKind::remake;
-    job.title = "Rebuilding the vessels";
+    job.title = Words::tr("Rebuilding the vessels").toStdString();
     job.begin = [this, ct = std::move(ct),
                  painted = std::make_shared<const Mask>(std::move(vessels))] {
         return remaking(ct, painted);
@@ -165,7 +169,9 @@ void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
     job.failed = [this, title = job.title](const Failure& failure) {
         screen_.failed(title, failure);
     };
-    job.cancelled = [this] { screen_.say("Not rebuilt: what was painted is still there"); };
+    job.cancelled = [this] {
+        screen_.say(Words::tr("Not rebuilt: what was painted is still there").toStdString());
+    };
     jobs_.replace(std::move(job));
 }
 
@@ -175,7 +181,7 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
             folder = workspace_.folder()](Job& job) -> std::function<void()> {
         constexpr int reading_and_preparing = 3;
         job.expect_stages(reading_and_preparing + remade_stages);
-        job.begin_stage("Reading the voxels");
+        job.begin_stage(Words::id("Reading the voxels"));
         const auto before = std::make_shared<const PatientCase>(whole_case(*patient, folder, job));
         RemadeCase made = ways_.remake(*before, *vessels, *ct, job);
         auto loaded = std::make_shared<LoadedPatient>(
@@ -192,7 +198,7 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
 void PatientKeeper::take_back_remaking() {
     QueuedJob job;
     job.kind = JobKind::remake;
-    job.title = "Taking the rebuilding back";
+    job.title = Words::tr("Taking the rebuilding back").toStdString();
     job.begin = [this]() -> BackgroundJob::Work {
         return [this, before = workspace_.before_remaking()](Job& job) -> std::function<void()> {
             if (before == nullptr) return [] {};  // something else was done meanwhile
@@ -208,7 +214,7 @@ void PatientKeeper::take_back_remaking() {
     job.failed = [this, title = job.title](const Failure& failure) {
         screen_.failed(title, failure);
     };
-    job.cancelled = [this] { screen_.say("Cancelled"); };
+    job.cancelled = [this] { screen_.say(Words::tr("Cancelled").toStdString()); };
     jobs_.replace(std::move(job));
 }
 
@@ -248,7 +254,8 @@ BackgroundJob::Work PatientKeeper::correction() {
             workspace_.show_body(loaded ? loaded->patient : patient);
             if (loaded) screen_.show(std::move(*loaded), true);
             if (!refused.empty()) go_ = nullptr;
-            for (const Failure& failure : refused) screen_.failed("Correcting the tree", failure);
+            for (const Failure& failure : refused)
+                screen_.failed(Words::tr("Correcting the tree").toStdString(), failure);
             screen_.changed();
         };
     };
@@ -280,7 +287,7 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
     if (!workspace_.has_patient()) return;
     QueuedJob job;
     job.kind = JobKind::save;
-    job.title = "Saving " + folder.filename().string();
+    job.title = Words::tr("Saving %1").arg(to_text(folder.filename())).toStdString();
     job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal()] {
         return writing(folder);
     };
@@ -290,7 +297,7 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
     };
     job.cancelled = [this] {
         go_ = nullptr;
-        screen_.say("Not saved");
+        screen_.say(Words::tr("Not saved").toStdString());
     };
     jobs_.add(std::move(job));
 }
@@ -298,7 +305,7 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
 BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
     return [this, folder, patient = workspace_.patient(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
-        job.begin_stage("Writing the case");
+        job.begin_stage(Words::id("Writing the case"));
         const PatientCase whole = whole_case(*patient, voxels, job);
         ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
@@ -306,7 +313,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
             written_.insert(folder);
             screen_.remember(folder);
             screen_.changed();
-            screen_.say("Saved " + folder.string());
+            screen_.say(Words::tr("Saved %1").arg(to_text(folder)).toStdString());
         };
     };
 }

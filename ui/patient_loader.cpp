@@ -7,12 +7,13 @@
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
 #include "ui/window_words.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
     LoadedPatient loaded;
-    job.begin_stage("Preparing the play");
+    job.begin_stage(Words::id("Preparing the play"));
     loaded.anatomy = SurfaceAnatomy(patient->tree, patient->mesh.vertices_mm, job);
     loaded.flow_shares = flow_shares(patient->tree);
     auto session = std::make_unique<Session>(patient, default_scene(), job);

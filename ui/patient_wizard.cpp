@@ -17,7 +17,9 @@
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
 #include "ui/background_job.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -27,8 +29,8 @@ void add_seeds(const QLineEdit& edit, const std::string& field, VascularSystem s
                std::vector<VesselSeed>& seeds) {
     const std::vector<double> numbers = numbers_in(edit.text(), field);
     if (numbers.size() % 3 != 0) {
-        throw InputError("a seed is three numbers", field,
-                         "write x y z in mm for each seed, or leave it empty");
+        throw InputError(Words::id("a seed is three numbers"), field,
+                         Words::id("write x y z in mm for each seed, or leave it empty"));
     }
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
         seeds.push_back({Vec3(numbers[i], numbers[i + 1], numbers[i + 2]), system});
@@ -44,8 +46,8 @@ std::vector<double> numbers_in(const QString& text, const std::string& field) {
         bool understood = false;
         const double number = part.replace(',', '.').toDouble(&understood);
         if (!understood || !std::isfinite(number)) {
-            throw InputError("\"" + part.toStdString() + "\" is no number", field,
-                             "separate numbers by blanks or semicolons");
+            throw InputError(Words::tr("“%1” is no number").arg(part).toStdString(), field,
+                             Words::id("separate numbers by blanks or semicolons"));
         }
         numbers.push_back(number);
     }
@@ -58,31 +60,34 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
       form_(new QFormLayout),
       series_(new QComboBox(this)),
       problem_(new QLabel(this)) {
-    setWindowTitle("Reconstruct a patient");
+    setWindowTitle(Words::tr("Reconstruct a patient"));
     setMinimumWidth(560);
     auto* column = new QVBoxLayout(this);
-    ct_ = add_path(*form_, "CT (folder or file)", true);
+    ct_ = add_path(*form_, Words::tr("CT (folder or file)"), true);
     ct_->setObjectName("ct");
     connect(ct_, &QLineEdit::editingFinished, this, [this] { look_for_series(); });
     series_->setObjectName("series");
     series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    series_->setToolTip("Of the folder; the first shows the liver's vessels best");
-    form_->addRow("Series", series_);
+    series_->setToolTip(Words::tr("Of the folder; the first shows the liver's vessels best"));
+    form_->addRow(Words::tr("Series"), series_);
     offer({});
-    liver_mask_ = add_path(*form_, "Liver mask", false);
+    liver_mask_ = add_path(*form_, Words::tr("Liver mask"), false);
     liver_mask_->setObjectName("liverMask");
-    liver_mask_->setPlaceholderText("optional: speeds up and steadies the segmentation");
-    vessel_mask_ = add_path(*form_, "Vessel mask", false);
+    liver_mask_->setPlaceholderText(Words::tr("optional: speeds up and steadies the segmentation"));
+    vessel_mask_ = add_path(*form_, Words::tr("Vessel mask"), false);
     vessel_mask_->setObjectName("vesselMask");
-    vessel_mask_->setPlaceholderText("optional: replaces the segmentation");
+    vessel_mask_->setPlaceholderText(Words::tr("optional: replaces the segmentation"));
     window_ = new QLineEdit(this);
     window_->setObjectName("window");
-    window_->setPlaceholderText("optional: lowest and highest HU of the vessels, as 140 260");
-    form_->addRow("Window (HU)", window_);
-    for (const auto& [seeds, label] : {std::pair(&portal_seeds_, "Portal vein seeds"),
-                                       std::pair(&hepatic_seeds_, "Hepatic vein seeds")}) {
+    window_->setPlaceholderText(
+        Words::tr("optional: lowest and highest HU of the vessels, as 140 260"));
+    form_->addRow(Words::tr("Window (HU)"), window_);
+    for (const auto& [seeds, label] :
+         {std::pair(&portal_seeds_, Words::tr("Portal vein seeds")),
+          std::pair(&hepatic_seeds_, Words::tr("Hepatic vein seeds"))}) {
         *seeds = new QLineEdit(this);
-        (*seeds)->setPlaceholderText("optional: x y z in LPS mm; next seed after a semicolon");
+        (*seeds)->setPlaceholderText(
+            Words::tr("optional: x y z in LPS mm; next seed after a semicolon"));
         form_->addRow(label, *seeds);
     }
     portal_seeds_->setObjectName("portalSeeds");
@@ -92,7 +97,7 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     problem_->setWordWrap(true);
     column->addWidget(problem_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    QPushButton* go = buttons->addButton("Reconstruct", QDialogButtonBox::AcceptRole);
+    QPushButton* go = buttons->addButton(Words::tr("Reconstruct"), QDialogButtonBox::AcceptRole);
     go->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
@@ -100,8 +105,9 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
             options();
             accept();
         } catch (const Error& error) {
-            problem_->setText(QString::fromStdString(error.place() + ": " + error.problem() + ". " +
-                                                     error.remedy()));
+            problem_->setText(QString("%1: %2. %3")
+                                  .arg(translated(error.place()), translated(error.problem()),
+                                       translated(error.remedy())));
         }
     });
     column->addWidget(buttons);
@@ -124,8 +130,8 @@ QLineEdit* PatientWizard::add_path(QFormLayout& form, const QString& label, bool
         });
         row->addWidget(button);
     };
-    if (folders_too) add_button("Folder…", true);
-    add_button("File…", false);
+    if (folders_too) add_button(Words::tr("Folder…"), true);
+    add_button(Words::tr("File…"), false);
     form.addRow(label, row);
     return edit;
 }
@@ -157,11 +163,12 @@ void PatientWizard::look_for_series() {
 void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     series_->clear();
     for (const SeriesDescription& one : series) {
-        QString text = QString("%1: %2, %3 images")
+        QString text = Words::tr("%1: %2, %3 images")
                            .arg(series_->count() + 1)
                            .arg(QString::fromStdString(one.description))
                            .arg(one.slices);
-        if (one.spacing_mm > 0.0) text += QString(", %1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
+        if (one.spacing_mm > 0.0)
+            text += Words::tr(", %L1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
         for (const std::string& word : {one.kernel, one.phase})
             if (!word.empty()) text += ", " + QString::fromStdString(word);
         series_->addItem(text);
@@ -174,21 +181,25 @@ void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
 ReconstructOptions PatientWizard::options() const {
     ReconstructOptions options;
     if (ct_->text().trimmed().isEmpty()) {
-        throw InputError("nothing is chosen", "CT", "choose a DICOM folder or a volume file");
+        throw InputError(Words::id("nothing is chosen"), "CT",
+                         Words::id("choose a DICOM folder or a volume file"));
     }
     options.ct = to_path(ct_->text().trimmed());
     if (series_->count() > 1) options.series = series_->currentIndex() + 1;
     if (!liver_mask_->text().isEmpty()) options.liver_mask = to_path(liver_mask_->text());
     if (!vessel_mask_->text().isEmpty()) options.vessel_mask = to_path(vessel_mask_->text());
-    const std::vector<double> window = numbers_in(window_->text(), "Window");
+    const std::vector<double> window = numbers_in(window_->text(), Words::id("Window"));
     if (window.size() == 2 && window[0] < window[1]) {
         options.window_hu = {window[0], window[1]};
     } else if (!window.empty()) {
-        throw InputError("a window is two numbers, the lower one first", "Window",
-                         "write for example 140 260, or leave it empty");
+        throw InputError(Words::id("a window is two numbers, the lower one first"),
+                         Words::id("Window"),
+                         Words::id("write for example 140 260, or leave it empty"));
     }
-    add_seeds(*portal_seeds_, "Portal vein seeds", VascularSystem::portal, options.seeds);
-    add_seeds(*hepatic_seeds_, "Hepatic vein seeds", VascularSystem::hepatic, options.seeds);
+    add_seeds(*portal_seeds_, Words::id("Portal vein seeds"), VascularSystem::portal,
+              options.seeds);
+    add_seeds(*hepatic_seeds_, Words::id("Hepatic vein seeds"), VascularSystem::hepatic,
+              options.seeds);
     return options;
 }
 

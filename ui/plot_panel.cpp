@@ -12,7 +12,9 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "render/annotations.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -103,7 +105,7 @@ void PlotView::paint_axes(QPainter& painter) const {
         painter.drawLine(foot, QPointF(foot.x(), area.top()));
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(foot.x() - 30, foot.y() + 3, 60, 16), Qt::AlignCenter,
-                         QString::number(x));
+                         QLocale().toString(x));
     }
     for (const double y : axis_ticks(y_end_)) {
         const QPointF foot = place(0, y);
@@ -111,12 +113,12 @@ void PlotView::paint_axes(QPainter& painter) const {
         painter.drawLine(foot, QPointF(area.right(), foot.y()));
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(0, foot.y() - 8, area.left() - 6, 16),
-                         Qt::AlignRight | Qt::AlignVCenter, QString::number(y));
+                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(y));
     }
     painter.drawText(QRectF(area.left(), 4, area.width(), 18), Qt::AlignLeft,
-                     QString::fromStdString(chart_.y_label));
+                     translated(chart_.y_label));
     painter.drawText(QRectF(area.left(), height() - 20.0, area.width(), 16), Qt::AlignCenter,
-                     QString::fromStdString(chart_.x_label));
+                     translated(chart_.x_label));
 }
 
 void PlotView::paint_curves(QPainter& painter) const {
@@ -149,7 +151,7 @@ void PlotView::paint_dots(QPainter& painter, const Curve& curve) const {
 void PlotView::paint_names(QPainter& painter) const {
     qreal right = frame().right();
     for (std::size_t c = chart_.curves.size(); c-- > 0;) {
-        const QString name = QString::fromStdString(chart_.curves[c].name);
+        const QString name = translated(chart_.curves[c].name);
         const qreal wide = painter.fontMetrics().horizontalAdvance(name);
         painter.setPen(colour_of(c));
         painter.drawText(QRectF(right - wide, 4, wide, 18), Qt::AlignLeft, name);
@@ -184,8 +186,8 @@ PlotPanel::PlotPanel(QWidget* parent)
       left_(new PlotView(this)),
       right_(new PlotView(this)),
       tear_(new PlotView(this)),
-      save_picture_(new QPushButton("Save picture…", this)),
-      save_table_(new QPushButton("Save table…", this)) {
+      save_picture_(new QPushButton(Words::tr("Save picture…"), this)),
+      save_table_(new QPushButton(Words::tr("Save table…"), this)) {
     auto* row = new QHBoxLayout(this);
     row->addWidget(left_, 1);
     row->addWidget(right_, 1);
@@ -225,9 +227,15 @@ void PlotPanel::show_some() {
 }
 
 void PlotPanel::clear() {
-    pressure_ = {"Pressure at the catheter", "Time (s)", "Pressure at the catheter (Pa)", {}};
+    pressure_ = {Words::id("Pressure at the catheter"),
+                 Words::id("Time (s)"),
+                 Words::id("Pressure at the catheter (Pa)"),
+                 {}};
     left_->set_chart(in_units(pressure_, units_));
-    right_->set_chart({"Delivery", "Time (s)", "Drug that has passed the ends (%)", {}});
+    right_->set_chart({Words::id("Delivery"),
+                       Words::id("Time (s)"),
+                       Words::id("Drug that has passed the ends (%)"),
+                       {}});
     set_time({});
     injected_ = false;
     set_tear({}, {});
@@ -253,8 +261,8 @@ void PlotPanel::save_picture(const QString& file) {
     render(&picture, QPoint(), QRegion(shown));
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
-            throw InputError("the plots cannot be written", file.toStdString(),
-                             "choose a folder you may write to, on a disk with room");
+            throw InputError(Words::id("the plots cannot be written"), file.toStdString(),
+                             Words::id("choose a folder you may write to, on a disk with room"));
         }
     });
 }

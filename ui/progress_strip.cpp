@@ -7,6 +7,9 @@
 #include <QPushButton>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 
 ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
@@ -15,7 +18,7 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
       stage_(new QLabel(this)),
       waiting_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      cancel_(new QPushButton("Cancel", this)) {
+      cancel_(new QPushButton(Words::tr("Cancel"), this)) {
     setObjectName("progressStrip");
     stage_->setObjectName("quiet");
     waiting_->setObjectName("quiet");
@@ -46,14 +49,15 @@ void ProgressStrip::start(const QString& title) {
 }
 
 void ProgressStrip::show_waiting(int jobs) {
-    waiting_->setText(jobs == 0 ? QString() : QString("%1 more to do").arg(jobs));
+    waiting_->setText(jobs == 0 ? QString() : Words::tr("%n more to do", nullptr, jobs));
 }
 
 void ProgressStrip::update_progress(const JobProgress& progress) {
     if (!cancel_->isEnabled()) return;
-    QString stage = QString::fromStdString(progress.stage);
+    QString stage = translated(progress.stage);
     if (progress.stage_count > 0 && progress.stage_number > 0) {
-        stage += QString("  (%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
+        stage +=
+            "  " + Words::tr("(%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
     }
     stage_->setText(stage);
     bar_->setRange(0, 1000);
@@ -61,7 +65,7 @@ void ProgressStrip::update_progress(const JobProgress& progress) {
 }
 
 void ProgressStrip::say_cancelling() {
-    stage_->setText("Cancelling…");
+    stage_->setText(Words::tr("Cancelling…"));
     cancel_->setEnabled(false);
 }
 

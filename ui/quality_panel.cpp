@@ -14,7 +14,9 @@
 
 #include "core/base/units.h"
 #include "core/scene/scene_spec.h"
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -27,7 +29,7 @@ const double tissue_pa_per_mm2 = DeformSpec{}.tether_pa_per_mm2;
 QString percent_text(double share) {
     const double percent = 100.0 * share;
     const int decimals = percent >= 10.0 ? 0 : percent >= 1.0 ? 1 : 2;
-    return QString::number(percent, 'f', decimals) + " %";
+    return QLocale().toString(percent, 'f', decimals) + " %";
 }
 
 QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
@@ -40,13 +42,13 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
 }
 
 QWidget* QualityPanel::make_dial() {
-    auto* box = new QGroupBox("Speed or accuracy", this);
+    auto* box = new QGroupBox(Words::tr("Speed or accuracy"), this);
     auto* column = new QVBoxLayout(box);
-    automatic_ = new QCheckBox("Automatic: as accurate as this computer can", box);
+    automatic_ = new QCheckBox(Words::tr("Automatic: as accurate as this computer can"), box);
     automatic_->setObjectName("automatic");
     automatic_->setChecked(true);
-    automatic_->setToolTip(
-        "Picks the most accurate setting whose frames are in time; moving the dial ends it");
+    automatic_->setToolTip(Words::tr(
+        "Picks the most accurate setting whose frames are in time; moving the dial ends it"));
     connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
         post_(on ? Command(SetAutomaticQuality{true})
                  : Command(SetQuality{dial_->value() / 100.0}));
@@ -56,15 +58,15 @@ QWidget* QualityPanel::make_dial() {
     dial_->setObjectName("dial");
     dial_->setRange(0, 100);
     dial_->setValue(50);
-    dial_->setAccessibleName("Speed or accuracy");
+    dial_->setAccessibleName(Words::tr("Speed or accuracy"));
     connect(dial_, &QSlider::valueChanged, this, [this](int value) {
         automatic_->setChecked(false);
         post_(SetQuality{value / 100.0});
     });
     column->addWidget(dial_);
     auto* ends = new QHBoxLayout;
-    ends->addWidget(new QLabel("fastest", box));
-    ends->addWidget(new QLabel("most accurate", box), 0, Qt::AlignRight);
+    ends->addWidget(new QLabel(Words::tr("fastest"), box));
+    ends->addWidget(new QLabel(Words::tr("most accurate"), box), 0, Qt::AlignRight);
     column->addLayout(ends);
     error_ = new QLabel(box);
     error_->setWordWrap(true);
@@ -77,14 +79,14 @@ QWidget* QualityPanel::make_dial() {
 }
 
 QWidget* QualityPanel::make_body() {
-    auto* box = new QGroupBox("The vessels, and what acts on them", this);
+    auto* box = new QGroupBox(Words::tr("The vessels, and what acts on them"), this);
     auto* column = new QVBoxLayout(box);
-    gravity_ = new QCheckBox("Gravity (patient on the back)", box);
+    gravity_ = new QCheckBox(Words::tr("Gravity (patient on the back)"), box);
     gravity_->setObjectName("gravity");
     connect(gravity_, &QCheckBox::toggled, this,
             [this](bool on) { post_(SetGravity{Vec3(0, on ? units::standard_gravity : 0.0, 0)}); });
     column->addWidget(gravity_);
-    tether_ = new QCheckBox("Tissue holds the vessels", box);
+    tether_ = new QCheckBox(Words::tr("Tissue holds the vessels"), box);
     tether_->setObjectName("tissue");
     tether_->setChecked(true);
     connect(tether_, &QCheckBox::toggled, this,
@@ -92,17 +94,18 @@ QWidget* QualityPanel::make_body() {
     column->addWidget(tether_);
     wall_ = new DecimalSpinBox(0.0, thickest_wall_mm, 0.0, 2, "mm", box);
     wall_->setObjectName("wall");
-    wall_->setAccessibleName("Thickness of the vessels' wall");
-    wall_->setSpecialValueText("solid");
+    wall_->setAccessibleName(Words::tr("Thickness of the vessels' wall"));
+    wall_->setSpecialValueText(Words::tr("solid"));
     wall_->setSingleStep(0.1);
-    wall_->setToolTip(QString("Vessels bend like pipes with a wall this thick, from %1 to %2 mm; "
-                              "0, or more than the radius, is solid")
-                          .arg(thinnest_wall_mm)
-                          .arg(thickest_wall_mm));
+    wall_->setToolTip(
+        Words::tr("Vessels bend like pipes with a wall this thick, from %L1 to %L2 mm; "
+                  "0, or more than the radius, is solid")
+            .arg(thinnest_wall_mm)
+            .arg(thickest_wall_mm));
     connect(wall_, &QDoubleSpinBox::valueChanged, this,
             [this](double wall_mm) { post_(SetWall{wall_mm}); });
     auto* form = new QFormLayout;
-    form->addRow("Vessel wall", wall_);
+    form->addRow(Words::tr("Vessel wall"), wall_);
     column->addLayout(form);
     return box;
 }
@@ -116,22 +119,24 @@ void QualityPanel::post_choices() {
 
 void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     if (statistics.expected_error > 0.0) {
-        const QString against = QString::fromStdString(statistics.error_reference);
-        error_->setText("Expected error " + percent_text(statistics.expected_error) +
-                        (against.isEmpty() ? QString() : " against " + against));
+        const QString against = translated(statistics.error_reference);
+        const QString error = percent_text(statistics.expected_error);
+        error_->setText(against.isEmpty()
+                            ? Words::tr("Expected error %1").arg(error)
+                            : Words::tr("Expected error %1 against %2").arg(error, against));
     } else {
-        error_->setText("Expected error: not measured for this scene");
+        error_->setText(Words::tr("Expected error: not measured for this scene"));
     }
     if (automatic_->isChecked() && statistics.automatic && !dial_->isSliderDown()) {
         const QSignalBlocker silent(dial_);
         dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
     }
-    solver_->setText(statistics.setting.empty()
-                         ? QString()
-                         : QString("%1; %2 iterations a step%3")
-                               .arg(QString::fromStdString(statistics.setting))
-                               .arg(statistics.linear_iterations)
-                               .arg(statistics.degraded ? ", degraded" : ""));
+    solver_->setText(
+        statistics.setting.empty()
+            ? QString()
+            : Words::tr("%1; %n iteration(s) a step", nullptr, statistics.linear_iterations)
+                      .arg(translated(statistics.setting)) +
+                  (statistics.degraded ? Words::tr(", degraded") : QString()));
 }
 
 }  // namespace hepatica

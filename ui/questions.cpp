@@ -3,18 +3,20 @@
 
 #include <QMessageBox>
 
+#include "ui/core_words.h"
 #include "ui/save_case_dialog.h"
 #include "ui/series_dialog.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
 UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
     QMessageBox box(QMessageBox::Question, "Hepatica",
-                    QString::fromStdString(title) + " holds changes that are not saved.",
+                    Words::tr("%1 holds changes that are not saved.").arg(translated(title)),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
     box.setInformativeText(
-        "Save them as a case? Corrections that are still being made are waited for.");
+        Words::tr("Save them as a case? Corrections that are still being made are waited for."));
     box.setDefaultButton(QMessageBox::Save);
     box.setEscapeButton(QMessageBox::Cancel);
     switch (box.exec()) {
@@ -29,7 +31,7 @@ UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
 
 bool ask_replace(QWidget& parent, const QString& name) {
     return QMessageBox::question(
-               &parent, "Hepatica", "There is a case " + name + " already. Replace it?",
+               &parent, "Hepatica", Words::tr("There is a case %1 already. Replace it?").arg(name),
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 

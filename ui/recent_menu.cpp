@@ -4,10 +4,14 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "ui/words.h"
+
 namespace hepatica {
 
 RecentMenu::RecentMenu(Settings& settings, Callbacks callbacks, QWidget* parent)
-    : QMenu("Open &recent", parent), settings_(settings), callbacks_(std::move(callbacks)) {
+    : QMenu(Words::tr("Open &recent"), parent),
+      settings_(settings),
+      callbacks_(std::move(callbacks)) {
     connect(this, &QMenu::aboutToShow, this, [this] { fill(); });
 }
 
@@ -16,11 +20,11 @@ void RecentMenu::fill() {
     for (const QString& path : settings_.recent_files()) {
         QString text = path;
         text.replace("&", "&&");
-        addAction(QFileInfo::exists(path) ? text : text + "   (missing)", this,
+        addAction(QFileInfo::exists(path) ? text : text + "   " + Words::tr("(missing)"), this,
                   [this, path] { choose(path); });
     }
     addSeparator();
-    addAction("Clear", this, [this] { settings_.clear_recent_files(); });
+    addAction(Words::tr("Clear"), this, [this] { settings_.clear_recent_files(); });
 }
 
 void RecentMenu::choose(const QString& path) {

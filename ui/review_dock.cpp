@@ -25,6 +25,7 @@
 #include "ui/review_list.h"
 #include "ui/review_play.h"
 #include "ui/time_line.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -60,7 +61,7 @@ struct ReviewDock::Found {
 };
 
 ReviewDock::ReviewDock(Ways ways, QWidget* parent)
-    : QDockWidget("Review", parent), ways_(std::move(ways)) {
+    : QDockWidget(Words::tr("Review"), parent), ways_(std::move(ways)) {
     setObjectName("Review");
     setFeatures(QDockWidget::DockWidgetMovable);
     build();
@@ -103,24 +104,25 @@ QWidget* ReviewDock::build_heading() {
     title_->setObjectName("reviewTitle");
     title_->setMinimumWidth(1);  // a long name is cut
     row->addWidget(title_, 1);
-    compare_ = new QPushButton("Co&mpare with…");
+    compare_ = new QPushButton(Words::tr("Co&mpare with…"));
     compare_->setObjectName("reviewCompare");
-    compare_->setToolTip("Show another recording of this patient beside it");
+    compare_->setToolTip(Words::tr("Show another recording of this patient beside it"));
     connect(compare_, &QPushButton::clicked, this, [this] {
         if (comparing()) return compare({});
         if (const auto other = ways_.ask_for_other()) compare(*other);
     });
     row->addWidget(compare_);
-    auto* film = new QPushButton("Save a &film…");
+    auto* film = new QPushButton(Words::tr("Save a &film…"));
     film->setObjectName("reviewFilm");
-    film->setToolTip("As one MP4 file where ffmpeg is installed, else as a folder of pictures");
+    film->setToolTip(
+        Words::tr("As one MP4 file where ffmpeg is installed, else as a folder of pictures"));
     connect(film, &QPushButton::clicked, this, [this] {
-        if (!complete()) return ways_.say("It is still being gone through.");
+        if (!complete()) return ways_.say(Words::tr("It is still being gone through."));
         set_playing(false);
         ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
     });
     row->addWidget(film);
-    auto* leave_button = new QPushButton("&Leave the review");
+    auto* leave_button = new QPushButton(Words::tr("&Leave the review"));
     leave_button->setObjectName("reviewLeave");
     connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
     row->addWidget(leave_button);
@@ -131,18 +133,19 @@ QWidget* ReviewDock::build_controls() {
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
-    auto* back =
-        add_button(*row, "reviewBack", QStyle::SP_MediaSkipBackward, "To what happened before");
-    play_ = add_button(*row, "reviewPlay", QStyle::SP_MediaPlay, "Play or stop");
-    auto* on = add_button(*row, "reviewOn", QStyle::SP_MediaSkipForward, "To what happens next");
+    auto* back = add_button(*row, "reviewBack", QStyle::SP_MediaSkipBackward,
+                            Words::tr("To what happened before"));
+    play_ = add_button(*row, "reviewPlay", QStyle::SP_MediaPlay, Words::tr("Play or stop"));
+    auto* on = add_button(*row, "reviewOn", QStyle::SP_MediaSkipForward,
+                          Words::tr("To what happens next"));
     connect(back, &QToolButton::clicked, this, [this] { jump(-1); });
     connect(play_, &QToolButton::clicked, this, [this] { set_playing(!playing()); });
     connect(on, &QToolButton::clicked, this, [this] { jump(+1); });
     speed_ = new QComboBox;
     speed_->setObjectName("reviewSpeed");
-    speed_->setAccessibleName("Speed");
-    speed_->setToolTip("How fast it is played; 1 is as it was");
-    for (const double speed : speeds) speed_->addItem(QString("%1 ×").arg(speed));
+    speed_->setAccessibleName(Words::tr("Speed"));
+    speed_->setToolTip(Words::tr("How fast it is played; 1 is as it was"));
+    for (const double speed : speeds) speed_->addItem(QString("%L1 ×").arg(speed));
     speed_->setCurrentIndex(real_time);
     row->addWidget(speed_);
     line_ = new TimeLine;
@@ -161,12 +164,13 @@ QWidget* ReviewDock::build_notes() {
     row->setContentsMargins(0, 0, 0, 0);
     note_ = new QLineEdit;
     note_->setObjectName("reviewNote");
-    note_->setPlaceholderText("A note at this moment; Enter keeps it beside the recording");
-    note_->setAccessibleName("A note at this moment");
+    note_->setPlaceholderText(
+        Words::tr("A note at this moment; Enter keeps it beside the recording"));
+    note_->setAccessibleName(Words::tr("A note at this moment"));
     note_->setMaxLength(2000);
     connect(note_, &QLineEdit::returnPressed, this, [this] { add_note(); });
     row->addWidget(note_, 1);
-    remove_ = new QPushButton("Remove the note");
+    remove_ = new QPushButton(Words::tr("Remove the note"));
     remove_->setObjectName("reviewRemoveNote");
     remove_->setEnabled(false);
     connect(remove_, &QPushButton::clicked, this, [this] { remove_note(); });
@@ -176,8 +180,8 @@ QWidget* ReviewDock::build_notes() {
 
 void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     if (ways_.lesson_runs())
-        return ways_.failed({"a lesson is being played, which this would end", recording.string(),
-                             "Leave the lesson first"});
+        return ways_.failed({Words::id("a lesson is being played, which this would end"),
+                             recording.string(), Words::id("Leave the lesson first")});
     if (reviewing()) leave();
     forget();
     file_ = recording;
@@ -187,7 +191,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     const auto shown = ways_.patient();
-    ways_.say("Reading the recording…");
+    ways_.say(Words::tr("Reading the recording…"));
     job_ = std::make_unique<BackgroundJob>(
         [this, file = recording, lesson, shown](Job& job) -> std::function<void()> {
             Found found;
@@ -205,8 +209,8 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
                     found.request->built_in = true;
                 else
                     throw InputError(
-                        "was played on another patient, of whom no case lies beside it",
-                        file.string(), "Open the case that was played on first");
+                        Words::id("was played on another patient, of whom no case lies beside it"),
+                        file.string(), Words::id("Open the case that was played on first"));
             }
             return [this, found = std::move(found)] { take(found); };
         },
@@ -240,8 +244,9 @@ void ReviewDock::begin() {
     if (recording_ == nullptr || patient == nullptr) return;
     if (hash_of(*patient) != recording_->patient_hash) {
         recording_.reset();
-        return ways_.failed({"was played on another patient, of whom no case lies beside it",
-                             file_.string(), "Open the case that was played on first"});
+        return ways_.failed(
+            {Words::id("was played on another patient, of whom no case lies beside it"),
+             file_.string(), Words::id("Open the case that was played on first")});
     }
     patient_ = patient;
     tape_ = std::make_shared<ReviewTape>();
@@ -267,11 +272,11 @@ void ReviewDock::compare(const fs::path& other) {
     other_tape_.reset();
     other_frame_.reset();
     ways_.beside(nullptr, {});
-    compare_->setText("Co&mpare with…");
+    compare_->setText(Words::tr("Co&mpare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
     other_tape_ = std::make_shared<ReviewTape>();
-    compare_->setText("No &more beside it");
+    compare_->setText(Words::tr("No &more beside it"));
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
     callbacks.failed = [this](const Failure& failure) {
@@ -288,8 +293,8 @@ void ReviewDock::compare(const fs::path& other) {
          tape = other_tape_](Job& job) -> std::function<void()> {
             const Recording recording = read_recording(file);
             if (hash_of(*patient) != recording.patient_hash)
-                throw InputError("was played on another patient", file.string(),
-                                 "Choose a recording of the patient who is shown");
+                throw InputError(Words::id("was played on another patient"), file.string(),
+                                 Words::id("Choose a recording of the patient who is shown"));
             const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
             review(recording, same ? lesson : built_in_lesson_of(recording), patient, *tape, job);
             return [] {};
@@ -319,7 +324,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         screen_->wanted = first;
         screen_->hold = [this] { set_playing(!playing()); };
         screen_->touched = [this] {
-            ways_.say("This is a recording. Leave the review to play yourself.");
+            ways_.say(Words::tr("This is a recording. Leave the review to play yourself."));
         };
         ways_.use(std::make_unique<ReviewPlay>(screen_));
         screen_->gone = [this] { forget(); };
@@ -332,9 +337,10 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         set_playing(true);
     }
     QString name = to_text(file_.filename());
-    if (comparing()) name += ", and beside it " + to_text(other_file_.filename());
+    if (comparing())
+        name = Words::tr("%1, and beside it %2").arg(name, to_text(other_file_.filename()));
     title_->setText(complete() ? name
-                               : QString("%1: %2 % gone through")
+                               : Words::tr("%1: %2 % gone through")
                                      .arg(name)
                                      .arg(static_cast<int>(100.0 * progress.fraction)));
     const QSignalBlocker quiet(line_);
@@ -370,7 +376,7 @@ void ReviewDock::go_to(double at_s) {
     at_s_ = std::clamp(at_s, 0.0, end_s());
     const QSignalBlocker quiet(line_);
     line_->set_at(at_s_);
-    time_->setText(clock_text(at_s_) + " of " + clock_text(end_s()));
+    time_->setText(Words::tr("%1 of %2").arg(clock_text(at_s_), clock_text(end_s())));
     screen_->show_at(at_s_);
     show_other();
 }
@@ -424,7 +430,7 @@ void ReviewDock::forget() {
     other_job_.reset();
     other_frame_.reset();
     if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {});
-    compare_->setText("Co&mpare with…");
+    compare_->setText(Words::tr("Co&mpare with…"));
     if (screen_) screen_->gone = nullptr;
     screen_.reset();
     tape_.reset();

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -55,7 +58,7 @@ struct Row {
 }  // namespace
 
 ReviewList::ReviewList(QWidget* parent) : QListWidget(parent) {
-    setAccessibleName("What happened, and notes");
+    setAccessibleName(Words::tr("What happened, and notes"));
     setMinimumHeight(70);
 }
 
@@ -67,9 +70,9 @@ void ReviewList::fill(std::vector<PlayEvent> events, std::vector<PlayEvent> besi
     notes_ = std::move(notes);
     std::vector<Row> rows;
     for (const PlayEvent& event : events_)
-        rows.push_back({event.at_s, QString::fromStdString(event.text), colour_of(event.kind), -1});
+        rows.push_back({event.at_s, translated(event.text), colour_of(event.kind), -1});
     for (const PlayEvent& event : beside_)
-        rows.push_back({event.at_s, "beside: " + QString::fromStdString(event.text),
+        rows.push_back({event.at_s, Words::tr("beside: %1").arg(translated(event.text)),
                         colour_of(event.kind), -1});
     for (std::size_t i = 0; i < notes_.size(); ++i)
         rows.push_back({notes_[i].at_s, "✎ " + QString::fromStdString(notes_[i].text),

@@ -8,6 +8,7 @@
 
 #include "core/patient/patient_case.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -20,7 +21,7 @@ std::filesystem::path case_folder(const QString& typed) {
 
 SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
                                std::function<bool(const QString&)> may_replace, QWidget* parent)
-    : QFileDialog(parent, "Save case as", folder, "Cases (*.hep *.hepz)"),
+    : QFileDialog(parent, Words::tr("Save case as"), folder, Words::tr("Cases (*.hep *.hepz)")),
       may_replace_(std::move(may_replace)) {
     // The desktop's own dialog would enter the folder, too, and cannot be told otherwise.
     setOption(QFileDialog::DontUseNativeDialog);

@@ -12,17 +12,20 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/core_words.h"
 #include "ui/series_thumbnails.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
 QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
-    const QString spacing =
-        series.spacing_mm > 0.0 ? QString("%1 mm").arg(series.spacing_mm, 0, 'g', 3) : "unknown";
+    const QString spacing = series.spacing_mm > 0.0
+                                ? QString("%L1 mm").arg(series.spacing_mm, 0, 'g', 3)
+                                : Words::tr("unknown");
     const QString why = series.why_not_chosen.empty()
-                            ? "the best for the liver's vessels"
-                            : "of the best, " + QString::fromStdString(series.why_not_chosen);
+                            ? Words::tr("the best for the liver's vessels")
+                            : Words::tr("of the best, %1").arg(translated(series.why_not_chosen));
     const auto warnings = series.warnings.size();
     return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
                                 QString::number(series.slices), spacing,
@@ -69,18 +72,20 @@ class WithoutFocusFrame : public QStyledItemDelegate {
 
 SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget* parent)
     : QDialog(parent), list_(new QTreeWidget(this)), warnings_(new QLabel(this)) {
-    setWindowTitle("Choose a series");
+    setWindowTitle(Words::tr("Choose a series"));
     setMinimumSize(760, 280);
     resize(960, 460);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(new QLabel("The folder holds several CT series. Which one is to be read?"));
+    column->addWidget(
+        new QLabel(Words::tr("The folder holds several CT series. Which one is to be read?")));
     list_->setObjectName("series");
     list_->setRootIsDecorated(false);
     list_->setItemDelegate(new WithoutFocusFrame(list_));
     list_->setWordWrap(true);
     list_->setIconSize(QSize(picture_points, picture_points));
-    list_->setHeaderLabels(
-        {"", "Series", "Images", "Apart", "Kernel", "Phase", tr("Warnings"), "Why"});
+    list_->setHeaderLabels({"", Words::tr("Series"), Words::tr("Images"), Words::tr("Apart"),
+                            Words::tr("Kernel"), Words::tr("Phase"), Words::tr("Warnings"),
+                            Words::tr("Why")});
     for (const SeriesDescription& one : series)
         list_->addTopLevelItem(row_of(one, list_->topLevelItemCount() + 1));
     begin_pictures(series);
@@ -94,7 +99,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     column->addWidget(list_);
     column->addWidget(warnings_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    buttons->addButton("Open", QDialogButtonBox::AcceptRole)->setDefault(true);
+    buttons->addButton(Words::tr("Open"), QDialogButtonBox::AcceptRole)->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     column->addWidget(buttons);
@@ -113,7 +118,7 @@ void SeriesDialog::show_warnings_of(const std::vector<SeriesDescription>& series
         const int row = list_->indexOfTopLevelItem(item);
         if (row >= 0)
             for (const std::string& warning : series[static_cast<std::size_t>(row)].warnings)
-                lines << QString::fromUtf8("\u26A0 ") + QString::fromStdString(warning);
+                lines << QString::fromUtf8("\u26A0 ") + translated(warning);
         warnings_->setText(lines.join("\n"));
         warnings_->setVisible(!lines.empty());
     });
@@ -135,14 +140,15 @@ void SeriesDialog::begin_pictures(const std::vector<SeriesDescription>& series) 
 }
 
 void SeriesDialog::show_picture(int row, const QImage& picture) {
-    QPixmap drawn = picture.isNull() ? placeholder(devicePixelRatioF(), tr("no picture"))
+    QPixmap drawn = picture.isNull() ? placeholder(devicePixelRatioF(), Words::tr("no picture"))
                                      : QPixmap::fromImage(picture);
     drawn.setDevicePixelRatio(devicePixelRatioF());
     QTreeWidgetItem* item = list_->topLevelItem(row);
     item->setIcon(0, untinted(drawn));
-    item->setToolTip(0, picture.isNull() ? tr("The slice in the middle cannot be shown")
-                                         : tr("The slice in the middle, in a window for soft "
-                                              "tissue (L 40, W 400)"));
+    item->setToolTip(0, picture.isNull()
+                            ? Words::tr("The slice in the middle cannot be shown")
+                            : Words::tr("The slice in the middle, in a window for soft "
+                                        "tissue (L 40, W 400)"));
 }
 
 bool SeriesDialog::draws_pictures() const {

@@ -17,6 +17,7 @@ const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
+const char* const language_key = "language";
 const char* const flow_units_key = "flow_units";
 const char* const library_key = "library_folder";
 
@@ -113,6 +114,14 @@ QString Settings::theme() const {
 
 void Settings::set_theme(const QString& name) {
     if (store_) store_->setValue(theme_key, name);
+}
+
+QString Settings::language() const {
+    return store_ ? store_->value(language_key).toString() : QString();
+}
+
+void Settings::set_language(const QString& code) {
+    if (store_) store_->setValue(language_key, code);
 }
 
 QString Settings::flow_units() const {

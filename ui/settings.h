@@ -52,6 +52,10 @@ class Settings {
     QString theme() const;
     void set_theme(const QString& name);
 
+    // See use_language(); empty: the system's.
+    QString language() const;
+    void set_language(const QString& code);
+
     // See flow_units_named(); empty: none was chosen.
     QString flow_units() const;
     void set_flow_units(const QString& name);

@@ -3,7 +3,9 @@
 
 #include <QLabel>
 
+#include "ui/core_words.h"
 #include "ui/quality_panel.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -15,10 +17,11 @@ StatusLine::StatusLine(QStatusBar& bar)
       renderer_(new QLabel(&bar)) {
     step_->setObjectName("step");
     error_->setObjectName("expectedError");
-    step_->setToolTip("Wall time of one step of the simulation");
-    real_time_->setToolTip("Simulated time over wall time: 1 is real time, less is slower");
-    picture_->setToolTip("Time of the last picture, until it was on the screen");
-    renderer_->setToolTip("The OpenGL renderer");
+    step_->setToolTip(Words::tr("Wall time of one step of the simulation"));
+    real_time_->setToolTip(
+        Words::tr("Simulated time over wall time: 1 is real time, less is slower"));
+    picture_->setToolTip(Words::tr("Time of the last picture, until it was on the screen"));
+    renderer_->setToolTip(Words::tr("The OpenGL renderer"));
     for (QLabel* label : {step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
         bar.addPermanentWidget(label);
@@ -26,24 +29,24 @@ StatusLine::StatusLine(QStatusBar& bar)
 }
 
 void StatusLine::show_statistics(const FrameStatistics& statistics) {
-    step_->setText(QString("step %1 ms").arg(statistics.step_ms, 0, 'f', 1));
+    step_->setText(Words::tr("step %L1 ms").arg(statistics.step_ms, 0, 'f', 1));
     real_time_->setText(
-        statistics.paused ? QString("held")
+        statistics.paused ? Words::tr("held")
         : statistics.resting
-            ? QString("at rest")
-            : QString("real time × %1").arg(statistics.real_time_factor, 0, 'f', 2));
+            ? Words::tr("at rest")
+            : Words::tr("real time × %L1").arg(statistics.real_time_factor, 0, 'f', 2));
     QString error;
     if (statistics.expected_error > 0.0) {
-        error = "expected error " + percent_text(statistics.expected_error);
-        error_->setToolTip("Of the present setting of the dial, measured against " +
-                           QString::fromStdString(statistics.error_reference));
+        error = Words::tr("expected error %1").arg(percent_text(statistics.expected_error));
+        error_->setToolTip(Words::tr("Of the present setting of the dial, measured against %1")
+                               .arg(translated(statistics.error_reference)));
     }
     error_->setText(error);
     error_->setVisible(!error.isEmpty());
 }
 
 void StatusLine::show_picture_time(double ms) {
-    picture_->setText(QString("picture %1 ms").arg(ms, 0, 'f', 0));
+    picture_->setText(Words::tr("picture %1 ms").arg(ms, 0, 'f', 0));
 }
 
 void StatusLine::show_renderer(const std::string& name) {

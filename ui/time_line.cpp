@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -24,9 +26,10 @@ int to_ms(double at_s) {
 
 QString clock_text(double at_s) {
     const int tenths = static_cast<int>(std::floor(10.0 * at_s + 1e-6));
-    return QString("%1:%2.%3")
+    return QString("%1:%2%3%4")
         .arg(tenths / 600)
         .arg(tenths / 10 % 60, 2, 10, QChar('0'))
+        .arg(QLocale().decimalPoint())
         .arg(tenths % 10);
 }
 
@@ -34,8 +37,8 @@ TimeLine::TimeLine(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     setRange(0, 0);
     setSingleStep(key_step_ms);
     setPageStep(page_step_ms);
-    setAccessibleName("Time line of the recording");
-    setToolTip("Click or drag to go to a moment; the coloured ticks are what happened");
+    setAccessibleName(Words::tr("Time line of the recording"));
+    setToolTip(Words::tr("Click or drag to go to a moment; the coloured ticks are what happened"));
 }
 
 void TimeLine::set_end(double end_s) {

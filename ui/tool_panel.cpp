@@ -11,7 +11,9 @@
 #include "core/base/units.h"
 #include "core/flow/fluid.h"
 #include "render/tool_actor.h"
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -21,11 +23,11 @@ constexpr double shortest_mm = 2.0, longest_mm = 200.0;
 
 QString bleeding_text(const TearView& tear, FlowUnits units) {
     if (units == FlowUnits::computed)
-        return QString("; bleeds %1 g/s, %2 g so far")
+        return Words::tr("; bleeds %L1 g/s, %L2 g so far")
             .arg(tear.leak_g_s, 0, 'f', 1)
             .arg(tear.leaked_g, 0, 'f', 0);
     const double density_g_mm3 = blood().density_g_mm3;
-    return ToolPanel::tr("; bleeds %1 mL/min, %2 mL so far")
+    return Words::tr("; bleeds %L1 mL/min, %L2 mL so far")
         .arg(ml_min_of(tear.leak_g_s, density_g_mm3), 0, 'f', 0)
         .arg(tear.leaked_g / density_g_mm3 / units::millilitre, 0, 'f', 0);
 }
@@ -36,15 +38,15 @@ ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
     : QWidget(parent), callbacks_(std::move(callbacks)) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_size());
-    auto* felt = new QGroupBox("What it feels", this);
+    auto* felt = new QGroupBox(Words::tr("What it feels"), this);
     auto* lines = new QVBoxLayout(felt);
     force_ = new QLabel(felt);
     force_->setObjectName("toolForce");
-    force_->setAccessibleName("Force on the tool");
+    force_->setAccessibleName(Words::tr("Force on the tool"));
     lines->addWidget(force_);
     grip_ = new QLabel(felt);
     grip_->setObjectName("toolGrip");
-    grip_->setAccessibleName("Force with which the jaws hold");
+    grip_->setAccessibleName(Words::tr("Force with which the jaws hold"));
     lines->addWidget(grip_);
     column->addWidget(felt);
     column->addWidget(make_tear());
@@ -58,54 +60,57 @@ ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
 }
 
 QWidget* ToolPanel::make_size() {
-    auto* box = new QGroupBox("Size", this);
+    auto* box = new QGroupBox(Words::tr("Size"), this);
     auto* form = new QFormLayout(box);
     const ToolSize begin;
-    const auto make = [&](const char* label, const char* name, double least, double most,
+    const auto make = [&](const QString& label, const char* name, double least, double most,
                           double value) {
         auto* field = new DecimalSpinBox(least, most, value, 1, "mm", box);
         field->setObjectName(name);
-        field->setAccessibleName(QString("%1 of the tool").arg(label));
+        field->setAccessibleName(Words::tr("%1 of the tool").arg(label));
         field->setSingleStep(0.5);
         field->setKeyboardTracking(false);  // a number that is half typed is no size
         form->addRow(label, field);
         connect(field, &QDoubleSpinBox::valueChanged, this, [this] { callbacks_.resize(size()); });
         return field;
     };
-    radius_ = make("Radius", "toolRadius", thinnest_mm, thickest_mm, begin.radius_mm);
-    length_ = make("Length", "toolLength", shortest_mm, longest_mm, begin.length_mm);
+    radius_ = make(Words::tr("Radius"), "toolRadius", thinnest_mm, thickest_mm, begin.radius_mm);
+    length_ = make(Words::tr("Length"), "toolLength", shortest_mm, longest_mm, begin.length_mm);
     return box;
 }
 
 QWidget* ToolPanel::make_tear() {
-    auto* box = new QGroupBox("Tearing", this);
+    auto* box = new QGroupBox(Words::tr("Tearing"), this);
     auto* form = new QFormLayout(box);
-    tears_ = new QCheckBox("Vessels tear", box);
+    tears_ = new QCheckBox(Words::tr("Vessels tear"), box);
     tears_->setObjectName("vesselsTear");
-    tears_->setToolTip("Vessels that are pulled beyond their strength tear; off makes them whole");
+    tears_->setToolTip(
+        Words::tr("Vessels that are pulled beyond their strength tear; off makes them whole"));
     form->addRow(tears_);
     tear_factor_ = new DecimalSpinBox(0.001, 10.0, 1.0, 3, "", box);
     tear_factor_->setObjectName("tearFactor");
-    tear_factor_->setAccessibleName("Tear factor: share of the tissue's strength");
-    tear_factor_->setToolTip("Share of the tissue's strength at which it tears: the tear factor");
+    tear_factor_->setAccessibleName(Words::tr("Tear factor: share of the tissue's strength"));
+    tear_factor_->setToolTip(
+        Words::tr("Share of the tissue's strength at which it tears: the tear factor"));
     tear_factor_->setKeyboardTracking(false);
-    form->addRow("Tear factor", tear_factor_);
+    form->addRow(Words::tr("Tear factor"), tear_factor_);
     line_strength_ = new DecimalSpinBox(0.0, 1.0, 0.05, 2, "", box);
     line_strength_->setObjectName("lineStrength");
-    line_strength_->setAccessibleName("Strength along a cut line");
-    line_strength_->setToolTip("What is left of the strength along a cut line that you draw");
-    form->addRow("Along a line", line_strength_);
-    warnings_ = new QCheckBox("Warning colours", box);
+    line_strength_->setAccessibleName(Words::tr("Strength along a cut line"));
+    line_strength_->setToolTip(
+        Words::tr("What is left of the strength along a cut line that you draw"));
+    form->addRow(Words::tr("Along a line"), line_strength_);
+    warnings_ = new QCheckBox(Words::tr("Warning colours"), box);
     warnings_->setObjectName("warningColours");
     warnings_->setToolTip(
-        "Yellow: loaded to more than half of what the vessel bears; red: about to tear");
+        Words::tr("Yellow: loaded to more than half of what the vessel bears; red: about to tear"));
     warnings_->setChecked(true);
     connect(warnings_, &QCheckBox::toggled, this,
             [this](bool shown) { callbacks_.show_warnings(shown); });
     form->addRow(warnings_);
     torn_ = new QLabel(box);
     torn_->setObjectName("torn");
-    torn_->setAccessibleName("How the vessels are torn");
+    torn_->setAccessibleName(Words::tr("How the vessels are torn"));
     torn_->setWordWrap(true);
     form->addRow(torn_);
     const auto tell = [this] {
@@ -140,16 +145,16 @@ void ToolPanel::set_units(FlowUnits units) {
 void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     shown_tear_ = tear;
     tears_->setChecked(tear.has_value());
-    if (!tear) return torn_->setText("whole");
+    if (!tear) return torn_->setText(Words::tr("whole"));
     QString text = tear->joints_broken == 0
-                       ? QString("nothing torn")
-                       : QString("%1 joints torn, %2 pieces, entropy produced %3 nats")
+                       ? Words::tr("nothing torn")
+                       : Words::tr("%1 joints torn, %2 pieces, entropy produced %L3 nats")
                              .arg(tear->joints_broken)
                              .arg(tear->pieces)
                              .arg(tear->entropy_produced_nats, 0, 'f', 2);
     if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0) text += bleeding_text(*tear, units_);
     if (!tear->stopped_by.empty())
-        text += QString("; stopped by the %1 budget").arg(QString::fromStdString(tear->stopped_by));
+        text += Words::tr("; stopped by the %1 budget").arg(translated(tear->stopped_by));
     torn_->setText(text);
 }
 
@@ -163,11 +168,12 @@ ToolSize ToolPanel::size() const {
 
 void ToolPanel::show_kind(const std::string& kind) {
     length_->setEnabled(kind != "sphere");
-    help_->setText(kind.empty()
-                       ? "Take a tool from the bar above the view."
-                       : "The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
-                         "zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it "
-                         "away.");
+    help_->setText(
+        kind.empty()
+            ? Words::tr("Take a tool from the bar above the view.")
+            : Words::tr("The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
+                        "zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it "
+                        "away."));
 }
 
 void ToolPanel::show_force(const std::optional<ToolView>& tool,
@@ -178,12 +184,14 @@ void ToolPanel::show_force(const std::optional<ToolView>& tool,
                                       : std::string();
     const std::string grip = tool ? force_text(tool->grip_un) : std::string();
     const bool at_limit = tool ? tool->at_limit : pulls && hand->at_limit;
-    QString felt = !tool && !pulls ? QString("no tool")
-                   : force.empty() ? QString(pulls ? "pulls at nothing" : "touches nothing")
-                                   : (pulls ? "Pull " : "Force ") + QString::fromStdString(force);
-    if (at_limit) felt += ", the most it has";
+    QString felt =
+        !tool && !pulls ? Words::tr("no tool")
+        : force.empty()
+            ? (pulls ? Words::tr("pulls at nothing") : Words::tr("touches nothing"))
+            : (pulls ? Words::tr("Pull %1") : Words::tr("Force %1")).arg(translated(force));
+    if (at_limit) felt += Words::tr(", the most it has");
     force_->setText(felt);
-    grip_->setText(grip.empty() ? QString() : "Grip " + QString::fromStdString(grip));
+    grip_->setText(grip.empty() ? QString() : Words::tr("Grip %1").arg(translated(grip)));
 }
 
 }  // namespace hepatica

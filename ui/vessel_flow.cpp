@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -17,8 +19,8 @@ InjectionCurves injection_curves(const VesselTree& tree, const InjectionOptions&
     sampled.step_s = until_s / samples;
     const InjectionResult run = inject(tree, sampled, job);
 
-    Curve pressure{"at the tip", {}, {}};
-    Curve delivered{"past the ends", {}, {}};
+    Curve pressure{Words::id("at the tip"), {}, {}};
+    Curve delivered{Words::id("past the ends"), {}, {}};
     for (const InjectionSample& sample : run.series) {
         pressure.x.push_back(sample.time_s);
         pressure.y.push_back(sample.inlet_pressure_pa);
@@ -26,11 +28,14 @@ InjectionCurves injection_curves(const VesselTree& tree, const InjectionOptions&
         delivered.x.push_back(sample.time_s);
         delivered.y.push_back(100.0 * share);
     }
-    return {{"Pressure at the catheter",
-             "Time (s)",
-             "Pressure at the catheter (Pa)",
+    return {{Words::id("Pressure at the catheter"),
+             Words::id("Time (s)"),
+             Words::id("Pressure at the catheter (Pa)"),
              {std::move(pressure)}},
-            {"Delivery", "Time (s)", "Drug that has passed the ends (%)", {std::move(delivered)}}};
+            {Words::id("Delivery"),
+             Words::id("Time (s)"),
+             Words::id("Drug that has passed the ends (%)"),
+             {std::move(delivered)}}};
 }
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "core/base/job.h"
 #include "core/base/temporary_folder.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -39,7 +40,8 @@ void write_pictures(const Film& film, const fs::path& folder, double share,
         if (!go_on(share * k / film.count())) throw Cancelled();
         const fs::path file = folder / picture_name(k);
         if (!even(film.picture(film.at_s(k))).save(to_text(file), "PNG"))
-            throw InputError("cannot be written", folder.string(), "Choose a disk with more room");
+            throw InputError(Words::id("cannot be written"), folder.string(),
+                             Words::id("Choose a disk with more room"));
     }
 }
 
@@ -47,8 +49,8 @@ void write_folder_of_pictures(const Film& film, const fs::path& place,
                               const std::function<bool(double)>& go_on) {
     const bool stood_there = fs::exists(place);
     if (fs::exists(place / picture_name(0)))
-        throw InputError("holds the pictures of another film", place.string(),
-                         "Choose an empty folder");
+        throw InputError(Words::id("holds the pictures of another film"), place.string(),
+                         Words::id("Choose an empty folder"));
     try {
         write_files_atomically(
             place, [&](const fs::path& folder) { write_pictures(film, folder, 1.0, go_on); });
@@ -78,9 +80,10 @@ void encode(const Film& film, const fs::path& pictures, const fs::path& file, co
         process.error() != QProcess::FailedToStart)
         return;
     const QString said = QString::fromUtf8(process.readAll()).trimmed().section('\n', -1);
-    throw InputError("ffmpeg could not make it: " +
-                         (said.isEmpty() ? process.errorString() : said).toStdString(),
-                     file.filename().string(), "Save a folder of pictures instead");
+    throw InputError(Words::tr("ffmpeg could not make it: %1")
+                         .arg(said.isEmpty() ? process.errorString() : said)
+                         .toStdString(),
+                     file.filename().string(), Words::id("Save a folder of pictures instead"));
 }
 
 }  // namespace
@@ -98,8 +101,9 @@ void write_film(const Film& film, const fs::path& place, const QString& ffmpeg,
     if (!to_text(place).endsWith(".mp4", Qt::CaseInsensitive))
         return write_folder_of_pictures(film, place, go_on);
     if (ffmpeg.isEmpty())
-        throw InputError("needs the program ffmpeg, which is not installed", place.string(),
-                         "Install it (apt install ffmpeg), or save a folder of pictures");
+        throw InputError(
+            Words::id("needs the program ffmpeg, which is not installed"), place.string(),
+            Words::id("Install it (apt install ffmpeg), or save a folder of pictures"));
     const TemporaryFolder pictures;
     write_pictures(film, pictures.path(), share_of_pictures, go_on);
     write_file_atomically(

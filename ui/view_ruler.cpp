@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -97,7 +99,9 @@ void ViewRuler::follow() {
                 moved |= by.norm() > moved_mm;
                 point += by;
             }
-            if (moved && !view.text.empty()) view.text += " (at rest)";
+            if (moved && !view.text.empty())
+                view.text =
+                    Words::tr("%1 (at rest)").arg(QString::fromStdString(view.text)).toStdString();
             views.push_back(std::move(view));
         }
     }
@@ -110,15 +114,16 @@ std::string ViewRuler::guidance() const {
     const std::size_t points = half ? half->points_mm.size() : 0;
     switch (*measurements_.chosen()) {
         case MeasurementKind::distance:
-            return points == 0 ? "Click on a vessel where the distance begins"
-                               : "Click where it ends";
+            return points == 0 ? Words::id("Click on a vessel where the distance begins")
+                               : Words::id("Click where it ends");
         case MeasurementKind::angle:
-            return points == 0   ? "Click on one arm of the angle"
-                   : points == 1 ? "Click on its vertex"
-                                 : "Click on the other arm";
+            return points == 0   ? Words::id("Click on one arm of the angle")
+                   : points == 1 ? Words::id("Click on its vertex")
+                                 : Words::id("Click on the other arm");
         case MeasurementKind::diameter:
-            return "Click on a vessel: its diameter there, and the stenosis against the vessel "
-                   "beside";
+            return Words::id(
+                "Click on a vessel: its diameter there, and the stenosis against the vessel "
+                "beside");
     }
     return {};
 }

@@ -6,16 +6,18 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/words.h"
+
 namespace hepatica {
 
 Welcome::Welcome(const Actions& actions, QWidget* parent) : QFrame(parent) {
     setObjectName("welcome");
     auto* title = new QLabel("Hepatica", this);
     title->setObjectName("welcomeTitle");
-    auto* hint = new QLabel(
-        "Practise on a patient's own liver vessels.\n"
-        "Drop a CT folder, a volume file or a case here, or begin with",
-        this);
+    auto* hint =
+        new QLabel(Words::tr("Practise on a patient's own liver vessels.\n"
+                             "Drop a CT folder, a volume file or a case here, or begin with"),
+                   this);
     hint->setObjectName("quiet");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(32, 26, 32, 28);
@@ -30,10 +32,10 @@ Welcome::Welcome(const Actions& actions, QWidget* parent) : QFrame(parent) {
         column->addWidget(button);
         return button;
     };
-    add("The built-in patient", ActionId::built_in)->setDefault(true);
-    add("A CT folder (DICOM)…", ActionId::open_ct_folder);
-    add("A CT file (NIfTI, MetaImage, NRRD)…", ActionId::open_ct_file);
-    add("A case that was reconstructed before…", ActionId::open_case);
+    add(Words::tr("The built-in patient"), ActionId::built_in)->setDefault(true);
+    add(Words::tr("A CT folder (DICOM)…"), ActionId::open_ct_folder);
+    add(Words::tr("A CT file (NIfTI, MetaImage, NRRD)…"), ActionId::open_ct_file);
+    add(Words::tr("A case that was reconstructed before…"), ActionId::open_case);
     parent->installEventFilter(this);
     centre();
 }

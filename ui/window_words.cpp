@@ -4,6 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -48,13 +51,14 @@ std::string in_window_words(std::string text) {
     return text;
 }
 
-std::string in_short(const std::vector<std::string>& warnings) {
+QString in_short(const std::vector<std::string>& warnings) {
     constexpr std::size_t shown = 2;
-    std::string text;
+    QString text;
     for (std::size_t i = 0; i < warnings.size() && i < shown; ++i)
-        text += (i == 0 ? "" : "\n") + warnings[i];
+        text += (i == 0 ? "" : "\n") + translated(warnings[i]);
     if (warnings.size() > shown)
-        text += "\n" + std::to_string(warnings.size() - shown) + " more under All messages.";
+        text += "\n" + Words::tr("%n more under All messages.", nullptr,
+                                 static_cast<int>(warnings.size() - shown));
     return text;
 }
 

@@ -3,6 +3,7 @@
 // line that gives it; here every option becomes the field or the tool that does the same.
 #pragma once
 
+#include <QString>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace hepatica {
 // The text with each such option replaced; any other text stays as it is.
 std::string in_window_words(std::string text);
 
-// The first two of several warnings and how many more there are: what leaves room for the vessels.
-std::string in_short(const std::vector<std::string>& warnings);
+// The first two of several warnings in the language of the window, and how many more there are:
+// what leaves room for the vessels.
+QString in_short(const std::vector<std::string>& warnings);
 
 }  // namespace hepatica

@@ -17,6 +17,7 @@
 #include "core/image/header_text.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
@@ -64,7 +65,7 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::int16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
-    Volume volume(placed.grid);
+    Volume volume = filled_image(placed.grid, std::int16_t{0}, job);
     std::size_t not_numbers = 0;
     std::vector<std::uint8_t> missing;  // empty where there is none
     std::size_t clamped = 0;
@@ -166,7 +167,7 @@ LabelMap read_label_map(const fs::path& path, Job& job) {
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::uint16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
-    LabelMap labels(placed.grid);
+    LabelMap labels = filled_image(placed.grid, std::uint16_t{0}, job);
     read_values(
         file, placed,
         [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
@@ -216,7 +217,7 @@ Mask read_mask(const fs::path& path, Job& job, std::span<const int> labels) {
         const VoxelFile file = read_header(path);
         require_affordable(file, sizeof(std::uint8_t));
         const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
-        mask = Mask(placed.grid);
+        mask = filled_image(placed.grid, std::uint8_t{0}, job);
         read_values(
             file, placed,
             [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {

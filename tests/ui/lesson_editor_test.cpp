@@ -51,7 +51,7 @@ class LessonEditorTest : public ::testing::Test {
         ways.which_file = [this] { return file_; };
         ways.where_to_save = [this](const QString&) { return file_; };
         ways.may_discard = [this] { return may_discard_; };
-        ways.failed = [this](const std::string&, const std::exception_ptr&) { ++failures_; };
+        ways.failed = [this](const QString&, const std::exception_ptr&) { ++failures_; };
         return ways;
     }
     const Lesson& lesson() { return editor_.document().lesson(); }

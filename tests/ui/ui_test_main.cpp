@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <clocale>
 
+#include "ui/language.h"
 #include "ui/opengl_probe.h"
 #include "ui/theme.h"
 
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
     hepatica::prepare_opengl();
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
+    hepatica::use_language("en");  // whatever the machine speaks
     hepatica::apply_theme(application);
     return RUN_ALL_TESTS();
 }

@@ -15,20 +15,21 @@
 
 #include "core/deform/body/material.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
 constexpr std::array<std::pair<LessonTool, const char*>, 9> tool_words{
-    {{LessonTool::pull, "Pull by hand"},
-     {LessonTool::sphere, "Round probe"},
-     {LessonTool::capsule, "Rod"},
-     {LessonTool::forceps, "Forceps"},
-     {LessonTool::hook, "Hook"},
-     {LessonTool::blade, "Blade"},
-     {LessonTool::cut_line, "Cut line"},
-     {LessonTool::inject, "Injection"},
-     {LessonTool::settings, "Gravity, tissue, tearing, drug's clock"}}};
+    {{LessonTool::pull, Words::id("Pull by hand")},
+     {LessonTool::sphere, Words::id("Round probe")},
+     {LessonTool::capsule, Words::id("Rod")},
+     {LessonTool::forceps, Words::id("Forceps")},
+     {LessonTool::hook, Words::id("Hook")},
+     {LessonTool::blade, Words::id("Blade")},
+     {LessonTool::cut_line, Words::id("Cut line")},
+     {LessonTool::inject, Words::id("Injection")},
+     {LessonTool::settings, Words::id("Gravity, tissue, tearing, drug's clock")}}};
 
 // In the order of the program, whatever the order of the clicks.
 void allow(Lesson& lesson, LessonTool tool, bool allowed) {
@@ -46,21 +47,21 @@ AboutPage::AboutPage(Changes changes, std::function<QString()> shown_patient)
       about_(new QPlainTextEdit),
       patient_(new QComboBox) {
     auto* form = new QFormLayout;
-    form->addRow("&Name", name_);
+    form->addRow(Words::tr("&Name"), name_);
     name_->setObjectName("lessonName");
     connect(name_, &QLineEdit::textChanged, this, [this](const QString& text) {
         change_value("name", [&](Lesson& lesson) { lesson.name = text.toStdString(); });
     });
-    form->addRow("What &for", about_);
+    form->addRow(Words::tr("What &for"), about_);
     about_->setObjectName("lessonAbout");
-    about_->setPlaceholderText("For the trainee, before it begins. May be empty.");
+    about_->setPlaceholderText(Words::tr("For the trainee, before it begins. May be empty."));
     about_->setTabChangesFocus(true);
     about_->setMaximumHeight(90);
     connect(about_, &QPlainTextEdit::textChanged, this, [this] {
         change_value("about",
                      [&](Lesson& lesson) { lesson.about = about_->toPlainText().toStdString(); });
     });
-    form->addRow("&Patient", patient_);
+    form->addRow(Words::tr("&Patient"), patient_);
     patient_->setObjectName("lessonPatient");
     connect(patient_, &QComboBox::activated, this, [this] {
         change_value("", [&](Lesson& lesson) {
@@ -87,9 +88,9 @@ QCheckBox* AboutPage::add_part(QGroupBox& box, const QString& text, const char* 
 
 // What is not ticked is not built.
 QGroupBox* AboutPage::make_scene() {
-    auto* box = new QGroupBox("The scene");
+    auto* box = new QGroupBox(Words::tr("The scene"));
     auto* column = new QVBoxLayout(box);
-    moves_ = add_part(*box, "The vessels &move", "lessonMoves", &SceneParts::set_moves);
+    moves_ = add_part(*box, Words::tr("The vessels &move"), "lessonMoves", &SceneParts::set_moves);
     auto* form = new QFormLayout;
     form->setContentsMargins(24, 0, 0, 0);
     material_ = new QComboBox;
@@ -101,30 +102,34 @@ QGroupBox* AboutPage::make_scene() {
             lesson.scene.deform->material = material_->currentText().toStdString();
         });
     });
-    form->addRow("Material", material_);
+    form->addRow(Words::tr("Material"), material_);
     column->addLayout(form);
-    touches_ = add_part(*box, "&Tools touch them", "lessonTouches", &SceneParts::set_touches);
-    self_ = add_part(*box, "They touch &each other", "lessonSelf", &SceneParts::set_self);
-    tears_ = add_part(*box, "They te&ar and bleed", "lessonTears", &SceneParts::set_tears);
-    flows_ = add_part(*box, "A &drug can be injected", "lessonFlows", &SceneParts::set_flows);
-    drug_speed_ = new DecimalSpinBox(0.1, 100.0, 1.0, 1, "times as fast as it flows");
+    touches_ =
+        add_part(*box, Words::tr("&Tools touch them"), "lessonTouches", &SceneParts::set_touches);
+    self_ =
+        add_part(*box, Words::tr("They touch &each other"), "lessonSelf", &SceneParts::set_self);
+    tears_ =
+        add_part(*box, Words::tr("They te&ar and bleed"), "lessonTears", &SceneParts::set_tears);
+    flows_ =
+        add_part(*box, Words::tr("A &drug can be injected"), "lessonFlows", &SceneParts::set_flows);
+    drug_speed_ = new DecimalSpinBox(0.1, 100.0, 1.0, 1, Words::tr("times as fast as it flows"));
     drug_speed_->setObjectName("lessonDrugSpeed");
     connect(drug_speed_, &DecimalSpinBox::valueChanged, this, [this](double speed) {
         change_value("drug speed", [&](Lesson& lesson) { lesson.scene.flow->drug_speed = speed; });
     });
     auto* drug = new QFormLayout;
     drug->setContentsMargins(24, 0, 0, 0);
-    drug->addRow("Its clock runs", drug_speed_);
+    drug->addRow(Words::tr("Its clock runs"), drug_speed_);
     column->addLayout(drug);
     return box;
 }
 
 QGroupBox* AboutPage::make_tools() {
-    auto* box = new QGroupBox("What the trainee may use");
+    auto* box = new QGroupBox(Words::tr("What the trainee may use"));
     auto* grid = new QGridLayout(box);
     for (std::size_t i = 0; i < tool_words.size(); ++i) {
         const LessonTool tool = tool_words[i].first;
-        auto* check = new QCheckBox(tool_words[i].second);
+        auto* check = new QCheckBox(Words::tr(tool_words[i].second));
         check->setObjectName(QString("lessonTool_") + name_of(tool));
         connect(check, &QCheckBox::toggled, this, [this, tool](bool on) {
             change_value("", [&](Lesson& lesson) { allow(lesson, tool, on); });
@@ -139,11 +144,12 @@ QGroupBox* AboutPage::make_tools() {
 
 void AboutPage::fill_patients(const std::string& patient) {
     patient_->clear();
-    patient_->addItem("Any patient", "any");
-    patient_->addItem("The built-in patient", "built-in");
+    patient_->addItem(Words::tr("Any patient"), "any");
+    patient_->addItem(Words::tr("The built-in patient"), "built-in");
     const QString shown = shown_patient_();
     if (!shown.isEmpty() && shown != "built-in")
-        patient_->addItem("The one that is shown: " + QFileInfo(shown).fileName(), shown);
+        patient_->addItem(Words::tr("The one that is shown: %1").arg(QFileInfo(shown).fileName()),
+                          shown);
     const QString chosen = QString::fromStdString(patient);
     if (patient_->findData(chosen) < 0)
         patient_->addItem(QFileInfo(chosen).fileName() + " (" + chosen + ")", chosen);

@@ -13,6 +13,7 @@
 
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/lesson_page.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -37,7 +38,7 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
 QComboBox* mark_choice(const std::vector<std::string>& marks, int chosen) {
     auto* choice = new QComboBox;
     for (const std::string& mark : marks) choice->addItem(QString::fromStdString(mark));
-    choice->setPlaceholderText("which mark?");  // of a bound that lost its own
+    choice->setPlaceholderText(Words::tr("which mark?"));  // of a bound that lost its own
     choice->setCurrentIndex(chosen);
     return choice;
 }
@@ -80,9 +81,9 @@ BoundsTable::BoundsTable(const QString& title, const QString& name, const Predic
     column->setContentsMargins(0, 0, 0, 0);
     auto* head = new QHBoxLayout;
     head->addWidget(new QLabel("<b>" + title + "</b>"), 1);
-    auto* add = new QPushButton("Add");
+    auto* add = new QPushButton(Words::tr("Add"));
     add->setObjectName(name + "Add");
-    add->setAccessibleName("Add: " + title);
+    add->setAccessibleName(Words::tr("Add: %1").arg(title));
     connect(add, &QPushButton::clicked, this, [this] {
         bounds_.push_back(first_);
         fill();
@@ -126,8 +127,8 @@ QWidget* BoundsTable::make_row(std::size_t index) {
         line->addWidget(field);
         return field;
     };
-    QComboBox* quantity =
-        add(quantity_choice(bound.quantity, !marks_.empty()), "quantity", "What is measured");
+    QComboBox* quantity = add(quantity_choice(bound.quantity, !marks_.empty()), "quantity",
+                              Words::tr("What is measured"));
     line->setStretchFactor(quantity, 1);
     connect(quantity, &QComboBox::activated, this, [this, index](int chosen) {
         Predicate now = bounds_[index];
@@ -138,7 +139,7 @@ QWidget* BoundsTable::make_row(std::size_t index) {
         set(index, now, true);
     });
     if (words.of_mark) {
-        QComboBox* mark = add(mark_choice(marks_, bound.mark), "mark", "Of which mark");
+        QComboBox* mark = add(mark_choice(marks_, bound.mark), "mark", Words::tr("Of which mark"));
         connect(mark, &QComboBox::activated, this, [this, index](int chosen) {
             Predicate now = bounds_[index];
             now.mark = chosen;
@@ -146,9 +147,9 @@ QWidget* BoundsTable::make_row(std::size_t index) {
         });
     }
     auto* side = new QComboBox;
-    side->addItems({"at least", "at most"});
+    side->addItems({Words::tr("at least"), Words::tr("at most")});
     side->setCurrentIndex(bound.at_least ? 0 : 1);
-    add(side, "side", "At least or at most");
+    add(side, "side", Words::tr("At least or at most"));
     connect(side, &QComboBox::activated, this, [this, index](int chosen) {
         Predicate now = bounds_[index];
         now.at_least = chosen == 0;
@@ -157,14 +158,15 @@ QWidget* BoundsTable::make_row(std::size_t index) {
     auto* number =
         add(new DecimalSpinBox(0.0, largest_bound, bound.bound, decimals_of(words, bound.bound),
                                QString::fromUtf8(words.unit)),
-            "bound", "The bound");
+            "bound", Words::tr("The bound"));
     connect(number, &DecimalSpinBox::valueChanged, this, [this, index](double value) {
         if (filling_) return;
         Predicate now = bounds_[index];
         now.bound = value;
         set(index, now, false);
     });
-    auto* remove = add(new QPushButton("Remove"), "remove", "Remove this bound");
+    auto* remove =
+        add(new QPushButton(Words::tr("Remove")), "remove", Words::tr("Remove this bound"));
     connect(remove, &QPushButton::clicked, this, [this, index] {
         bounds_.erase(bounds_.begin() + static_cast<std::ptrdiff_t>(index));
         fill();

@@ -8,7 +8,9 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -19,10 +21,11 @@ QStringList gaps_in_words(const Lesson& lesson) {
     for (const std::string& gap : gaps_in(lesson)) lines << QString::fromStdString(gap);
     if (!lines.isEmpty()) return lines;
     try {
-        lesson_of(text_of(lesson), "This lesson");
+        lesson_of(text_of(lesson), Words::id("This lesson"));
     } catch (const InputError& error) {  // of what no page shows
-        lines << QString::fromStdString(error.place() + " " + error.problem() + ". " +
-                                        error.remedy() + ".");
+        lines << QString("%1 %2. %3.")
+                     .arg(translated(error.place()), translated(error.problem()),
+                          translated(error.remedy()));
     }
     return lines;
 }
@@ -45,7 +48,8 @@ QString doubts_in_words(const Lesson& lesson, const PatientCase* patient, const 
             lines << QString::fromStdString(doubt);
     constexpr qsizetype most = 4;
     if (lines.size() > most)
-        lines = lines.mid(0, most - 1) << QString("and %1 more").arg(lines.size() - most + 1);
+        lines = lines.mid(0, most - 1)
+                << Words::tr("and %n more", nullptr, static_cast<int>(lines.size() - most + 1));
     for (QString& line : lines) line.prepend("• ");
     return lines.join("\n");
 }

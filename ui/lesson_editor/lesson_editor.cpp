@@ -27,13 +27,15 @@
 #include "ui/lesson_editor/steps_page.h"
 #include "ui/paths.h"
 #include "ui/push_button.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
 void refuse_gaps(const Lesson& lesson, const char* what) {
     const std::vector<std::string> gaps = gaps_in(lesson);
-    if (!gaps.empty()) throw InputError(gaps.front(), what, "What is missing stands at its foot");
+    if (!gaps.empty())
+        throw InputError(gaps.front(), what, Words::id("What is missing stands at its foot"));
 }
 
 }  // namespace
@@ -70,15 +72,15 @@ void LessonEditor::build() {
     auto* rules = new RulesPage(changes);
     shown_pages_ = {about_, places_, steps, rules};
     pages_->setObjectName("lessonPages");
-    pages_->addTab(scrolled(about_), "&Lesson");
-    pages_->addTab(scrolled(places_), "&Places");
-    pages_->addTab(steps, "&Steps");  // scrolls what is below its list
-    pages_->addTab(scrolled(rules), "Limits and pass &marks");
+    pages_->addTab(scrolled(about_), Words::tr("&Lesson"));
+    pages_->addTab(scrolled(places_), Words::tr("&Places"));
+    pages_->addTab(steps, Words::tr("&Steps"));  // scrolls what is below its list
+    pages_->addTab(scrolled(rules), Words::tr("Limits and pass &marks"));
     connect(pages_, &QTabWidget::currentChanged, this, [this] { show_page(); });
     doubts_->setObjectName("lessonDoubts");
     doubts_->setWordWrap(true);
     doubts_->setTextFormat(Qt::PlainText);
-    doubts_->setAccessibleName("What is doubtful in this lesson");
+    doubts_->setAccessibleName(Words::tr("What is doubtful in this lesson"));
     auto* foot = new QWidget;
     build_buttons(*foot);
     auto* column = new QVBoxLayout(this);
@@ -99,33 +101,34 @@ QWidget* LessonEditor::scrolled(LessonPage* page) {
 void LessonEditor::build_buttons(QWidget& foot) {
     auto* row = new QHBoxLayout(&foot);
     row->setContentsMargins(0, 0, 0, 0);
-    QPushButton* begin = add_button(*row, "&Begin with", "lessonBegin", [] {});
+    QPushButton* begin = add_button(*row, Words::tr("&Begin with"), "lessonBegin", [] {});
     auto* menu = new QMenu(begin);
-    connect(menu->addAction("A new lesson"), &QAction::triggered, this, [this] { begin_with(""); });
-    connect(menu->addAction("A file…"), &QAction::triggered, this, [this] { open(); });
+    connect(menu->addAction(Words::tr("A new lesson")), &QAction::triggered, this,
+            [this] { begin_with(""); });
+    connect(menu->addAction(Words::tr("A file…")), &QAction::triggered, this, [this] { open(); });
     menu->addSeparator();
     for (const BuiltInLesson& entry : built_in_lessons()) {
-        QAction* action =
-            menu->addAction("A copy of: " + QString::fromStdString(find_lesson(entry.id).name));
+        QAction* action = menu->addAction(
+            Words::tr("A copy of: %1").arg(QString::fromStdString(find_lesson(entry.id).name)));
         action->setObjectName(QString("beginWith_") + entry.id);
         connect(action, &QAction::triggered, this, [this, id = entry.id] { begin_with(id); });
     }
     begin->setMenu(menu);
-    undo_ = add_button(*row, "&Undo", "lessonUndo", [this] {
+    undo_ = add_button(*row, Words::tr("&Undo"), "lessonUndo", [this] {
         take_what_is_typed();
         document_.undo();
         changed(true);
     });
-    redo_ = add_button(*row, "Red&o", "lessonRedo", [this] {
+    redo_ = add_button(*row, Words::tr("Red&o"), "lessonRedo", [this] {
         take_what_is_typed();
         document_.redo();
         changed(true);
     });
     row->addStretch(1);
-    add_button(*row, "&Try it", "lessonTry", [this] { try_out(); });
-    add_button(*row, "Sa&ve", "lessonSave", [this] { save(false); });
-    add_button(*row, "Save &as…", "lessonSaveAs", [this] { save(true); });
-    add_button(*row, "&Close", "lessonClose", [this] { hide(); });
+    add_button(*row, Words::tr("&Try it"), "lessonTry", [this] { try_out(); });
+    add_button(*row, Words::tr("Sa&ve"), "lessonSave", [this] { save(false); });
+    add_button(*row, Words::tr("Save &as…"), "lessonSaveAs", [this] { save(true); });
+    add_button(*row, Words::tr("&Close"), "lessonClose", [this] { hide(); });
 }
 
 void LessonEditor::show_editor() {
@@ -158,14 +161,15 @@ void LessonEditor::changed(bool shape) {
 }
 
 void LessonEditor::show_state() {
-    const QString file =
-        document_.file().empty() ? "not saved yet" : to_text(document_.file().filename());
-    setWindowTitle(QString::fromStdString(document_.lesson().name) + "[*] (" + file +
-                   ") - Lesson editor");
+    const QString file = document_.file().empty() ? Words::tr("not saved yet")
+                                                  : to_text(document_.file().filename());
+    setWindowTitle(Words::tr("%1[*] (%2) - Lesson editor")
+                       .arg(QString::fromStdString(document_.lesson().name), file));
     setWindowModified(document_.dirty());
-    const QString left = document_.left_behind()
-                             ? "This lesson was left unsaved by an earlier run of the program.\n"
-                             : "";
+    const QString left =
+        document_.left_behind()
+            ? Words::tr("This lesson was left unsaved by an earlier run of the program.") + "\n"
+            : "";
     doubts_->setText(
         left + doubts_in_words(document_.lesson(), ways_.patient().get(), ways_.shown_patient()));
     doubts_->setVisible(!doubts_->text().isEmpty());
@@ -181,10 +185,10 @@ void LessonEditor::patient_shown() {
 
 void LessonEditor::keep_now() {
     keep_->stop();
-    attempt("Keep the unsaved lesson", [this] { document_.keep_copy(); });
+    attempt(Words::tr("Keep the unsaved lesson"), [this] { document_.keep_copy(); });
 }
 
-void LessonEditor::attempt(const std::string& doing, const std::function<void()>& task) {
+void LessonEditor::attempt(const QString& doing, const std::function<void()>& task) {
     try {
         task();
     } catch (...) {
@@ -217,7 +221,7 @@ void LessonEditor::open() {
     if (document_.dirty() && !ways_.may_discard()) return;
     const auto file = ways_.which_file();
     if (!file) return;
-    attempt("Open lesson", [&] {
+    attempt(Words::tr("Open lesson"), [&] {
         document_.open(*file);
         about_->forget();
     });
@@ -230,8 +234,8 @@ void LessonEditor::save(bool ask) {
     if (ask || file->empty())
         file = ways_.where_to_save(QString::fromStdString(document_.lesson().name));
     if (!file) return;
-    attempt("Save lesson", [&] {
-        refuse_gaps(document_.lesson(), "This lesson cannot be saved yet");
+    attempt(Words::tr("Save lesson"), [&] {
+        refuse_gaps(document_.lesson(), Words::id("This lesson cannot be saved yet"));
         document_.save(*file);
     });
     show_state();
@@ -241,9 +245,9 @@ void LessonEditor::try_out() {
     take_what_is_typed();
     keep_now();
     bool whole = false;
-    attempt("Try the lesson", [&] {
-        refuse_gaps(document_.lesson(), "This lesson cannot be tried yet");
-        lesson_of(text_of(document_.lesson()), "This lesson");
+    attempt(Words::tr("Try the lesson"), [&] {
+        refuse_gaps(document_.lesson(), Words::id("This lesson cannot be tried yet"));
+        lesson_of(text_of(document_.lesson()), Words::id("This lesson"));
         whole = true;
     });
     if (!whole) return;  // its doubts say the same, and it stays to be mended

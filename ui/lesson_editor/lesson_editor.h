@@ -42,7 +42,7 @@ class LessonEditor : public QWidget {
         std::function<std::optional<std::filesystem::path>(const QString& suggested)> where_to_save;
         // Unsaved changes would be lost: may they be?
         std::function<bool()> may_discard;
-        std::function<void(const std::string& doing, const std::exception_ptr& error)> failed;
+        std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
     };
     // See LessonDocument about the copy.
     LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent);
@@ -77,7 +77,7 @@ class LessonEditor : public QWidget {
     void try_out();
     void take_what_is_typed();
     QWidget* scrolled(LessonPage* page);
-    void attempt(const std::string& doing, const std::function<void()>& task);
+    void attempt(const QString& doing, const std::function<void()>& task);
 
     Ways ways_;
     LessonDocument document_;

@@ -12,6 +12,7 @@
 
 #include "core/lesson/lesson_draft.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 const ScriptPlace half_way{std::nullopt, 0.5};
 
 QLabel* text_of_point(const Vec3& at) {
-    return new QLabel(QString("at %1, %2, %3 mm")
+    return new QLabel(Words::tr("at %L1, %L2, %L3 mm")
                           .arg(at.x(), 0, 'f', 1)
                           .arg(at.y(), 0, 'f', 1)
                           .arg(at.z(), 0, 'f', 1));
@@ -41,15 +42,15 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
       ask_no_more_(std::move(ask_no_more)),
       marks_(new QVBoxLayout),
       target_(new QVBoxLayout),
-      add_target_(new QPushButton("&Give it a target")) {
+      add_target_(new QPushButton(Words::tr("&Give it a target"))) {
     auto* column = new QVBoxLayout(this);
-    column->addWidget(new QLabel("<b>Marks</b>"));
-    column->addWidget(
-        quiet("Yellow balls on the vessels that goals speak of; they move with them. A share of "
-              "the longest path (0 % the root, 100 % its end) is found on every patient; a point "
-              "that is clicked on belongs to the patient who is shown."));
+    column->addWidget(new QLabel("<b>" + Words::tr("Marks") + "</b>"));
+    column->addWidget(quiet(Words::tr(
+        "Yellow balls on the vessels that goals speak of; they move with them. A share of "
+        "the longest path (0 % the root, 100 % its end) is found on every patient; a point "
+        "that is clicked on belongs to the patient who is shown.")));
     column->addLayout(marks_);
-    auto* add = new QPushButton("&Add a mark");
+    auto* add = new QPushButton(Words::tr("&Add a mark"));
     add->setObjectName("lessonAddMark");
     connect(add, &QPushButton::clicked, this, [this] {
         change_shape([](Lesson& lesson) {
@@ -58,10 +59,10 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     });
     column->addWidget(add, 0, Qt::AlignLeft);
     column->addSpacing(12);
-    column->addWidget(new QLabel("<b>Target of the drug</b>"));
+    column->addWidget(new QLabel("<b>" + Words::tr("Target of the drug") + "</b>"));
     column->addWidget(
-        quiet("The vessels beyond this place. What is delivered there is the dose in "
-              "the target, all other is elsewhere."));
+        quiet(Words::tr("The vessels beyond this place. What is delivered there is the dose in "
+                        "the target, all other is elsewhere.")));
     column->addLayout(target_);
     add_target_->setObjectName("lessonAddTarget");
     connect(add_target_, &QPushButton::clicked, this,
@@ -90,34 +91,34 @@ QWidget* PlacesPage::make_row(int place, const std::string& name, const ScriptPl
     if (place != target) {
         auto* text = new QLineEdit(QString::fromStdString(name));
         text->setObjectName(prefix + "name");
-        text->setAccessibleName("Name of the mark");
+        text->setAccessibleName(Words::tr("Name of the mark"));
         connect(text, &QLineEdit::editingFinished, this,
                 [this, place, text] { rename(place, *text); });
         line->addWidget(text, 1);
     }
     if (at.point_mm) {
         line->addWidget(text_of_point(*at.point_mm));
-        auto* share = new QPushButton("As a share");
+        auto* share = new QPushButton(Words::tr("As a share"));
         share->setObjectName(prefix + "asShare");
         connect(share, &QPushButton::clicked, this,
                 [this, place] { set_place(place, half_way, false); });
         line->addWidget(share);
     } else {
         auto* share = new DecimalSpinBox(0.0, 100.0, 100.0 * at.share_of_longest_path.value_or(0.0),
-                                         1, "% of the longest path");
+                                         1, Words::tr("% of the longest path"));
         share->setObjectName(prefix + "share");
-        share->setAccessibleName("Share of the longest path");
+        share->setAccessibleName(Words::tr("Share of the longest path"));
         connect(share, &DecimalSpinBox::valueChanged, this, [this, place](double value) {
             set_place(place, {std::nullopt, value / 100.0}, true);
         });
         line->addWidget(share);
     }
-    auto* click = new QPushButton("Click on it");
+    auto* click = new QPushButton(Words::tr("Click on it"));
     click->setObjectName(prefix + "click");
-    click->setToolTip("The next click on a vessel in the view sets the place");
+    click->setToolTip(Words::tr("The next click on a vessel in the view sets the place"));
     connect(click, &QPushButton::clicked, this, [this, place] { ask(place); });
     line->addWidget(click);
-    auto* gone = new QPushButton("Remove");
+    auto* gone = new QPushButton(Words::tr("Remove"));
     gone->setObjectName(prefix + "remove");
     connect(gone, &QPushButton::clicked, this, [this, place] { remove(place); });
     line->addWidget(gone);

@@ -5,18 +5,20 @@
 #include <utility>
 
 #include "ui/lesson_editor/bounds_table.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
 RulesPage::RulesPage(Changes changes)
     : LessonPage(std::move(changes)),
-      limits_(new BoundsTable("Limits all the time: the first one broken ends the attempt", "limit",
-                              {Quantity::force_mn, -1, false, 500.0},
-                              [this](const std::string& row, const std::vector<Predicate>& bounds) {
-                                  change_value(row.empty() ? "" : "limits" + row,
-                                               [&](Lesson& lesson) { lesson.limits = bounds; });
-                              })),
-      pass_(new BoundsTable("Pass marks: looked at in the end alone", "pass",
+      limits_(
+          new BoundsTable(Words::tr("Limits all the time: the first one broken ends the attempt"),
+                          "limit", {Quantity::force_mn, -1, false, 500.0},
+                          [this](const std::string& row, const std::vector<Predicate>& bounds) {
+                              change_value(row.empty() ? "" : "limits" + row,
+                                           [&](Lesson& lesson) { lesson.limits = bounds; });
+                          })),
+      pass_(new BoundsTable(Words::tr("Pass marks: looked at in the end alone"), "pass",
                             {Quantity::time_s, -1, false, 60.0},
                             [this](const std::string& row, const std::vector<Predicate>& bounds) {
                                 change_value(row.empty() ? "" : "pass" + row,

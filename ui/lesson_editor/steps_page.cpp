@@ -16,6 +16,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/bounds_table.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -33,11 +34,11 @@ StepsPage::StepsPage(Changes changes)
       hint_(new QLineEdit),
       hold_(new DecimalSpinBox(0.0, 3600.0, 0.0, 1, "s")),
       goal_(new BoundsTable(
-          "Goal: all of these at once", "goal", {Quantity::force_mn, -1, true, 10.0},
+          Words::tr("Goal: all of these at once"), "goal", {Quantity::force_mn, -1, true, 10.0},
           [this](const std::string& row, const std::vector<Predicate>& bounds) {
               set(row.empty() ? "" : "goal" + row, [&](LessonStep& step) { step.goal = bounds; });
           })),
-      limits_(new BoundsTable("Limits while it lasts", "stepLimit",
+      limits_(new BoundsTable(Words::tr("Limits while it lasts"), "stepLimit",
                               {Quantity::step_time_s, -1, false, 60.0},
                               [this](const std::string& row, const std::vector<Predicate>& bounds) {
                                   set(row.empty() ? "" : "limits" + row,
@@ -53,7 +54,7 @@ QWidget* StepsPage::make_list() {
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     list_->setObjectName("lessonSteps");
-    list_->setAccessibleName("Steps of the lesson");
+    list_->setAccessibleName(Words::tr("Steps of the lesson"));
     list_->setMaximumHeight(110);
     list_->setTextElideMode(Qt::ElideRight);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int chosen) {
@@ -70,10 +71,10 @@ QWidget* StepsPage::make_list() {
         buttons->addWidget(made);
         return made;
     };
-    button("&Add a step", "stepAdd", [this] { add(); });
-    remove_ = button("Re&move", "stepRemove", [this] { remove(); });
-    up_ = button("Earlie&r", "stepUp", [this] { move(-1); });
-    down_ = button("Lat&er", "stepDown", [this] { move(1); });
+    button(Words::tr("&Add a step"), "stepAdd", [this] { add(); });
+    remove_ = button(Words::tr("Re&move"), "stepRemove", [this] { remove(); });
+    up_ = button(Words::tr("Earlie&r"), "stepUp", [this] { move(-1); });
+    down_ = button(Words::tr("Lat&er"), "stepDown", [this] { move(1); });
     row->addLayout(buttons);
     return box;
 }
@@ -90,18 +91,18 @@ QWidget* StepsPage::make_step() {
         if (QListWidgetItem* item = list_->item(static_cast<int>(step_)))
             item->setText(line_of(step_, shown_.steps[step_]));
     });
-    form->addRow("Say", text_);
+    form->addRow(Words::tr("Say"), text_);
     hint_->setObjectName("stepHint");
-    hint_->setPlaceholderText("On demand. May be empty.");
+    hint_->setPlaceholderText(Words::tr("On demand. May be empty."));
     connect(hint_, &QLineEdit::textChanged, this, [this](const QString& text) {
         set("hint", [&](LessonStep& step) { step.hint = text.toStdString(); });
     });
-    form->addRow("Hint", hint_);
+    form->addRow(Words::tr("Hint"), hint_);
     hold_->setObjectName("stepHold");
     connect(hold_, &DecimalSpinBox::valueChanged, this, [this](double seconds) {
         set("hold", [&](LessonStep& step) { step.hold_s = seconds; });
     });
-    form->addRow("Held for", hold_);
+    form->addRow(Words::tr("Held for"), hold_);
     column->addLayout(form);
     column->addWidget(goal_);
     column->addWidget(limits_);

@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/tree/lumen_calibre.h"
 #include "core/tree/station.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
-std::string formatted(const char* format, double value) {
-    char text[48];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
+std::string formatted(const QString& format, double value, int decimals) {
+    return format.arg(value, 0, 'f', decimals).toStdString();
 }
 
 double angle_deg(const Vec3& a, const Vec3& vertex, const Vec3& b) {
@@ -26,16 +24,17 @@ double angle_deg(const Vec3& a, const Vec3& vertex, const Vec3& b) {
 std::string text_of(const Measurement& measurement) {
     const auto& points = measurement.points_mm;
     if (measurement.kind == MeasurementKind::angle)
-        return formatted("%.0f\u00b0", angle_deg(points[0], points[1], points[2]));
-    return formatted("%.1f mm", (points[1] - points[0]).norm());
+        return formatted("%L1\u00b0", angle_deg(points[0], points[1], points[2]), 0);
+    return formatted("%L1 mm", (points[1] - points[0]).norm(), 1);
 }
 
 std::string text_of(const LumenCalibre& calibre) {
-    std::string text = formatted("\u2300 %.1f mm", calibre.diameter_mm);
+    std::string text = formatted("\u2300 %L1 mm", calibre.diameter_mm, 1);
     if (!calibre.stenosis) return text;
     const double percent = std::round(100.0 * *calibre.stenosis);
     return text +
-           formatted(percent < 0.0 ? ", %.0f %% wider" : ", stenosis %.0f %%", std::abs(percent));
+           formatted(percent < 0.0 ? Words::tr(", %L1 % wider") : Words::tr(", stenosis %L1 %"),
+                     std::abs(percent), 0);
 }
 
 // Across the vessel and within the slice; where the vessel runs through the slice, to the right.
@@ -76,7 +75,8 @@ std::string Measurements::add_point(const Vec3& position_mm, const SlicePlane& p
 std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane& plane,
                                        const VesselTree& tree) {
     const auto calibre = calibre_at(tree, position_mm);
-    if (!calibre) return "There is no vessel. Click on one, or measure a distance";
+    if (!calibre)
+        return Words::tr("There is no vessel. Click on one, or measure a distance").toStdString();
     const auto& segment = tree.segments[static_cast<std::size_t>(calibre->segment)];
     const Vec3 half = 0.5 * calibre->diameter_mm * across(segment, calibre->arclength_mm, plane);
     const std::string text = text_of(*calibre);
@@ -86,7 +86,10 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
     finish();
     tell();
     // Too long to stand beside the vessel.
-    return calibre->stenosis ? text : text + ", too near its end to judge a stenosis";
+    return calibre->stenosis ? text
+                             : Words::tr("%1, too near its end to judge a stenosis")
+                                   .arg(QString::fromStdString(text))
+                                   .toStdString();
 }
 
 void Measurements::finish() {

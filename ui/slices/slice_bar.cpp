@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ui/decimal_spin_box.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -22,9 +23,9 @@ struct Preset {
 };
 
 constexpr std::array presets{
-    Preset{"Vessels", {100.0, 300.0}}, Preset{"Liver", {100.0, 150.0}},
-    Preset{"Abdomen", {40.0, 400.0}},  Preset{"Lung", {-600.0, 1500.0}},
-    Preset{"Bone", {400.0, 1800.0}},
+    Preset{Words::id("Vessels"), {100.0, 300.0}}, Preset{Words::id("Liver"), {100.0, 150.0}},
+    Preset{Words::id("Abdomen"), {40.0, 400.0}},  Preset{Words::id("Lung"), {-600.0, 1500.0}},
+    Preset{Words::id("Bone"), {400.0, 1800.0}},
 };
 
 // What a click is for; the three measurements stand between them.
@@ -51,22 +52,23 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     rows->addLayout(row);
     rows->addLayout(lower);
     presets_->setObjectName("greyWindow");
-    presets_->setAccessibleName("Grey window");
+    presets_->setAccessibleName(Words::tr("Grey window"));
     for (const Preset& preset : presets)
         presets_->addItem(QString("%1 (L %2, W %3)")
-                              .arg(preset.name)
+                              .arg(Words::tr(preset.name))
                               .arg(preset.window.level_hu)
                               .arg(preset.window.width_hu));
-    presets_->addItem("Own");
-    presets_->setToolTip("Which Hounsfield units are grey; right drag on a slice sets your own");
+    presets_->addItem(Words::tr("Own"));
+    presets_->setToolTip(
+        Words::tr("Which Hounsfield units are grey; right drag on a slice sets your own"));
     auto* opacity = new QSlider(Qt::Horizontal);
     opacity->setObjectName("vesselOpacity");
-    opacity->setAccessibleName("Opacity of the vessels over the CT");
-    opacity->setToolTip("How strongly the vessels' voxels are drawn over the CT");
+    opacity->setAccessibleName(Words::tr("Opacity of the vessels over the CT"));
+    opacity->setToolTip(Words::tr("How strongly the vessels' voxels are drawn over the CT"));
     opacity->setRange(0, 100);
     opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
     opacity->setFixedWidth(80);  // what stands beside it keeps its place while the text changes
-    auto* centrelines = new QCheckBox("Centrelines");
+    auto* centrelines = new QCheckBox(Words::tr("Centrelines"));
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
     place_->setObjectName("slicePlace");
@@ -76,7 +78,7 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     place_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
     row->addWidget(presets_);
-    row->addWidget(new QLabel("Vessels"));
+    row->addWidget(new QLabel(Words::tr("Vessels")));
     row->addWidget(opacity);
     row->addWidget(centrelines);
     row->addWidget(segment_choice());
@@ -104,18 +106,19 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
 
 // Couinaud's segments, where they are known.
 QWidget* SliceBar::segment_choice() {
-    auto* choice = new QCheckBox(tr("Segments"));
+    auto* choice = new QCheckBox(Words::tr("Segments"));
     choice->setObjectName("segments");
-    choice->setAccessibleName(tr("Couinaud's segments of the liver over the CT"));
+    choice->setAccessibleName(Words::tr("Couinaud's segments of the liver over the CT"));
     choice->setChecked(false);
     connect(choice, &QCheckBox::toggled, this,
             [this](bool visible) { scene_.set_segments_visible(visible); });
     const auto follow = [this, choice] {
         const bool known = !scene_.segments().voxels.empty();
         choice->setEnabled(known);
-        choice->setToolTip(known ? tr("Couinaud's segments 1 to 8, in the colours of the branches "
-                                      "that supply them (F6)")
-                                 : QString::fromStdString(scene_.why_no_segments()));
+        choice->setToolTip(
+            known ? Words::tr("Couinaud's segments 1 to 8, in the colours of the branches "
+                              "that supply them (F6)")
+                  : QString::fromStdString(scene_.why_no_segments()));
     };
     scene_.on_change(follow);
     follow();
@@ -126,17 +129,18 @@ QWidget* SliceBar::segment_choice() {
 QWidget* SliceBar::click_choice() {
     click_ = new QComboBox;
     click_->setObjectName("measure");
-    click_->setAccessibleName("What a click in a slice does");
-    click_->addItems({"Crosshair", "Distance", "Angle", "Diameter", "Draw a vessel", "Correct",
-                      "Paint vessels", "Erase vessels"});
-    click_->setToolTip(
+    click_->setAccessibleName(Words::tr("What a click in a slice does"));
+    click_->addItems({Words::tr("Crosshair"), Words::tr("Distance"), Words::tr("Angle"),
+                      Words::tr("Diameter"), Words::tr("Draw a vessel"), Words::tr("Correct"),
+                      Words::tr("Paint vessels"), Words::tr("Erase vessels")});
+    click_->setToolTip(Words::tr(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
         "Draw a vessel: clicks along one that is missing, in any slices, from where its blood "
         "comes in; Enter draws it. Delete takes the last away, Escape ends it. "
         "Correct: a click on a vessel does what the panel of corrections says. "
         "Paint, erase: a drag leads a ball through the vessels' voxels; Rebuild makes the vessels "
-        "anew of them");
+        "anew of them"));
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
@@ -169,33 +173,33 @@ int SliceBar::chosen_click() const {
 QString SliceBar::guidance() const {
     switch (chosen_click()) {
         case 1:
-            return tr("Click where the distance begins, then where it ends");
+            return Words::tr("Click where the distance begins, then where it ends");
         case 2:
-            return tr("Click on one arm, on the vertex, on the other arm");
+            return Words::tr("Click on one arm, on the vertex, on the other arm");
         case 3:
-            return tr("Click on a vessel");
+            return Words::tr("Click on a vessel");
         case draws_vessel:
             break;
         case corrects:
-            return tr("A click on a vessel: %1 (panel Corrections); Escape ends it")
+            return Words::tr("A click on a vessel: %1 (panel Corrections); Escape ends it")
                 .arg(correction_());
         case paints:
-            return tr("Drag over what is vessel (+ and - size the brush), then Rebuild");
+            return Words::tr("Drag over what is vessel (+ and - size the brush), then Rebuild");
         case erases:
-            return tr("Drag over what is no vessel (+ and - size the brush), then Rebuild");
+            return Words::tr("Drag over what is no vessel (+ and - size the brush), then Rebuild");
         default:
             return {};
     }
     const std::size_t places = scene_.pen().places_mm().size();
-    return places == 0   ? tr("Click where the missing vessel begins, then along it")
-           : places == 1 ? tr("Click on along the vessel")
-                         : tr("Click on along the vessel, or draw it (Enter)");
+    return places == 0   ? Words::tr("Click where the missing vessel begins, then along it")
+           : places == 1 ? Words::tr("Click on along the vessel")
+                         : Words::tr("Click on along the vessel, or draw it (Enter)");
 }
 
 QWidget* SliceBar::draw_button() {
-    draw_ = new QPushButton("Draw it");
+    draw_ = new QPushButton(Words::tr("Draw it"));
     draw_->setObjectName("drawVessel");
-    draw_->setToolTip("Follows the vessel through the places that were clicked (Enter)");
+    draw_->setToolTip(Words::tr("Follows the vessel through the places that were clicked (Enter)"));
     draw_->setVisible(false);
     draw_->setFocusPolicy(Qt::TabFocus);  // after a click Delete still takes back a place
     connect(draw_, &QPushButton::clicked, this, [this] { scene_.pen().finish(); });
@@ -207,14 +211,14 @@ void SliceBar::add_brush(QHBoxLayout& row) {
     radius_ = new DecimalSpinBox(MaskBrush::least_mm, MaskBrush::most_mm,
                                  scene_.brush().radius_mm(), 1, " mm");
     radius_->setObjectName("brushRadius");
-    radius_->setAccessibleName(tr("Radius of the brush"));
-    radius_->setToolTip(tr("Radius of the ball that is led through the voxels"));
+    radius_->setAccessibleName(Words::tr("Radius of the brush"));
+    radius_->setToolTip(Words::tr("Radius of the ball that is led through the voxels"));
     radius_->setSingleStep(0.5);
-    remake_ = new QPushButton(tr("Rebuild"));
+    remake_ = new QPushButton(Words::tr("Rebuild"));
     remake_->setObjectName("rebuildVessels");
-    remake_->setToolTip(
-        tr("Makes the vessels anew of their voxels as they are painted now. Corrections are made "
-           "again where they still can be"));
+    remake_->setToolTip(Words::tr(
+        "Makes the vessels anew of their voxels as they are painted now. Corrections are made "
+        "again where they still can be"));
     row.addWidget(radius_);
     row.addWidget(remake_);
     connect(radius_, &QDoubleSpinBox::valueChanged, this,

@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "ui/core_words.h"
+#include "ui/words.h"
+
 namespace hepatica {
 namespace {
 
@@ -20,9 +23,7 @@ std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
 // "L 12.0" for 12 mm to the patient's left.
 std::string along(double mm, char positive, char negative) {
     std::string text(1, mm < 0.0 ? negative : positive);
-    char number[32];
-    std::snprintf(number, sizeof number, " %.1f", std::abs(mm));
-    return text + number;
+    return text + QString(" %L1").arg(std::abs(mm), 0, 'f', 1).toStdString();
 }
 
 }  // namespace
@@ -93,9 +94,10 @@ void SliceScene::follow_brush() {
 }
 
 std::string SliceScene::why_not_painted(const Vec3& position_mm) const {
-    if (systems_.voxels.empty()) return "This case knows no voxels of its vessels";
+    if (systems_.voxels.empty())
+        return Words::tr("This case knows no voxels of its vessels").toStdString();
     if (!holds(systems_.grid, position_mm))
-        return "Too far from the liver: the vessels' voxels end before";
+        return Words::tr("Too far from the liver: the vessels' voxels end before").toStdString();
     return {};
 }
 
@@ -173,7 +175,7 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
                        "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
-        text += "   segment " + std::to_string(segment);
+        text += "   " + Words::tr("segment %1").arg(segment).toStdString();
     const CentrelinePoint* vessel = nullptr;
     double nearest = 1.0;  // in radii
     for (const CentrelinePoint& point : centrelines_) {
@@ -183,9 +185,11 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
         vessel = &point;
     }
     if (!vessel) return text;
-    char radius[48];
-    std::snprintf(radius, sizeof radius, ", radius %.1f mm", vessel->radius_mm);
-    return text + "   " + title_of(vessel->system) + radius;
+    return text + "   " +
+           Words::tr("%1, radius %L2 mm")
+               .arg(translated(title_of(vessel->system)))
+               .arg(vessel->radius_mm, 0, 'f', 1)
+               .toStdString();
 }
 
 void SliceScene::tell_of_voxels() {

@@ -11,6 +11,7 @@
 
 #include "render/palette.h"
 #include "ui/slices/slice_picture.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -18,9 +19,10 @@ namespace {
 constexpr double hu_per_point = 2.0;
 constexpr double most_zoom = 20.0;
 
+constexpr std::array names{Words::id("Axial"), Words::id("Coronal"), Words::id("Sagittal")};
+
 QString title_of(SliceDirection direction) {
-    constexpr std::array titles{"Axial", "Coronal", "Sagittal"};
-    return titles[static_cast<std::size_t>(direction)];
+    return Words::tr(names[static_cast<std::size_t>(direction)]);
 }
 
 // Readable on every grey.
@@ -36,8 +38,8 @@ void write_shaded(QPainter& painter, const QRectF& box, Qt::Alignment where, con
 
 SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent)
     : QWidget(parent), scene_(scene), direction_(direction) {
-    setObjectName(title_of(direction));
-    setAccessibleName(title_of(direction) + " slice");
+    setObjectName(names[static_cast<std::size_t>(direction)]);
+    setAccessibleName(Words::tr("%1 slice").arg(title_of(direction)));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(120, 90);

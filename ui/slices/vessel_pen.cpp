@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slices/vessel_pen.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -26,16 +27,18 @@ void VesselPen::give_up() {
     if (!draws_) return set_taken(!places_mm_.empty());
     stop();
     tell();
-    say_("Not drawn: it was stopped. Enter draws it, Escape drops its places");
+    say_(Words::tr("Not drawn: it was stopped. Enter draws it, Escape drops its places")
+             .toStdString());
 }
 
 void VesselPen::finish() {
     if (draws_ || !drawing_.begin) return;
     if (places_mm_.size() < 2)
-        return say_("A vessel needs two places at least: click on the next one");
+        return say_(
+            Words::tr("A vessel needs two places at least: click on the next one").toStdString());
     draws_ = true;
     tell();
-    say_("Following the vessel; Escape stops it");
+    say_(Words::tr("Following the vessel; Escape stops it").toStdString());
     drawing_.begin(places_mm_, [this](const Answer& answer) { take(answer); });
 }
 

@@ -7,37 +7,40 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/slices/slice_bar.h"
 #include "ui/slices/slice_view.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
 ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent)
     : QWidget(parent),
       callbacks_(std::move(callbacks)),
-      keeper_(
-          settings,
-          {[this](std::shared_ptr<const Volume> ct, Mask systems) {
-               scene_.show(std::move(ct), std::move(systems), patient_->tree);
-               want_segments();
-               arrange();
-           },
-           [this](const JobProgress& now) { say(QString::fromStdString(now.stage) + "…", false); },
-           [this](const Failure& failure) {
-               QString text = QString::fromStdString(failure.problem + ": " + failure.remedy);
-               text[0] = text[0].toUpper();  // it stands by itself
-               say(text, true);
-               if (!failure.place.empty()) callbacks_.failed(failure);
-           }}),
+      keeper_(settings,
+              {[this](std::shared_ptr<const Volume> ct, Mask systems) {
+                   scene_.show(std::move(ct), std::move(systems), patient_->tree);
+                   want_segments();
+                   arrange();
+               },
+               [this](const JobProgress& now) { say(translated(now.stage) + "…", false); },
+               [this](const Failure& failure) {
+                   QString text = QString("%1: %2").arg(translated(failure.problem),
+                                                        translated(failure.remedy));
+                   text[0] = text[0].toUpper();  // it stands by itself
+                   say(text, true);
+                   if (!failure.place.empty()) callbacks_.failed(failure);
+               }}),
       segments_({[this](Mask segments) {
-                     scene_.set_segments(std::move(segments),
-                                         tr("This case holds no segments of the liver: they are "
-                                            "known where there are a liver mask and a portal vein")
-                                             .toStdString());
+                     scene_.set_segments(
+                         std::move(segments),
+                         Words::tr("This case holds no segments of the liver: they are "
+                                   "known where there are a liver mask and a portal vein")
+                             .toStdString());
                  },
                  [this](const Failure& failure) {
-                     scene_.set_segments({}, tr("The segments cannot be read: %1")
-                                                 .arg(QString::fromStdString(failure.problem))
+                     scene_.set_segments({}, Words::tr("The segments cannot be read: %1")
+                                                 .arg(translated(failure.problem))
                                                  .toStdString());
                      callbacks_.failed(failure);
                  }}),
@@ -81,7 +84,7 @@ void ViewLayout::build(QWidget* view) {
     notice_text_->setWordWrap(true);
     notice_text_->setAlignment(Qt::AlignCenter);
     notice_text_->setObjectName("quiet");
-    choose_ = new QPushButton("Choose the CT…", notice_);
+    choose_ = new QPushButton(Words::tr("Choose the CT…"), notice_);
     choose_->setObjectName("chooseCt");
     connect(choose_, &QPushButton::clicked, this, [this] { ask(); });
     words->addStretch();
@@ -119,7 +122,8 @@ void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
 }
 
 void ViewLayout::want_segments() {
-    if (segments_.want()) scene_.set_segments({}, tr("The segments are being read").toStdString());
+    if (segments_.want())
+        scene_.set_segments({}, Words::tr("The segments are being read").toStdString());
 }
 
 void ViewLayout::clear() {
@@ -134,10 +138,10 @@ void ViewLayout::clear() {
 void ViewLayout::set_slices_visible(bool visible) {
     slices_visible_ = visible;
     if (visible && patient_) {
-        if (scene_.empty() && !keeper_.reading()) say("Reading the CT…", false);
+        if (scene_.empty() && !keeper_.reading()) say(Words::tr("Reading the CT…"), false);
         keeper_.want();
     } else if (visible) {
-        say("Open a patient to see slices of the CT.", false);
+        say(Words::tr("Open a patient to see slices of the CT."), false);
     }
     arrange();
     mark_crosshair();
@@ -174,7 +178,7 @@ void ViewLayout::say(const QString& text, bool can_choose) {
 
 void ViewLayout::ask() {
     if (const auto place = callbacks_.ask_for_ct()) {
-        say("Reading the CT…", false);
+        say(Words::tr("Reading the CT…"), false);
         keeper_.read_from(*place);
     }
 }

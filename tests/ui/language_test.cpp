@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window in another language: every word of it, numbers, and how a language is chosen.
+#include "ui/language.h"
+
+#include <QAction>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <clocale>
+#include <map>
+#include <set>
+
+#include "tests/ui/fake_window_test.h"
+#include "tests/ui/translations.h"
+#include "ui/actions.h"
+#include "ui/decimal_spin_box.h"
+#include "ui/message_bar.h"
+
+namespace hepatica::testing {
+namespace {
+
+// For as long as it lives; before the window of a test is made, and after it is gone.
+class Speaks {
+  public:
+    explicit Speaks(const QString& language) { use_language(language); }
+    ~Speaks() { use_language("en"); }
+    Speaks(const Speaks&) = delete;
+    Speaks& operator=(const Speaks&) = delete;
+};
+
+class GermanWindow : Speaks, public FakeWindowTest {
+  protected:
+    GermanWindow() : Speaks("de") {}
+};
+
+using LanguageChoice = FakeWindowTest;
+
+// "%1", "%L2" and "%n" of a text, a number in the language's form counting as any.
+std::multiset<QString> places_in(const QString& text) {
+    static const QRegularExpression place("%L?(\\d|n)");
+    std::multiset<QString> found;
+    for (auto match = place.globalMatch(text); match.hasNext();)
+        found.insert(match.next().captured(1));
+    return found;
+}
+
+QString accelerator_of(QString text) {
+    text.remove("&&").remove(QRegularExpression("&[a-z]+;"));
+    const qsizetype at = text.indexOf('&');
+    return at < 0 ? QString() : text.mid(at + 1, 1).toLower();
+}
+
+TEST(Translations, AreCompleteInEveryLanguage) {
+    for (const char* language : {"de", "en"}) {
+        const std::vector<Translation> all = translations_in(translation_file(language));
+        EXPECT_FALSE(all.empty());
+        for (const Translation& one : all) {
+            SCOPED_TRACE(language + std::string(": ") + one.source.toStdString());
+            EXPECT_TRUE(one.finished);
+            EXPECT_EQ(one.forms.size(), one.numbered ? 2 : 1);
+            for (const QString& form : one.forms) {
+                EXPECT_FALSE(form.trimmed().isEmpty());
+                EXPECT_EQ(places_in(form), places_in(one.source)) << form.toStdString();
+                EXPECT_EQ(accelerator_of(form).isEmpty(), accelerator_of(one.source).isEmpty())
+                    << form.toStdString();
+                EXPECT_EQ(form.count('<'), one.source.count('<')) << form.toStdString();
+            }
+        }
+    }
+}
+
+// What lupdate finds in the sources is what the files hold.
+TEST(Translations, KnowEveryWordOfTheSources) {
+    const QString folder_of_lupdate = "/usr/lib/qt6/bin";
+    if (!QFile::exists(folder_of_lupdate + "/lupdate")) GTEST_SKIP() << "there is no lupdate";
+    const QTemporaryDir folder;
+    for (const char* language : {"de", "en"}) {
+        const QString file = translation_file(language);
+        ASSERT_TRUE(QFile::copy(file, folder.filePath(QFileInfo(file).fileName())));
+    }
+    QProcess update;
+    update.start(HEPATICA_SOURCE_DIR "/scripts/update_translations", {folder.path()});
+    ASSERT_TRUE(update.waitForFinished(patience_ms));
+    ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+    for (const char* language : {"de", "en"}) {
+        const QString file = translation_file(language);
+        const auto sources = [](const std::vector<Translation>& all) {
+            std::set<QString> found;
+            for (const Translation& one : all) found.insert(one.source);
+            return found;
+        };
+        const auto kept = sources(translations_in(file));
+        const auto found = sources(translations_in(folder.filePath(QFileInfo(file).fileName())));
+        for (const QString& one : found)
+            EXPECT_TRUE(kept.contains(one))
+                << language << " lacks, run scripts/update_translations: " << one.toStdString();
+        for (const QString& one : kept)
+            EXPECT_TRUE(found.contains(one))
+                << language << " holds what nobody says any more: " << one.toStdString();
+    }
+}
+
+TEST_F(GermanWindow, SaysItsMenusInGerman) {
+    QStringList titles;
+    for (const QAction* menu : window_.menuBar()->actions()) titles << menu->text();
+    EXPECT_EQ(titles,
+              QStringList({"&Datei", "&Üben", "&Ansicht", "&Messen", "&Lektion", "&Hilfe"}));
+    EXPECT_EQ(window_.actions()[ActionId::save_case].text(), "Fall &speichern");
+    EXPECT_EQ(window_.actions()[ActionId::save_case].shortcut(), QKeySequence("Ctrl+S"));
+}
+
+void expect_accelerators_of_their_own(const QMenu& menu) {
+    std::map<QString, QString> seen;
+    for (const QAction* action : menu.actions()) {
+        if (action->menu() != nullptr) expect_accelerators_of_their_own(*action->menu());
+        const QString key = accelerator_of(action->text());
+        if (key.isEmpty()) continue;
+        const auto [first, is_new] = seen.emplace(key, action->text());
+        EXPECT_TRUE(is_new) << menu.title().toStdString() << ": " << key.toStdString() << " opens "
+                            << first->second.toStdString() << " and "
+                            << action->text().toStdString();
+    }
+}
+
+TEST_F(GermanWindow, HasNoAcceleratorTwiceInOneMenu) {
+    for (const QAction* menu : window_.menuBar()->actions())
+        expect_accelerators_of_their_own(*menu->menu());
+}
+
+TEST_F(GermanWindow, WritesNumbersWithAComma) {
+    auto* field = window_.findChild<DecimalSpinBox*>("toolRadius");
+    ASSERT_NE(field, nullptr);
+    field->setValue(2.5);
+    EXPECT_EQ(field->cleanText(), "2,5");
+    for (const char* typed : {"3,5", "3.5"}) {
+        field->setValue(1.0);
+        field->findChild<QLineEdit*>()->setText(QString(typed) + " mm");
+        field->interpretText();
+        EXPECT_EQ(field->value(), 3.5) << typed;
+    }
+    // Files and shaders are written and read by the standard library.
+    EXPECT_STREQ(std::localeconv()->decimal_point, ".");
+}
+
+TEST_F(LanguageChoice, WritesNumbersWithAPointInEnglish) {
+    auto* field = window_.findChild<DecimalSpinBox*>("toolRadius");
+    ASSERT_NE(field, nullptr);
+    field->setValue(2.5);
+    EXPECT_EQ(field->cleanText(), "2.5");
+}
+
+TEST_F(LanguageChoice, IsKeptAndHoldsFromTheNextWindowOn) {
+    EXPECT_EQ(settings_.language(), "");
+    EXPECT_TRUE(window_.findChild<QAction*>("language_")->isChecked());
+    window_.findChild<QAction*>("language_de")->trigger();
+    EXPECT_EQ(settings_.language(), "de");
+    EXPECT_TRUE(window_.messages().text().contains("next start"));
+
+    use_language(settings_.language());
+    {
+        MainWindow next(settings_, {});
+        EXPECT_EQ(next.menuBar()->actions().front()->text(), "&Datei");
+        EXPECT_TRUE(next.findChild<QAction*>("language_de")->isChecked());
+    }
+    use_language("en");
+}
+
+TEST_F(LanguageChoice, CanMakeTheWindowAnewWithItsPatient) {
+    open_built_in();
+    std::optional<OpenRequest> shown;
+    int begun = 0;
+    window_.on_begin_anew([&](const std::optional<OpenRequest>& patient) {
+        shown = patient;
+        ++begun;
+    });
+    window_.findChild<QAction*>("language_de")->trigger();
+    EXPECT_EQ(begun, 0);
+    for (auto* button : window_.messages().findChildren<QPushButton*>())
+        if (button->text() == "Start it anew now") button->click();
+    EXPECT_EQ(begun, 1);
+    EXPECT_FALSE(window_.isVisible());
+}
+
+// ctest runs it under several locales, see CMakeLists.txt.
+TEST(LanguageOfTheSystem, HoldsWhereNoneIsChosen) {
+    const QString expected = qEnvironmentVariable("HEPATICA_EXPECTED_LANGUAGE", language_of({}));
+    EXPECT_EQ(language_of(""), expected);
+    EXPECT_EQ(language_of("klingon"), expected);
+    EXPECT_EQ(language_of("de"), "de");
+    EXPECT_EQ(language_of("en"), "en");
+}
+
+}  // namespace
+}  // namespace hepatica::testing

@@ -1,0 +1,77 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Words</name>
+    <message numerus="yes">
+        <source>&lt;b&gt;%1&lt;/b&gt;: %n attempt(s). Tick those of an instructor: they are the band in the learning curve.</source>
+        <translation>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;: %n attempt. Tick those of an instructor: they are the band in the learning curve.</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;: %n attempts. Tick those of an instructor: they are the band in the learning curve.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n branch(es)</source>
+        <translation>
+            <numerusform>%n branch</numerusform>
+            <numerusform>%n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gap(s) were bridged by the reconstruction, %L1 mm in all.</source>
+        <translation>
+            <numerusform>%n gap were bridged by the reconstruction, %L1 mm in all.</numerusform>
+            <numerusform>%n gaps were bridged by the reconstruction, %L1 mm in all.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at lessons, %1 passed; the last: %2, %3</source>
+        <translation>
+            <numerusform>%n attempt at lessons, %1 passed; the last: %2, %3</numerusform>
+            <numerusform>%n attempts at lessons, %1 passed; the last: %2, %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %L2 mm, %n root(s)</source>
+        <translation>
+            <numerusform>%1: %L2 mm, %n root</numerusform>
+            <numerusform>%1: %L2 mm, %n roots</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, and %n more</source>
+        <translation>
+            <numerusform>, and %n more</numerusform>
+            <numerusform>, and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more to do</source>
+        <translation>
+            <numerusform>%n more to do</numerusform>
+            <numerusform>%n more to do</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n iteration(s) a step</source>
+        <translation>
+            <numerusform>%1; %n iteration a step</numerusform>
+            <numerusform>%1; %n iterations a step</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more under All messages.</source>
+        <translation>
+            <numerusform>%n more under All messages.</numerusform>
+            <numerusform>%n more under All messages.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What core says to a user of the window, sentence by sentence: its English is the id by which it
+// is translated. %1, %2 stand for what core puts in. tests/ui/core_words_test.cpp reads core's
+// sources and fails on a sentence that is missing here.
+#pragma once
+
+#include <vector>
+
+namespace hepatica {
+
+// Of all rooms. The first one is translated into every language; see translated().
+const std::vector<const char*>& core_sentences();
+
+}  // namespace hepatica

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/core_words.h"
+
+#include <QHash>
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ui/core_sentences.h"
+#include "ui/window_words.h"
+#include "ui/words.h"
+
+namespace hepatica {
+namespace {
+
+// A sentence of core with what is put into it: "segment %1 of %2".
+struct Pattern {
+    const char* id;
+    QRegularExpression shape;
+    std::vector<int> order;  // which place each group of the expression fills
+};
+
+constexpr int deepest = 3;  // sentences within sentences
+
+QString expression_of(const QString& sentence, std::vector<int>& order) {
+    QString expression;
+    for (qsizetype i = 0; i < sentence.size(); ++i) {
+        const bool is_place =
+            sentence[i] == '%' && i + 1 < sentence.size() && sentence[i + 1].isDigit();
+        if (!is_place) {
+            expression += QRegularExpression::escape(sentence.mid(i, 1));
+            continue;
+        }
+        order.push_back(sentence[++i].digitValue());
+        expression += "(.+?)";
+    }
+    return expression;
+}
+
+// The words alone: how much of a sentence a pattern says itself.
+qsizetype letters_of(const char* sentence) {
+    return QString::fromUtf8(sentence).remove('%').size();
+}
+
+// Core's sentences as core says them, and as in_window_words() has changed them since.
+struct Sentences {
+    QHash<QString, const char*> whole;
+    std::vector<Pattern> patterns;  // those that say most come first
+
+    Sentences() {
+        for (const char* id : core_sentences()) {
+            add(QString::fromUtf8(id), id);
+            add(QString::fromStdString(in_window_words(id)), id);
+        }
+        std::ranges::stable_sort(patterns, [](const Pattern& a, const Pattern& b) {
+            return letters_of(a.id) > letters_of(b.id);
+        });
+    }
+
+    void add(const QString& sentence, const char* id) {
+        Pattern pattern{id, {}, {}};
+        const QString expression = expression_of(sentence, pattern.order);
+        if (pattern.order.empty()) {
+            whole.insert(sentence, id);
+            return;
+        }
+        pattern.shape.setPattern(QRegularExpression::anchoredPattern(expression));
+        pattern.shape.setPatternOptions(QRegularExpression::DotMatchesEverythingOption);
+        patterns.push_back(std::move(pattern));
+    }
+};
+
+const Sentences& sentences() {
+    static const Sentences all;
+    return all;
+}
+
+// 3.250000 as 3,25; what only looks like a number (1.2.840, p1.hep, 2.x) stays.
+QString number_in_words(const QString& text) {
+    static const QRegularExpression decimal(R"(^(-?\d+)\.(\d+)$)");
+    const QRegularExpressionMatch match = decimal.match(text);
+    if (!match.hasMatch()) return text;
+    return match.captured(1) + QLocale().decimalPoint() + match.captured(2);
+}
+
+QString in_words(const QString& english, int depth);
+
+// Names, numbers and lists that are put in.
+QString part_in_words(const QString& part, int depth) {
+    const QString number = number_in_words(part);
+    return number != part || depth >= deepest ? number : in_words(part, depth + 1);
+}
+
+QString in_words(const QString& english, int depth) {
+    if (const auto found = sentences().whole.constFind(english); found != sentences().whole.cend())
+        return Words::tr(*found);
+    // What the window itself says as core does: failures, stages.
+    if (const QString whole = Words::tr(english.toUtf8().constData()); whole != english)
+        return whole;
+    for (const Pattern& pattern : sentences().patterns) {
+        const QRegularExpressionMatch match = pattern.shape.match(english);
+        if (!match.hasMatch()) continue;
+        QString text = Words::tr(pattern.id);
+        // All at once: a name that holds "%1" is no place.
+        QString filled;
+        for (qsizetype i = 0; i < text.size(); ++i) {
+            const int place = text[i] == '%' && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
+            const auto group = std::ranges::find(pattern.order, place);
+            if (place < 1 || group == pattern.order.end()) {
+                filled += text[i];
+                continue;
+            }
+            const auto number = static_cast<int>(group - pattern.order.begin()) + 1;
+            filled += part_in_words(match.captured(number), depth);
+            ++i;
+        }
+        return filled;
+    }
+    return english;
+}
+
+// Where no translation is loaded, and in English, nothing has to be looked for.
+bool is_english() {
+    const char* const any = core_sentences().front();
+    return Words::tr(any) == QString::fromUtf8(any);
+}
+
+}  // namespace
+
+QString translated(const std::string& english) {
+    const QString text = QString::fromStdString(english);
+    return is_english() ? text : in_words(text, 0);
+}
+
+}  // namespace hepatica
