@@ -82,11 +82,11 @@ TEST(VoxelLoop, FillsAndCopiesAsAnImageDoes) {
     EXPECT_GE(looks_of([&](Job& j) { copied_image(mask, j); }), 10);
 }
 
-// In each of its passes over the rows, in less than a tenth of them.
+// In each of their passes over the rows, of which the one that joins them looks 200 times.
 TEST(VoxelLoop, ComponentsAndHolesHearACancel) {
     const Mask mask = speckled();
-    EXPECT_GE(looks_of([&](Job& j) { connected_components(mask, Connectivity::all26, j); }), 200);
-    EXPECT_GE(looks_of([&](Job& j) { fill_holes(mask, j); }), 200);
+    EXPECT_GE(looks_of([&](Job& j) { connected_components(mask, Connectivity::all26, j); }), 225);
+    EXPECT_GE(looks_of([&](Job& j) { fill_holes(mask, j); }), 230);
     Job job;
     EXPECT_EQ(connected_components(mask, Connectivity::all26, job).labels.voxels,
               connected_components(mask, Connectivity::all26).labels.voxels);
