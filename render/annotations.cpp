@@ -20,6 +20,7 @@
 #include <sstream>
 #include <utility>
 
+#include "render/picture_words.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -64,7 +65,7 @@ void place_text(vtkTextActor& actor, const std::string& text, double x, double y
     actor.SetVisibility(!text.empty());
     if (text.empty()) return;
     style_text(*actor.GetTextProperty(), std::max(6, static_cast<int>(std::lround(size))), colour);
-    actor.SetInput(text.c_str());
+    actor.SetInput(in_picture(text).c_str());
     actor.SetPosition(std::round(x), std::round(y));
 }
 

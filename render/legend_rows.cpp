@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "render/picture_words.h"
+
 namespace hepatica {
 namespace {
 
@@ -109,7 +111,9 @@ void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings) 
     content.torn = frame.tear && frame.tear->joints_broken > 0;
 }
 
-std::vector<LegendRow> legend_rows(const LegendContent& content) {
+namespace {
+
+std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     std::vector<LegendRow> rows;
     const auto swatch = [&](const std::string& text, const Colour& colour) {
         rows.push_back({text, {}, {colour}, {}, {}, false});
@@ -126,6 +130,18 @@ std::vector<LegendRow> legend_rows(const LegendContent& content) {
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
         swatch(with_capital(title_of(system)), palette::vessel_system(system));
+    return rows;
+}
+
+}  // namespace
+
+std::vector<LegendRow> legend_rows(const LegendContent& content) {
+    std::vector<LegendRow> rows = rows_in_english(content);
+    for (LegendRow& row : rows) {
+        row.text = in_picture(row.text);
+        row.at_right = in_picture(row.at_right);
+        for (auto& [place, number] : row.ticks) number = in_picture(number);
+    }
     return rows;
 }
 

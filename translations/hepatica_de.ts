@@ -125,7 +125,7 @@
     </message>
     <message>
         <source>&amp;Edit the vessels</source>
-        <translation>Gefäße b&amp;earbeiten</translation>
+        <translation>Gefäße änd&amp;ern</translation>
     </message>
     <message>
         <source>Left click on a vessel corrects the tree there</source>
@@ -553,7 +553,7 @@
     </message>
     <message>
         <source>Click in Edit mode</source>
-        <translation>Klick im Modus Bearbeiten</translation>
+        <translation>Klick im Modus Ändern</translation>
     </message>
     <message>
         <source>what the panel says: cut, link, delete, root, system</source>
@@ -1060,7 +1060,7 @@
     </message>
     <message>
         <source>A click in Edit mode</source>
-        <translation>Ein Klick im Modus Bearbeiten</translation>
+        <translation>Ein Klick im Modus Ändern</translation>
     </message>
     <message>
         <source>Tool of the edit</source>
@@ -1124,7 +1124,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keine</translation>
+        <translation>ohne Wert</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1847,11 +1847,11 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation>Bearbeiten</translation>
+        <translation>Ändern</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>Wirkstoff</translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>%1 is not there any more; it was taken off the list of recent files.</source>
@@ -2270,7 +2270,7 @@
     </message>
     <message>
         <source>optional: speeds up and steadies the segmentation</source>
-        <translation>freiwillig: macht die Segmentierung schneller und sicherer</translation>
+        <translation>optional: schneller und sicherer</translation>
     </message>
     <message>
         <source>Vessel mask</source>
@@ -2278,11 +2278,11 @@
     </message>
     <message>
         <source>optional: replaces the segmentation</source>
-        <translation>freiwillig: ersetzt die Segmentierung</translation>
+        <translation>optional: ersetzt die Segmentierung</translation>
     </message>
     <message>
         <source>optional: lowest and highest HU of the vessels, as 140 260</source>
-        <translation>freiwillig: kleinster und größter HU-Wert der Gefäße, etwa 140 260</translation>
+        <translation>optional: kleinster und größter HU-Wert, etwa 140 260</translation>
     </message>
     <message>
         <source>Window (HU)</source>
@@ -2298,7 +2298,7 @@
     </message>
     <message>
         <source>optional: x y z in LPS mm; next seed after a semicolon</source>
-        <translation>freiwillig: x y z in LPS-mm; der nächste Startpunkt nach einem Semikolon</translation>
+        <translation>optional: x y z in LPS-mm; weitere nach Semikolon</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -2776,11 +2776,11 @@
     </message>
     <message>
         <source>Click where the distance begins, then where it ends</source>
-        <translation>Klicken Sie, wo der Abstand beginnt, dann, wo er endet</translation>
+        <translation>Klicken Sie auf Anfang und Ende</translation>
     </message>
     <message>
         <source>Click on one arm, on the vertex, on the other arm</source>
-        <translation>Klicken Sie auf einen Schenkel, den Scheitel, den anderen Schenkel</translation>
+        <translation>Klicken Sie auf Schenkel, Scheitel, Schenkel</translation>
     </message>
     <message>
         <source>Click on a vessel</source>
@@ -2788,19 +2788,19 @@
     </message>
     <message>
         <source>A click on a vessel: %1 (panel Corrections); Escape ends it</source>
-        <translation>Ein Klick auf ein Gefäß: %1 (Bedienfeld Korrekturen); Esc beendet es</translation>
+        <translation>Klick auf ein Gefäß: %1 (Korrekturen); Esc beendet</translation>
     </message>
     <message>
         <source>Drag over what is vessel (+ and - size the brush), then Rebuild</source>
-        <translation>Ziehen Sie über das, was Gefäß ist (+ und - ändern die Größe), dann Neu bauen</translation>
+        <translation>Ziehen Sie über Gefäße (+, -: Größe), dann Neu bauen</translation>
     </message>
     <message>
         <source>Drag over what is no vessel (+ and - size the brush), then Rebuild</source>
-        <translation>Ziehen Sie über das, was kein Gefäß ist (+ und - ändern die Größe), dann Neu bauen</translation>
+        <translation>Ziehen Sie über Falsches (+, -: Größe), dann Neu bauen</translation>
     </message>
     <message>
         <source>Click where the missing vessel begins, then along it</source>
-        <translation>Klicken Sie, wo das fehlende Gefäß beginnt, dann an ihm entlang</translation>
+        <translation>Klicken Sie vom Anfang des Gefäßes an ihm entlang</translation>
     </message>
     <message>
         <source>Click on along the vessel</source>
@@ -2808,7 +2808,7 @@
     </message>
     <message>
         <source>Click on along the vessel, or draw it (Enter)</source>
-        <translation>Klicken Sie weiter am Gefäß entlang, oder zeichnen Sie es (Eingabetaste)</translation>
+        <translation>Klicken Sie weiter, oder zeichnen Sie es (Eingabetaste)</translation>
     </message>
     <message>
         <source>Draw it</source>
@@ -3186,6 +3186,3850 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Lang&amp;uage</source>
         <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Sich umsehen</translation>
+    </message>
+    <message>
+        <source>Gentle pull</source>
+        <translation>Sanft ziehen</translation>
+    </message>
+    <message>
+        <source>Probe a branch free</source>
+        <translation>Einen Ast freilegen</translation>
+    </message>
+    <message>
+        <source>Selective injection</source>
+        <translation>Selektive Injektion</translation>
+    </message>
+    <message>
+        <source>Hold a bleeding vessel</source>
+        <translation>Ein blutendes Gefäß halten</translation>
+    </message>
+    <message>
+        <source>The cut line</source>
+        <translation>Die Schwächungslinie</translation>
+    </message>
+    <message>
+        <source>Embolization</source>
+        <translation>Embolisation</translation>
+    </message>
+    <message>
+        <source>Bring the tip of a probe near three places in turn, without pushing the vessels. Turning the view is part of doing it well, but is not scored: a recording holds what is done to the patient, not where somebody looks.</source>
+        <translation>Führen Sie die Spitze einer Sonde nacheinander an drei Orte heran, ohne die Gefäße wegzudrücken. Die Ansicht zu drehen gehört dazu, wird aber nicht bewertet: Eine Aufzeichnung enthält, was mit dem Patienten geschieht, nicht, wohin jemand blickt.</translation>
+    </message>
+    <message>
+        <source>Take the probe and bring its tip near the first mark.</source>
+        <translation>Nehmen Sie die Sonde, und führen Sie ihre Spitze an die erste Marke heran.</translation>
+    </message>
+    <message>
+        <source>Key 4 takes the probe. The mouse leads it, the wheel moves it in depth. Look from the side (L) to judge the depth.</source>
+        <translation>Taste 4 nimmt die Sonde. Die Maus führt sie, das Mausrad bewegt sie in die Tiefe. Blicken Sie von der Seite (L), um die Tiefe zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Now near the second mark, around the vessels between.</source>
+        <translation>Nun an die zweite Marke heran, um die Gefäße dazwischen herum.</translation>
+    </message>
+    <message>
+        <source>Move the probe towards you with the wheel first.</source>
+        <translation>Bewegen Sie die Sonde mit dem Mausrad erst auf sich zu.</translation>
+    </message>
+    <message>
+        <source>And near the third.</source>
+        <translation>Und an die dritte heran.</translation>
+    </message>
+    <message>
+        <source>the first mark</source>
+        <translation>erste Marke</translation>
+    </message>
+    <message>
+        <source>the second mark</source>
+        <translation>zweite Marke</translation>
+    </message>
+    <message>
+        <source>the third mark</source>
+        <translation>dritte Marke</translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>the branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>the target&apos;s vessel</source>
+        <translation>Gefäß des Ziels</translation>
+    </message>
+    <message>
+        <source>the stump</source>
+        <translation>Stumpf</translation>
+    </message>
+    <message>
+        <source>the line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>the hold</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Pull a vessel aside, hold it there, and let it go. Veins bear little: stay below a stretch of 1.25, and do not jerk: 2 N end it.</source>
+        <translation>Ziehen Sie ein Gefäß beiseite, halten Sie es dort, und lassen Sie es los. Venen halten wenig aus: Bleiben Sie unter einer Dehnung von 1,25, und reißen Sie nicht daran: 2 N beenden die Lektion.</translation>
+    </message>
+    <message>
+        <source>Take hold of the vessel at the mark.</source>
+        <translation>Fassen Sie das Gefäß an der Marke.</translation>
+    </message>
+    <message>
+        <source>Press the left mouse button on the vessel and keep it down.</source>
+        <translation>Drücken Sie auf dem Gefäß die linke Maustaste, und halten Sie sie gedrückt.</translation>
+    </message>
+    <message>
+        <source>Pull it 10 mm aside and hold it there for a second.</source>
+        <translation>Ziehen Sie es 10 mm beiseite, und halten Sie es dort eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Move slowly: what is stretched pulls back. Colours and the arrow&apos;s number show the force.</source>
+        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Farben und die Zahl am Pfeil zeigen die Kraft.</translation>
+    </message>
+    <message>
+        <source>Let go and wait until it has swung back.</source>
+        <translation>Lassen Sie los, und warten Sie, bis es zurückgeschwungen ist.</translation>
+    </message>
+    <message>
+        <source>Release the button.</source>
+        <translation>Lassen Sie die Taste los.</translation>
+    </message>
+    <message>
+        <source>Lift a branch with a rod so that a way opens behind it, and leave it whole. The tissue around is springs: it gives way and pulls back, but nothing is glued to the branch.</source>
+        <translation>Heben Sie einen Ast mit einem Stab an, sodass sich dahinter ein Weg öffnet, und lassen Sie ihn heil. Das Gewebe ringsum besteht aus Federn: Es gibt nach und zieht zurück, aber nichts klebt am Ast.</translation>
+    </message>
+    <message>
+        <source>Touch the marked branch with the rod.</source>
+        <translation>Berühren Sie den markierten Ast mit dem Stab.</translation>
+    </message>
+    <message>
+        <source>Key 5 takes the rod; T turns it.</source>
+        <translation>Taste 5 nimmt den Stab; T dreht ihn.</translation>
+    </message>
+    <message>
+        <source>Move the branch by 4 mm and keep it there for half a second.</source>
+        <translation>Bewegen Sie den Ast um 4 mm, und halten Sie ihn dort eine halbe Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Push across the branch, not along it.</source>
+        <translation>Drücken Sie quer zum Ast, nicht längs.</translation>
+    </message>
+    <message>
+        <source>Take the rod away and let the branch come back.</source>
+        <translation>Nehmen Sie den Stab weg, und lassen Sie den Ast zurückkommen.</translation>
+    </message>
+    <message>
+        <source>Draw back the way you came; Esc puts the tool away.</source>
+        <translation>Ziehen Sie sich auf demselben Weg zurück; Esc legt das Werkzeug weg.</translation>
+    </message>
+    <message>
+        <source>Bring 3 g of drug into the left territory and as little as possible elsewhere. The tip lies free in the vessel: what it injects also runs back, the more the nearer it is to the root.</source>
+        <translation>Bringen Sie 3 g Wirkstoff in das linke Gebiet und möglichst wenig anderswohin. Die Spitze liegt frei im Gefäß: Was sie injiziert, läuft auch zurück, umso mehr, je näher sie der Wurzel ist.</translation>
+    </message>
+    <message>
+        <source>Inject so that 3 g reach the target&apos;s tissue.</source>
+        <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
+    </message>
+    <message>
+        <source>Far beyond the mark: point at a vessel to see what lies downstream of it, then double-click.</source>
+        <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt, dann doppelklicken Sie.</translation>
+    </message>
+    <message>
+        <source>A branch was cut and bleeds. Press on its stump, then take it with the forceps. Nothing here stems the flow: in this simulation pressing does not narrow a vessel, so that the bleeding goes on at its rate. Scored is how soon, how near and how gently you hold it.</source>
+        <translation>Ein Ast wurde durchtrennt und blutet. Drücken Sie auf seinen Stumpf, dann fassen Sie ihn mit der Pinzette. Nichts stillt hier den Fluss: In dieser Simulation verengt Drücken kein Gefäß, sodass die Blutung unverändert weitergeht. Bewertet wird, wie bald, wie nah und wie sanft Sie ihn halten.</translation>
+    </message>
+    <message>
+        <source>Press on the stump with the probe for half a second.</source>
+        <translation>Drücken Sie mit der Sonde eine halbe Sekunde lang auf den Stumpf.</translation>
+    </message>
+    <message>
+        <source>Key 4 takes the probe. Come from the side of the root.</source>
+        <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel.</translation>
+    </message>
+    <message>
+        <source>Take the stump with the forceps and hold it for half a second.</source>
+        <translation>Fassen Sie den Stumpf mit der Pinzette, und halten Sie ihn eine halbe Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Key 6 takes the forceps, C closes them.</source>
+        <translation>Taste 6 nimmt die Pinzette, C schließt sie.</translation>
+    </message>
+    <message>
+        <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
+        <translation>Ziehen Sie eine Schwächungslinie quer über einen Ast, und ziehen Sie ihn entlang der Linie ab. Ohne die Linie würde der Zug den Ast weit dehnen, ehe er reißt.</translation>
+    </message>
+    <message>
+        <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
+        <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
+    </message>
+    <message>
+        <source>Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0.</source>
+        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Geben Sie der Linie eine Festigkeit nahe 0.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target. How beads bring the flow to stasis computes hepatica-cli embolize.</source>
+        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, ehe sie in die anderen zurückläuft. Hier treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel. Wie Partikel den Fluss zum Stillstand bringen, berechnet hepatica-cli embolize.</translation>
+    </message>
+    <message>
+        <source>Inject the emulsion until nine tenths of the target are full.</source>
+        <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: Injection panel, lipiodol 50 %, 0.5 g/s.</source>
+        <translation>Ein wenig jenseits der Marke, langsam: Bedienfeld Injektion, Lipiodol 50 %, 0,5 g/s.</translation>
+    </message>
+    <message>
+        <source>Stop: take the catheter out.</source>
+        <translation>Halt: Nehmen Sie den Katheter heraus.</translation>
+    </message>
+    <message>
+        <source>Del removes the drug.</source>
+        <translation>Entf entfernt den Wirkstoff.</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>Unknown system</source>
+        <translation>Unbekanntes System</translation>
+    </message>
+    <message>
+        <source>Built-in patient</source>
+        <translation>Eingebauter Patient</translation>
+    </message>
+    <message>
+        <source>internal error: %1</source>
+        <translation>Interner Fehler: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1; %2; %3 mm</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>lässt sich nicht schreiben (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written to its end</source>
+        <translation>lässt sich nicht bis zum Ende schreiben</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, may be written and has free space</source>
+        <translation>Prüfen Sie, ob der Ordner existiert, beschreibbar ist und freien Platz hat</translation>
+    </message>
+    <message>
+        <source>was in the folder and could not be put back into it</source>
+        <translation>war im Ordner und ließ sich nicht zurücklegen</translation>
+    </message>
+    <message>
+        <source>Move it to %1 by hand</source>
+        <translation>Verschieben Sie es von Hand nach %1</translation>
+    </message>
+    <message>
+        <source>cannot be started (%1)</source>
+        <translation>lässt sich nicht starten (%1)</translation>
+    </message>
+    <message>
+        <source>End other programs, and try again</source>
+        <translation>Beenden Sie andere Programme, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read; check its permissions</source>
+        <translation>lässt sich nicht lesen; prüfen Sie die Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>Check that it exists</source>
+        <translation>Prüfen Sie, ob die Datei existiert</translation>
+    </message>
+    <message>
+        <source>Check that it exists and may be read</source>
+        <translation>Prüfen Sie, ob die Datei existiert und lesbar ist</translation>
+    </message>
+    <message>
+        <source>must be a whole number in range, but is %1</source>
+        <translation>muss eine ganze Zahl im erlaubten Bereich sein, ist aber %1</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 mm, which is farther than %2 m from the origin of its coordinates</source>
+        <translation>%1 mm, weiter als %2 m vom Ursprung der Koordinaten</translation>
+    </message>
+    <message>
+        <source>Check the unit of its positions and export it again in millimetres</source>
+        <translation>Prüfen Sie die Einheit der Positionen, und exportieren Sie noch einmal in Millimetern</translation>
+    </message>
+    <message>
+        <source>a file of the program itself is missing</source>
+        <translation>Eine Datei des Programms selbst fehlt</translation>
+    </message>
+    <message>
+        <source>Install Hepatica again, or run it where it was built</source>
+        <translation>Installieren Sie Hepatica neu, oder starten Sie es dort, wo es gebaut wurde</translation>
+    </message>
+    <message>
+        <source>is no folder for temporary files</source>
+        <translation>ist kein Ordner für temporäre Dateien</translation>
+    </message>
+    <message>
+        <source>Make that folder, or let TMPDIR name one that is there</source>
+        <translation>Legen Sie diesen Ordner an, oder nennen Sie mit TMPDIR einen vorhandenen</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made</source>
+        <translation>Es lässt sich kein temporärer Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>Free some space there</source>
+        <translation>Schaffen Sie dort Platz</translation>
+    </message>
+    <message>
+        <source>Free some space there, or set TMPDIR to a folder with more</source>
+        <translation>Schaffen Sie dort Platz, oder setzen Sie TMPDIR auf einen Ordner mit mehr Platz</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>existiert nicht</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>is not known, and no key is</source>
+        <translation>ist nicht bekannt, und kein Schlüssel ist es</translation>
+    </message>
+    <message>
+        <source>is not known; choose from %1</source>
+        <translation>ist nicht bekannt; wählen Sie aus %1</translation>
+    </message>
+    <message>
+        <source>is not known; the nearest key is &quot;%1&quot;</source>
+        <translation>ist nicht bekannt; der ähnlichste Schlüssel ist „%1“</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>Give finite numbers</source>
+        <translation>Geben Sie endliche Zahlen an</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1</source>
+        <translation>Wählen Sie eines von: %1</translation>
+    </message>
+    <message>
+        <source>Give a value from %1</source>
+        <translation>Geben Sie einen Wert von %1 an</translation>
+    </message>
+    <message>
+        <source>Reconstruct the patient first</source>
+        <translation>Rekonstruieren Sie zuerst den Patienten</translation>
+    </message>
+    <message>
+        <source>Reconstruct the patient again</source>
+        <translation>Rekonstruieren Sie den Patienten noch einmal</translation>
+    </message>
+    <message>
+        <source>the vessel tree has no segments</source>
+        <translation>Der Gefäßbaum hat keine Segmente</translation>
+    </message>
+    <message>
+        <source>Choose a value from 0 to 1</source>
+        <translation>Wählen Sie einen Wert von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Bilder werden gesucht</translation>
+    </message>
+    <message>
+        <source>Reading the images</source>
+        <translation>Die Bilder werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the mask</source>
+        <translation>Die Maske wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the label map</source>
+        <translation>Die Labelkarte wird gelesen</translation>
+    </message>
+    <message>
+        <source>Writing the DICOM series</source>
+        <translation>Die DICOM-Serie wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the segmentation</source>
+        <translation>Die Segmentierung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Prüfen Sie den Datenträger</translation>
+    </message>
+    <message>
+        <source>holds damaged compressed data after %1</source>
+        <translation>enthält nach %1 beschädigte komprimierte Daten</translation>
+    </message>
+    <message>
+        <source>Copy or export the file again</source>
+        <translation>Kopieren oder exportieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>lässt sich nicht öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>ends too early, after %1 of data</source>
+        <translation>endet zu früh, nach %1 Daten</translation>
+    </message>
+    <message>
+        <source>cannot be split into its frames: %1</source>
+        <translation>lässt sich nicht in seine Einzelbilder zerlegen: %1</translation>
+    </message>
+    <message>
+        <source>Export it again as classic CT slices, one file a slice (a segmentation: as NIfTI or NRRD)</source>
+        <translation>Exportieren Sie noch einmal als klassische CT-Schichten, eine Datei je Schicht (eine Segmentierung: als NIfTI oder NRRD)</translation>
+    </message>
+    <message>
+        <source>Check that the file is still there</source>
+        <translation>Prüfen Sie, ob die Datei noch da ist</translation>
+    </message>
+    <message>
+        <source>needs %1 for its frames, and %2 are free in %3</source>
+        <translation>braucht %1 für seine Einzelbilder, und in %3 sind %2 frei</translation>
+    </message>
+    <message>
+        <source>that took longer than %1 s</source>
+        <translation>es dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>the helper that reads it was ended by signal %1, which a damaged file can cause</source>
+        <translation>das Hilfsprogramm dafür wurde durch Signal %1 beendet, was eine beschädigte Datei bewirken kann</translation>
+    </message>
+    <message>
+        <source>the helper that reads it ended with %1</source>
+        <translation>das Hilfsprogramm dafür endete mit %1</translation>
+    </message>
+    <message>
+        <source>frame %1 is missing</source>
+        <translation>Einzelbild %1 fehlt</translation>
+    </message>
+    <message>
+        <source>Copy or export the series again</source>
+        <translation>Kopieren oder exportieren Sie die Serie noch einmal</translation>
+    </message>
+    <message>
+        <source>lies in the same place as %1 but shows something else</source>
+        <translation>liegt am selben Ort wie %1, zeigt aber etwas anderes</translation>
+    </message>
+    <message>
+        <source>Put each phase of the contrast into a folder of its own</source>
+        <translation>Legen Sie jede Kontrastmittelphase in einen eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>is no DICOM image</source>
+        <translation>ist kein DICOM-Bild</translation>
+    </message>
+    <message>
+        <source>Give the DICOM folder of the CT, or a file in it</source>
+        <translation>Geben Sie den DICOM-Ordner des CTs an oder eine Datei darin</translation>
+    </message>
+    <message>
+        <source>has %1 of %2 bits a pixel</source>
+        <translation>hat %1 von %2 Bit je Pixel</translation>
+    </message>
+    <message>
+        <source>has compressed pixels of another size than its header</source>
+        <translation>hat komprimierte Pixel anderer Größe als im Kopf angegeben</translation>
+    </message>
+    <message>
+        <source>has compressed pixels that cannot be decoded</source>
+        <translation>hat komprimierte Pixel, die sich nicht entschlüsseln lassen</translation>
+    </message>
+    <message>
+        <source>has compressed pixels that do not begin at the lowest bit (high bit %1, 0028,0102)</source>
+        <translation>hat komprimierte Pixel, die nicht beim niedrigsten Bit beginnen (höchstes Bit %1, 0028,0102)</translation>
+    </message>
+    <message>
+        <source>has %1 bits below the high bit %2 (0028,0102), which is impossible in %3</source>
+        <translation>hat %1 Bit unter dem höchsten Bit %2 (0028,0102), was in %3 unmöglich ist</translation>
+    </message>
+    <message>
+        <source>has a rescale slope of %1</source>
+        <translation>hat eine Skalierung (Rescale Slope) von %1</translation>
+    </message>
+    <message>
+        <source>has damaged run-length encoded pixels</source>
+        <translation>hat beschädigte lauflängenkodierte Pixel</translation>
+    </message>
+    <message>
+        <source>has fewer pixels than its header claims</source>
+        <translation>hat weniger Pixel, als sein Kopf angibt</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>has pixels in the unknown encoding %1</source>
+        <translation>hat Pixel in der unbekannten Kodierung %1</translation>
+    </message>
+    <message>
+        <source>holds several frames in one file</source>
+        <translation>enthält mehrere Einzelbilder in einer Datei</translation>
+    </message>
+    <message>
+        <source>is a colour picture</source>
+        <translation>ist ein Farbbild</translation>
+    </message>
+    <message>
+        <source>%1 slices state no rescale slope and intercept: their stored values were taken as Hounsfield units</source>
+        <translation>%1 Schichten nennen weder Rescale Slope noch Intercept: Ihre Werte wurden als Hounsfield-Einheiten genommen</translation>
+    </message>
+    <message>
+        <source>%1 slices stood there twice and were read once</source>
+        <translation>%1 Schichten lagen doppelt vor und wurden einmal gelesen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 voxels are padding around the scan (0028,0120) and became %3</source>
+        <translation>%1 von %2 Voxeln sind Auffüllung um die Aufnahme (0028,0120) und wurden zu %3</translation>
+    </message>
+    <message>
+        <source>The series is stored for display with low values bright (MONOCHROME1): its values were read as Hounsfield units all the same, as the standard has it</source>
+        <translation>Die Serie ist so gespeichert, dass kleine Werte hell erscheinen (MONOCHROME1): Ihre Werte wurden dennoch als Hounsfield-Einheiten gelesen, wie es der Standard will</translation>
+    </message>
+    <message>
+        <source>The series states a gantry tilt of %1 (0018,1120), but its slices are stacked %2: it was read by their positions, as the standard has it</source>
+        <translation>Die Serie nennt eine Gantry-Neigung von %1 (0018,1120), ihre Schichten liegen aber %2: Gelesen wurde nach ihren Positionen, wie es der Standard will</translation>
+    </message>
+    <message>
+        <source>Its slices are stacked aslant by %1 (a tilted gantry): each was moved within its plane onto an upright grid</source>
+        <translation>Ihre Schichten sind um %1 schräg gestapelt (geneigte Gantry): Jede wurde in ihrer Ebene auf ein aufrechtes Gitter verschoben</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>Export the segmentation as NIfTI or NRRD</source>
+        <translation>Exportieren Sie die Segmentierung als NIfTI oder NRRD</translation>
+    </message>
+    <message>
+        <source>has one slice and no spacing of slices (0018,0088)</source>
+        <translation>hat eine Schicht und keinen Schichtabstand (0018,0088)</translation>
+    </message>
+    <message>
+        <source>has slices %1 apart where %2 lie between others</source>
+        <translation>hat Schichten im Abstand %1, wo sonst %2 dazwischen liegen</translation>
+    </message>
+    <message>
+        <source>lies %1 beside the first frame: the segmentation of a series that a tilted gantry has sheared is not read</source>
+        <translation>liegt %1 neben dem ersten Einzelbild: Die Segmentierung einer Serie mit geneigter Gantry wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>its slices are stacked aslant by %1 degrees, which is more than any gantry tilts</source>
+        <translation>ihre Schichten sind um %1 Grad schräg gestapelt, mehr als jede Gantry geneigt wird</translation>
+    </message>
+    <message>
+        <source>Ask for the series reformatted to straight axial slices</source>
+        <translation>Lassen Sie die Serie in gerade axiale Schichten umrechnen</translation>
+    </message>
+    <message>
+        <source>%1 slice is missing %2 (at %3 to %4)</source>
+        <translation>%1 Schicht fehlt %2 (bei %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1 slices are missing %2 (at %3 to %4)</source>
+        <translation>%1 Schichten fehlen %2 (bei %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>the gap %1 is %2, elsewhere it is %3</source>
+        <translation>die Lücke %1 beträgt %2, sonst %3</translation>
+    </message>
+    <message>
+        <source>Export the series again, complete, as axial slices of one size</source>
+        <translation>Exportieren Sie die Serie noch einmal vollständig als axiale Schichten gleicher Größe</translation>
+    </message>
+    <message>
+        <source>has a pixel spacing of %1</source>
+        <translation>hat einen Pixelabstand von %1</translation>
+    </message>
+    <message>
+        <source>has an orientation that is no pair of perpendicular directions</source>
+        <translation>hat eine Orientierung, die kein Paar rechtwinkliger Richtungen ist</translation>
+    </message>
+    <message>
+        <source>has no position, orientation or pixel spacing</source>
+        <translation>hat keine Position, Orientierung oder keinen Pixelabstand</translation>
+    </message>
+    <message>
+        <source>has %1 frames in one file and is no enhanced CT, the only kind of many frames that this program reads</source>
+        <translation>hat %1 Einzelbilder in einer Datei und ist kein Enhanced CT, die einzige mehrbildrige Art, die dieses Programm liest</translation>
+    </message>
+    <message>
+        <source>has %1 pixels, but %2 has %3</source>
+        <translation>hat %1 Pixel, %2 aber %3</translation>
+    </message>
+    <message>
+        <source>has pixels of %1, but %2 of %3</source>
+        <translation>hat Pixel von %1, %2 aber von %3</translation>
+    </message>
+    <message>
+        <source>is oriented otherwise than %1</source>
+        <translation>ist anders orientiert als %1</translation>
+    </message>
+    <message>
+        <source>is shifted sideways by %1</source>
+        <translation>ist um %1 seitlich verschoben</translation>
+    </message>
+    <message>
+        <source>its series has only one slice</source>
+        <translation>die Serie hat nur eine Schicht</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>is a colour picture (0028,0004 is &quot;%1&quot;)</source>
+        <translation>ist ein Farbbild (0028,0004 ist „%1“)</translation>
+    </message>
+    <message>
+        <source>is a picture in the colours of a palette (0028,0004), not a CT image</source>
+        <translation>ist ein Bild in den Farben einer Palette (0028,0004), kein CT-Bild</translation>
+    </message>
+    <message>
+        <source>maps its values to Hounsfield units by a table (Modality LUT Sequence, 0028,3000), which this program does not read</source>
+        <translation>rechnet seine Werte durch eine Tabelle in Hounsfield-Einheiten um (Modality LUT Sequence, 0028,3000), die dieses Programm nicht liest</translation>
+    </message>
+    <message>
+        <source>has a rescale %1 (0028,%2) of &quot;%3&quot;, which is not one number</source>
+        <translation>hat eine Skalierung %1 (0028,%2) „%3“, die keine einzelne Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 DICOM files hold no image and were passed over</source>
+        <translation>%1 DICOM-Dateien enthalten kein Bild und wurden übergangen</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be listed (%2): files in it may be left out</source>
+        <translation>Der Ordner %1 ließ sich nicht auflisten (%2): Dateien darin fehlen vielleicht</translation>
+    </message>
+    <message>
+        <source>The linked folder %1 was not entered</source>
+        <translation>Der verknüpfte Ordner %1 wurde nicht betreten</translation>
+    </message>
+    <message>
+        <source>%1 was passed over (%2)</source>
+        <translation>%1 wurde übergangen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged DICOM file and was passed over</source>
+        <translation>%1 ist eine beschädigte DICOM-Datei und wurde übergangen</translation>
+    </message>
+    <message>
+        <source>a link to nothing</source>
+        <translation>eine Verknüpfung ins Leere</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists and may be read</source>
+        <translation>Prüfen Sie, ob der Ordner existiert und lesbar ist</translation>
+    </message>
+    <message>
+        <source>Choose the folder that holds the CT slices</source>
+        <translation>Wählen Sie den Ordner mit den CT-Schichten</translation>
+    </message>
+    <message>
+        <source>holds %1 files, but no DICOM images</source>
+        <translation>enthält %1 Dateien, aber keine DICOM-Bilder</translation>
+    </message>
+    <message>
+        <source>cannot hold %1 pixels in a row</source>
+        <translation>fasst keine %1 Pixel in einer Reihe</translation>
+    </message>
+    <message>
+        <source>cannot hold %1 voxels along an axis</source>
+        <translation>fasst keine %1 Voxel entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>Check that the disk has free space</source>
+        <translation>Prüfen Sie, ob der Datenträger freien Platz hat</translation>
+    </message>
+    <message>
+        <source>Check that the disk has free space and the folder may be written</source>
+        <translation>Prüfen Sie, ob der Datenträger freien Platz hat und der Ordner beschreibbar ist</translation>
+    </message>
+    <message>
+        <source>Crop the image first</source>
+        <translation>Schneiden Sie das Bild erst zu</translation>
+    </message>
+    <message>
+        <source>Crop the image, or write .nrrd</source>
+        <translation>Schneiden Sie das Bild zu, oder schreiben Sie .nrrd</translation>
+    </message>
+    <message>
+        <source>Choose a region inside the image</source>
+        <translation>Wählen Sie einen Bereich im Bild</translation>
+    </message>
+    <message>
+        <source>crop box</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>holds no voxel of the image</source>
+        <translation>enthält kein Voxel des Bildes</translation>
+    </message>
+    <message>
+        <source>Choose a width of 0 or more</source>
+        <translation>Wählen Sie eine Breite von 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>smoothing width in mm</source>
+        <translation>Glättungsbreite in mm</translation>
+    </message>
+    <message>
+        <source>needs %1 of memory, and %2 are available</source>
+        <translation>braucht %1 Speicher, und %2 sind verfügbar</translation>
+    </message>
+    <message>
+        <source>Close other programs, or export the image cropped or at half resolution</source>
+        <translation>Schließen Sie andere Programme, oder exportieren Sie das Bild zugeschnitten oder mit halber Auflösung</translation>
+    </message>
+    <message>
+        <source>Export the image again as one three-dimensional volume</source>
+        <translation>Exportieren Sie das Bild noch einmal als ein dreidimensionales Volumen</translation>
+    </message>
+    <message>
+        <source>Export the image again as one volume, raw or gzip</source>
+        <translation>Exportieren Sie das Bild noch einmal als ein Volumen, raw oder gzip</translation>
+    </message>
+    <message>
+        <source>Choose a NIfTI file that another viewer opens</source>
+        <translation>Wählen Sie eine NIfTI-Datei, die ein anderes Programm öffnet</translation>
+    </message>
+    <message>
+        <source>has %1 dimensions, not 3</source>
+        <translation>hat %1 Dimensionen, nicht 3</translation>
+    </message>
+    <message>
+        <source>has %1 values a voxel</source>
+        <translation>hat %1 Werte je Voxel</translation>
+    </message>
+    <message>
+        <source>has a DimSize that is no size</source>
+        <translation>hat eine DimSize, die keine Größe ist</translation>
+    </message>
+    <message>
+        <source>has a data file with a header of its own</source>
+        <translation>hat eine Datendatei mit eigenem Kopf</translation>
+    </message>
+    <message>
+        <source>has a voxel spacing of %1</source>
+        <translation>hat einen Voxelabstand von %1</translation>
+    </message>
+    <message>
+        <source>has its data in several files</source>
+        <translation>hat seine Daten in mehreren Dateien</translation>
+    </message>
+    <message>
+        <source>has no DimSize</source>
+        <translation>hat keine DimSize</translation>
+    </message>
+    <message>
+        <source>has no ElementSpacing</source>
+        <translation>hat kein ElementSpacing</translation>
+    </message>
+    <message>
+        <source>has voxels of type &quot;%1&quot;</source>
+        <translation>hat Voxel der Art „%1“</translation>
+    </message>
+    <message>
+        <source>is not a MetaImage (it names no ElementDataFile)</source>
+        <translation>ist kein MetaImage (es nennt kein ElementDataFile)</translation>
+    </message>
+    <message>
+        <source>has a data offset of %1</source>
+        <translation>hat einen Datenbeginn von %1</translation>
+    </message>
+    <message>
+        <source>has voxels of NIfTI type %1</source>
+        <translation>hat Voxel der NIfTI-Art %1</translation>
+    </message>
+    <message>
+        <source>holds several volumes (a time series or vectors)</source>
+        <translation>enthält mehrere Volumen (eine Zeitreihe oder Vektoren)</translation>
+    </message>
+    <message>
+        <source>is an Analyze image, which does not say left from right</source>
+        <translation>ist ein Analyze-Bild, das links und rechts nicht unterscheidet</translation>
+    </message>
+    <message>
+        <source>is not a NIfTI image</source>
+        <translation>ist kein NIfTI-Bild</translation>
+    </message>
+    <message>
+        <source>is the header of a two-file NIfTI image (.hdr and .img)</source>
+        <translation>ist der Kopf eines NIfTI-Bildes aus zwei Dateien (.hdr und .img)</translation>
+    </message>
+    <message>
+        <source>is too short to be a NIfTI image</source>
+        <translation>ist zu kurz für ein NIfTI-Bild</translation>
+    </message>
+    <message>
+        <source>does not have three space directions</source>
+        <translation>hat keine drei Raumrichtungen</translation>
+    </message>
+    <message>
+        <source>does not say which way its axes run in the patient (no &quot;space&quot; field)</source>
+        <translation>sagt nicht, wie seine Achsen im Patienten verlaufen (kein Feld „space“)</translation>
+    </message>
+    <message>
+        <source>has a header without an end</source>
+        <translation>hat einen Kopf ohne Ende</translation>
+    </message>
+    <message>
+        <source>has a size that is no size</source>
+        <translation>hat eine Größe, die keine ist</translation>
+    </message>
+    <message>
+        <source>has a space direction that is not three numbers</source>
+        <translation>hat eine Raumrichtung, die nicht aus drei Zahlen besteht</translation>
+    </message>
+    <message>
+        <source>has encoding &quot;%1&quot;</source>
+        <translation>hat die Kodierung „%1“</translation>
+    </message>
+    <message>
+        <source>has its axes in space &quot;%1&quot;</source>
+        <translation>hat seine Achsen im Raum „%1“</translation>
+    </message>
+    <message>
+        <source>has no space origin</source>
+        <translation>hat keinen Ursprung</translation>
+    </message>
+    <message>
+        <source>holds overlapping segments in layers; export a segmentation whose segments do not overlap, or a label map</source>
+        <translation>enthält überlappende Segmente in Ebenen; exportieren Sie eine Segmentierung ohne Überlappung oder eine Labelkarte</translation>
+    </message>
+    <message>
+        <source>skips bytes before its data</source>
+        <translation>überspringt Bytes vor seinen Daten</translation>
+    </message>
+    <message>
+        <source>is %1, which makes %2 voxels along an axis</source>
+        <translation>ist %1, was %2 Voxel entlang einer Achse ergibt</translation>
+    </message>
+    <message>
+        <source>Choose a coarser spacing</source>
+        <translation>Wählen Sie einen gröberen Abstand</translation>
+    </message>
+    <message>
+        <source>Choose a spacing above 0</source>
+        <translation>Wählen Sie einen Abstand über 0</translation>
+    </message>
+    <message>
+        <source>voxel spacing in mm</source>
+        <translation>Voxelabstand in mm</translation>
+    </message>
+    <message>
+        <source>resampled image</source>
+        <translation>umgerechnetes Bild</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be written: the helper that does it took longer than %1 s</source>
+        <translation>seine Segmentierung lässt sich nicht schreiben: Das Hilfsprogramm brauchte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be written: the helper that does it was ended by signal %1</source>
+        <translation>seine Segmentierung lässt sich nicht schreiben: Das Hilfsprogramm wurde durch Signal %1 beendet</translation>
+    </message>
+    <message>
+        <source>its segmentation cannot be written: the helper that does it ended with %1</source>
+        <translation>seine Segmentierung lässt sich nicht schreiben: Das Hilfsprogramm endete mit %1</translation>
+    </message>
+    <message>
+        <source>its segmentation %1</source>
+        <translation>seine Segmentierung %1</translation>
+    </message>
+    <message>
+        <source>Export the CT again, or install the program again</source>
+        <translation>Exportieren Sie das CT noch einmal, oder installieren Sie das Programm neu</translation>
+    </message>
+    <message>
+        <source>is an enhanced CT, all of its slices in one file</source>
+        <translation>ist ein Enhanced CT, alle Schichten in einer Datei</translation>
+    </message>
+    <message>
+        <source>Segmentations are written for classic slices, one file each: export it as these</source>
+        <translation>Segmentierungen werden für klassische Schichten geschrieben, eine Datei je Schicht: Exportieren Sie so</translation>
+    </message>
+    <message>
+        <source>nothing of the segmentation lies in this CT</source>
+        <translation>Nichts von der Segmentierung liegt in diesem CT</translation>
+    </message>
+    <message>
+        <source>Choose the CT that it was made of</source>
+        <translation>Wählen Sie das CT, aus dem sie entstand</translation>
+    </message>
+    <message>
+        <source>holds %1 series and no number %2</source>
+        <translation>enthält %1 Serien und keine Nummer %2</translation>
+    </message>
+    <message>
+        <source>Give a number from 1, which is the best, on</source>
+        <translation>Geben Sie eine Nummer ab 1 an, der besten</translation>
+    </message>
+    <message>
+        <source>holds no CT series%1</source>
+        <translation>enthält keine CT-Serie%1</translation>
+    </message>
+    <message>
+        <source>holds no CT series</source>
+        <translation>enthält keine CT-Serie</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a contrast-enhanced CT</source>
+        <translation>Wählen Sie den Ordner eines CTs mit Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Read %1 and left out %2 because %3. On the command line --series %4 reads the other one, and so does naming one of its files</source>
+        <translation>Gelesen wurde %1, ausgelassen %2: %3. Die andere liest Datei &gt; Mit Optionen rekonstruieren, Serie %4, oder wenn man eine ihrer Dateien wählt</translation>
+    </message>
+    <message>
+        <source>Read %1 and left out %2 as asked for. On the command line --series %3 reads the other one, and so does naming one of its files</source>
+        <translation>Gelesen wurde wie verlangt %1, ausgelassen %2. Die andere liest Datei &gt; Mit Optionen rekonstruieren, Serie %3, oder wenn man eine ihrer Dateien wählt</translation>
+    </message>
+    <message>
+        <source>Left out %1 scout images</source>
+        <translation>%1 Übersichtsbilder wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Left out %1</source>
+        <translation>Ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 images, %4 mm apart, kernel %5, %6)</source>
+        <translation>%1 (%2, %3 Bilder, Abstand %4 mm, Kern %5, %6)</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 images, %4 mm apart, kernel %5)</source>
+        <translation>%1 (%2, %3 Bilder, Abstand %4 mm, Kern %5)</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 images, %4 mm apart, %5)</source>
+        <translation>%1 (%2, %3 Bilder, Abstand %4 mm, %5)</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 images, %4 mm apart)</source>
+        <translation>%1 (%2, %3 Bilder, Abstand %4 mm)</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 images)</source>
+        <translation>%1 (%2, %3 Bilder)</translation>
+    </message>
+    <message>
+        <source>no modality</source>
+        <translation>keine Modalität</translation>
+    </message>
+    <message>
+        <source>arterial phase</source>
+        <translation>arterielle Phase</translation>
+    </message>
+    <message>
+        <source>portal venous phase</source>
+        <translation>portalvenöse Phase</translation>
+    </message>
+    <message>
+        <source>late phase</source>
+        <translation>späte Phase</translation>
+    </message>
+    <message>
+        <source>without contrast</source>
+        <translation>ohne Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>it is a CT</source>
+        <translation>sie ist ein CT</translation>
+    </message>
+    <message>
+        <source>it is no CT</source>
+        <translation>sie ist kein CT</translation>
+    </message>
+    <message>
+        <source>it covers more of the body</source>
+        <translation>sie deckt mehr vom Körper ab</translation>
+    </message>
+    <message>
+        <source>it has more slices</source>
+        <translation>sie hat mehr Schichten</translation>
+    </message>
+    <message>
+        <source>it stands first</source>
+        <translation>sie steht vorn</translation>
+    </message>
+    <message>
+        <source>it was taken with contrast</source>
+        <translation>sie wurde mit Kontrastmittel aufgenommen</translation>
+    </message>
+    <message>
+        <source>its kernel is for soft tissue</source>
+        <translation>ihr Kern ist für Weichteile</translation>
+    </message>
+    <message>
+        <source>its slices are axial and not projected</source>
+        <translation>ihre Schichten sind axial und nicht projiziert</translation>
+    </message>
+    <message>
+        <source>its slices lie closer together</source>
+        <translation>ihre Schichten liegen enger</translation>
+    </message>
+    <message>
+        <source>of its phase of the contrast</source>
+        <translation>wegen ihrer Kontrastmittelphase</translation>
+    </message>
+    <message>
+        <source>its slices lie far apart: thin vessels are lost</source>
+        <translation>ihre Schichten liegen weit auseinander: Dünne Gefäße gehen verloren</translation>
+    </message>
+    <message>
+        <source>without contrast no vessel is seen</source>
+        <translation>ohne Kontrastmittel ist kein Gefäß zu sehen</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>sie lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>holds no DICOM image</source>
+        <translation>enthält kein DICOM-Bild</translation>
+    </message>
+    <message>
+        <source>Choose another series</source>
+        <translation>Wählen Sie eine andere Serie</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are not numbers (NaN or infinite): %3 became the mean of their neighbours, the others air</source>
+        <translation>%1 von %2 Werten sind keine Zahlen (NaN oder unendlich): %3 wurden zum Mittel ihrer Nachbarn, die anderen zu Luft</translation>
+    </message>
+    <message>
+        <source>%1 values lie outside 16 bits and were clamped</source>
+        <translation>%1 Werte passen nicht in 16 Bit und wurden begrenzt</translation>
+    </message>
+    <message>
+        <source>has the value %1 in every voxel</source>
+        <translation>hat in jedem Voxel den Wert %1</translation>
+    </message>
+    <message>
+        <source>has voxels of %1 mm along %2</source>
+        <translation>hat Voxel von %1 mm entlang %2</translation>
+    </message>
+    <message>
+        <source>has only %1 voxels along an axis</source>
+        <translation>hat nur %1 Voxel entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>has %1 voxels along an axis</source>
+        <translation>hat %1 Voxel entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>has %1 voxels, but the CT has %2</source>
+        <translation>hat %1 Voxel, das CT aber %2</translation>
+    </message>
+    <message>
+        <source>holds the value %1, which is no label</source>
+        <translation>enthält den Wert %1, der kein Label ist</translation>
+    </message>
+    <message>
+        <source>holds label %1</source>
+        <translation>enthält das Label %1</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>Check the unit of its spacing and export it again in millimetres: the CT of a body has voxels of 0.1 to 10 mm</source>
+        <translation>Prüfen Sie die Einheit des Abstands, und exportieren Sie noch einmal in Millimetern: Das CT eines Körpers hat Voxel von 0,1 bis 10 mm</translation>
+    </message>
+    <message>
+        <source>Choose a CT in Hounsfield units that covers the liver</source>
+        <translation>Wählen Sie ein CT in Hounsfield-Einheiten, das die Leber abdeckt</translation>
+    </message>
+    <message>
+        <source>Choose a CT that covers the liver</source>
+        <translation>Wählen Sie ein CT, das die Leber abdeckt</translation>
+    </message>
+    <message>
+        <source>Choose a CT with an image in it</source>
+        <translation>Wählen Sie ein CT, das ein Bild enthält</translation>
+    </message>
+    <message>
+        <source>Choose a mask or label map, not an image</source>
+        <translation>Wählen Sie eine Maske oder Labelkarte, kein Bild</translation>
+    </message>
+    <message>
+        <source>Choose a mask that is not empty, or another label of it</source>
+        <translation>Wählen Sie eine Maske, die nicht leer ist, oder ein anderes Label</translation>
+    </message>
+    <message>
+        <source>Choose a mask that was drawn on this CT</source>
+        <translation>Wählen Sie eine Maske, die auf diesem CT gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Labels of a mask go from 1 to 255: give it others, or name those that are vessels (--vessel-label)</source>
+        <translation>Labels einer Maske gehen von 1 bis 255: Geben Sie ihr andere, oder nennen Sie mit hepatica-cli reconstruct die der Gefäße</translation>
+    </message>
+    <message>
+        <source>Leave --series out, or give a DICOM folder</source>
+        <translation>Lassen Sie die Serie weg, oder geben Sie einen DICOM-Ordner an</translation>
+    </message>
+    <message>
+        <source>is one image and holds no series</source>
+        <translation>ist ein einzelnes Bild und enthält keine Serien</translation>
+    </message>
+    <message>
+        <source>lies elsewhere in space than the CT</source>
+        <translation>liegt anderswo im Raum als das CT</translation>
+    </message>
+    <message>
+        <source>marks no voxel</source>
+        <translation>markiert kein Voxel</translation>
+    </message>
+    <message>
+        <source>shows no soft tissue (its values run from %1 to %2 HU)</source>
+        <translation>zeigt keine Weichteile (die Werte reichen von %1 bis %2 HU)</translation>
+    </message>
+    <message>
+        <source>Choose such a name</source>
+        <translation>Wählen Sie einen solchen Namen</translation>
+    </message>
+    <message>
+        <source>does not end in .nii or .nii.gz</source>
+        <translation>endet nicht auf .nii oder .nii.gz</translation>
+    </message>
+    <message>
+        <source>does not end in .seg.nrrd</source>
+        <translation>endet nicht auf .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>Choose a DICOM folder or a .nii, .nii.gz, .mha, .mhd, .nrrd file</source>
+        <translation>Wählen Sie einen DICOM-Ordner oder eine Datei .nii, .nii.gz, .mha, .mhd, .nrrd</translation>
+    </message>
+    <message>
+        <source>Export the image again, with its spacing and orientation</source>
+        <translation>Exportieren Sie das Bild noch einmal mit Abstand und Orientierung</translation>
+    </message>
+    <message>
+        <source>Keep both files in one folder</source>
+        <translation>Lassen Sie beide Dateien in einem Ordner</translation>
+    </message>
+    <message>
+        <source>has axes that are not at right angles (a sheared grid)</source>
+        <translation>hat Achsen, die nicht rechtwinklig sind (ein geschertes Gitter)</translation>
+    </message>
+    <message>
+        <source>is not an image that this program knows</source>
+        <translation>ist kein Bild, das dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>is %1 m long (%2 voxels of %3 mm)</source>
+        <translation>ist %1 m lang (%2 Voxel von %3 mm)</translation>
+    </message>
+    <message>
+        <source>its data file %1 is missing</source>
+        <translation>die Datendatei %1 fehlt</translation>
+    </message>
+    <message>
+        <source>its first voxel</source>
+        <translation>sein erstes Voxel</translation>
+    </message>
+    <message>
+        <source>its header claims %1 voxels (%2), which a file of %3 cannot hold</source>
+        <translation>der Kopf nennt %1 Voxel (%2), was eine Datei von %3 nicht fassen kann</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>path of the tip</source>
+        <translation>Weg der Spitze</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>force over time</source>
+        <translation>Kraft über die Zeit</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Berührungen</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>Zeit in Berührung</translation>
+    </message>
+    <message>
+        <source>largest stretch</source>
+        <translation>größte Dehnung</translation>
+    </message>
+    <message>
+        <source>joints broken</source>
+        <translation>gerissene Verbindungen</translation>
+    </message>
+    <message>
+        <source>pieces torn off</source>
+        <translation>abgerissene Stücke</translation>
+    </message>
+    <message>
+        <source>torn area</source>
+        <translation>Rissfläche</translation>
+    </message>
+    <message>
+        <source>blood lost</source>
+        <translation>Blutverlust</translation>
+    </message>
+    <message>
+        <source>injected</source>
+        <translation>injiziert</translation>
+    </message>
+    <message>
+        <source>delivered</source>
+        <translation>angekommen</translation>
+    </message>
+    <message>
+        <source>dose in the target</source>
+        <translation>Dosis im Ziel</translation>
+    </message>
+    <message>
+        <source>dose elsewhere</source>
+        <translation>Dosis anderswo</translation>
+    </message>
+    <message>
+        <source>reflux</source>
+        <translation>Rückfluss</translation>
+    </message>
+    <message>
+        <source>share of the dose in the target</source>
+        <translation>Anteil der Dosis im Ziel</translation>
+    </message>
+    <message>
+        <source>time of this step</source>
+        <translation>Zeit dieses Schritts</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>share of the target that the drug has reached</source>
+        <translation>vom Wirkstoff erreichter Anteil des Ziels</translation>
+    </message>
+    <message>
+        <source>share of the rest that the drug has reached</source>
+        <translation>vom Wirkstoff erreichter Anteil des Rests</translation>
+    </message>
+    <message>
+        <source>injections that are running</source>
+        <translation>laufende Injektionen</translation>
+    </message>
+    <message>
+        <source>vessels held by the hand</source>
+        <translation>von der Hand gehaltene Gefäße</translation>
+    </message>
+    <message>
+        <source>distance of the tip to</source>
+        <translation>Abstand der Spitze zu</translation>
+    </message>
+    <message>
+        <source>way moved by</source>
+        <translation>Weg von</translation>
+    </message>
+    <message>
+        <source>distance of the touch to</source>
+        <translation>Abstand der Berührung zu</translation>
+    </message>
+    <message>
+        <source>distance of the tip to %1</source>
+        <translation>Abstand der Spitze zu: %1</translation>
+    </message>
+    <message>
+        <source>way moved by %1</source>
+        <translation>Weg von: %1</translation>
+    </message>
+    <message>
+        <source>distance of the touch to %1</source>
+        <translation>Abstand der Berührung zu: %1</translation>
+    </message>
+    <message>
+        <source>no mark</source>
+        <translation>keine Marke</translation>
+    </message>
+    <message>
+        <source>%1 at least %2</source>
+        <translation>%1 mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1 at most %2</source>
+        <translation>%1 höchstens %2</translation>
+    </message>
+    <message>
+        <source>limit broken: %1, but it was %2</source>
+        <translation>Grenze verletzt: %1, es war aber %2</translation>
+    </message>
+    <message>
+        <source>pass mark missed: %1, but it is %2</source>
+        <translation>Bestehensgrenze verfehlt: %1, es ist aber %2</translation>
+    </message>
+    <message>
+        <source>something was done before the lesson began</source>
+        <translation>etwas geschah, bevor die Lektion begann</translation>
+    </message>
+    <message>
+        <source>the play does not begin with what the lesson sets up</source>
+        <translation>der Verlauf beginnt nicht mit dem, was die Lektion vorgibt</translation>
+    </message>
+    <message>
+        <source>the simulation stopped by itself: play it again</source>
+        <translation>die Simulation blieb von selbst stehen: Üben Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 was not reached: %3</source>
+        <translation>Schritt %1 von %2 wurde nicht erreicht: %3</translation>
+    </message>
+    <message>
+        <source>the lesson does not allow the tool %1</source>
+        <translation>die Lektion erlaubt das Werkzeug %1 nicht</translation>
+    </message>
+    <message>
+        <source>the play was taken back</source>
+        <translation>der Verlauf wurde zurückgenommen</translation>
+    </message>
+    <message>
+        <source>is %1, not true or false</source>
+        <translation>ist %1, nicht wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>Remove it: hepatica-cli lesson scores its recording again</source>
+        <translation>Entfernen Sie es: hepatica-cli lesson bewertet die Aufzeichnung neu</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>ist kein JSON</translation>
+    </message>
+    <message>
+        <source>Begin with a lesson that is whole</source>
+        <translation>Beginnen Sie mit einer vollständigen Lektion</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; %3</source>
+        <translation>%1: „%2“ %3</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 beside the vessels of this patient, as if it was clicked on another one: click on it again.</source>
+        <translation>%1 liegt %2 neben den Gefäßen dieses Patienten, als wäre auf einen anderen geklickt worden: Klicken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The tool %1 does nothing: the scene has no %2.</source>
+        <translation>Das Werkzeug %1 tut nichts: Der Szene fehlen %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a point of one patient, but the lesson is for any: give it as a share of the longest path, or choose the patient.</source>
+        <translation>%1 ist ein Punkt eines Patienten, die Lektion ist aber für jeden: Geben Sie ihn als Anteil am längsten Weg an, oder wählen Sie den Patienten.</translation>
+    </message>
+    <message>
+        <source>%1 is a point of the patient who is shown, but the lesson is for another one: choose him, or click on it there.</source>
+        <translation>%1 ist ein Punkt des gezeigten Patienten, die Lektion ist aber für einen anderen: Wählen Sie diesen, oder klicken Sie bei ihm.</translation>
+    </message>
+    <message>
+        <source>The case %1 is not there: choose the patient again.</source>
+        <translation>Der Fall %1 ist nicht da: Wählen Sie den Patienten noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1, goal</source>
+        <translation>%1, Ziel</translation>
+    </message>
+    <message>
+        <source>%1, limits</source>
+        <translation>%1, Grenzen</translation>
+    </message>
+    <message>
+        <source>Limits all the time</source>
+        <translation>Grenzen zu jeder Zeit</translation>
+    </message>
+    <message>
+        <source>The target</source>
+        <translation>Das Ziel</translation>
+    </message>
+    <message>
+        <source>Step %1 &quot;%2&quot;</source>
+        <translation>Schritt %1 „%2“</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>The trainee may use no tool: allow one at least.</source>
+        <translation>Der Übende darf kein Werkzeug benutzen: Erlauben Sie mindestens eines.</translation>
+    </message>
+    <message>
+        <source>a drug that flows</source>
+        <translation>ein fließender Wirkstoff</translation>
+    </message>
+    <message>
+        <source>tools that touch the vessels</source>
+        <translation>Werkzeuge, die die Gefäße berühren</translation>
+    </message>
+    <message>
+        <source>vessels that move</source>
+        <translation>bewegliche Gefäße</translation>
+    </message>
+    <message>
+        <source>vessels that tear</source>
+        <translation>reißende Gefäße</translation>
+    </message>
+    <message>
+        <source>is broken at once, before anything is done.</source>
+        <translation>ist sofort verletzt, bevor etwas getan wird.</translation>
+    </message>
+    <message>
+        <source>is never decided: it is 1 at most. Give a bound from 0 to 1.</source>
+        <translation>wird nie entschieden: Der Wert ist höchstens 1. Geben Sie eine Grenze von 0 bis 1 an.</translation>
+    </message>
+    <message>
+        <source>is never measured: the scene has no %1.</source>
+        <translation>wird nie gemessen: Der Szene fehlen %1.</translation>
+    </message>
+    <message>
+        <source>is out of reach: no tool that is allowed can do that.</source>
+        <translation>ist unerreichbar: Kein erlaubtes Werkzeug kann das.</translation>
+    </message>
+    <message>
+        <source>is too short: what is to be held and waited for takes %1 or more.</source>
+        <translation>ist zu kurz: Was zu halten und abzuwarten ist, dauert %1 oder mehr.</translation>
+    </message>
+    <message>
+        <source>needs a target: say where it begins.</source>
+        <translation>braucht ein Ziel: Sagen Sie, wo es beginnt.</translation>
+    </message>
+    <message>
+        <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
+        <translation>Ziehen Sie das Gefäß an der Marke 10 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>What the trainee is to do.</source>
+        <translation>Was der Übende tun soll.</translation>
+    </message>
+    <message>
+        <source>Slowly.</source>
+        <translation>Langsam.</translation>
+    </message>
+    <message>
+        <source>mark 1</source>
+        <translation>Marke 1</translation>
+    </message>
+    <message>
+        <source>is %1, and this program reads 1</source>
+        <translation>ist %1, und dieses Programm liest 1</translation>
+    </message>
+    <message>
+        <source>is %1, not a list</source>
+        <translation>ist %1, keine Liste</translation>
+    </message>
+    <message>
+        <source>is %1, not a number</source>
+        <translation>ist %1, keine Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, not a place</source>
+        <translation>ist %1, kein Ort</translation>
+    </message>
+    <message>
+        <source>is %1, not a text</source>
+        <translation>ist %1, kein Text</translation>
+    </message>
+    <message>
+        <source>Add it: see docs/lessons.md</source>
+        <translation>Fügen Sie es hinzu: siehe docs/lessons.md</translation>
+    </message>
+    <message>
+        <source>Choose from %1</source>
+        <translation>Wählen Sie aus %1</translation>
+    </message>
+    <message>
+        <source>Give a number</source>
+        <translation>Geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>Give three numbers, in mm</source>
+        <translation>Geben Sie drei Zahlen in mm an</translation>
+    </message>
+    <message>
+        <source>Take a newer program, or write the file for version 1</source>
+        <translation>Nehmen Sie ein neueres Programm, oder schreiben Sie die Datei für Version 1</translation>
+    </message>
+    <message>
+        <source>Write it as [...]</source>
+        <translation>Schreiben Sie es als [...]</translation>
+    </message>
+    <message>
+        <source>Write it as &quot;...&quot;</source>
+        <translation>Schreiben Sie es als &quot;...&quot;</translation>
+    </message>
+    <message>
+        <source>Write it as {&quot;...&quot;: ...}</source>
+        <translation>Schreiben Sie es als {&quot;...&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation>ist „%1“, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>has no &quot;%1&quot;</source>
+        <translation>hat kein „%1“</translation>
+    </message>
+    <message>
+        <source>Of the quantities distance_mm, moved_mm and touch_mm alone name a mark</source>
+        <translation>Von den Messgrößen nennen nur distance_mm, moved_mm und touch_mm eine Marke</translation>
+    </message>
+    <message>
+        <source>Give 0 to 3600 seconds</source>
+        <translation>Geben Sie 0 bis 3600 Sekunden an</translation>
+    </message>
+    <message>
+        <source>Give &quot;goal&quot; at least one bound</source>
+        <translation>Geben Sie „goal“ mindestens eine Grenze</translation>
+    </message>
+    <message>
+        <source>Give a share from 0 (the root) to 1 (the end)</source>
+        <translation>Geben Sie einen Anteil von 0 (der Wurzel) bis 1 (dem Ende) an</translation>
+    </message>
+    <message>
+        <source>Leave out at_s and over_s: it is done before the first step</source>
+        <translation>Lassen Sie at_s und over_s weg: Es geschieht vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>Name it under &quot;marks&quot;</source>
+        <translation>Nennen Sie sie unter „marks“</translation>
+    </message>
+    <message>
+        <source>See docs/lessons.md, and assets/lessons for lessons that work</source>
+        <translation>Siehe docs/lessons.md, und assets/lessons für fertige Lektionen</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no mark of this lesson</source>
+        <translation>ist „%1“, keine Marke dieser Lektion</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no tool</source>
+        <translation>ist „%1“, kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not measured</source>
+        <translation>ist „%1“, was nicht gemessen wird</translation>
+    </message>
+    <message>
+        <source>does not say which mark is meant</source>
+        <translation>sagt nicht, welche Marke gemeint ist</translation>
+    </message>
+    <message>
+        <source>does something over time</source>
+        <translation>tut etwas über eine Zeit</translation>
+    </message>
+    <message>
+        <source>has no goal</source>
+        <translation>hat kein Ziel</translation>
+    </message>
+    <message>
+        <source>names a mark that it does not need</source>
+        <translation>nennt eine Marke, die es nicht braucht</translation>
+    </message>
+    <message>
+        <source>needs either at_least or at_most</source>
+        <translation>braucht entweder at_least oder at_most</translation>
+    </message>
+    <message>
+        <source>needs either share_of_longest_path or point_mm</source>
+        <translation>braucht entweder share_of_longest_path oder point_mm</translation>
+    </message>
+    <message>
+        <source>%1 has no goal: add what is to be reached.</source>
+        <translation>%1 hat kein Ziel: Fügen Sie hinzu, was zu erreichen ist.</translation>
+    </message>
+    <message>
+        <source>%1 says nothing: write what the trainee is to do.</source>
+        <translation>%1 sagt nichts: Schreiben Sie, was der Übende tun soll.</translation>
+    </message>
+    <message>
+        <source>The lesson has no name: give it one.</source>
+        <translation>Die Lektion hat keinen Namen: Geben Sie ihr einen.</translation>
+    </message>
+    <message>
+        <source>The scene is of nothing: let the vessels move, a drug be injected, or both.</source>
+        <translation>Die Szene besteht aus nichts: Lassen Sie die Gefäße sich bewegen, einen Wirkstoff injizieren oder beides.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; has lost its mark. Choose another one, or remove the bound.</source>
+        <translation>%1: „%2“ hat seine Marke verloren. Wählen Sie eine andere, oder entfernen Sie die Grenze.</translation>
+    </message>
+    <message>
+        <source>Give each mark a name of its own</source>
+        <translation>Geben Sie jeder Marke einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>has two marks called &quot;%1&quot;</source>
+        <translation>hat zwei Marken namens „%1“</translation>
+    </message>
+    <message>
+        <source>A piece came off</source>
+        <translation>Ein Stück ging ab</translation>
+    </message>
+    <message>
+        <source>About to tear</source>
+        <translation>Kurz vor dem Reißen</translation>
+    </message>
+    <message>
+        <source>Begun again from rest</source>
+        <translation>Neu aus der Ruhe begonnen</translation>
+    </message>
+    <message>
+        <source>Blade drawn</source>
+        <translation>Schnitt mit dem Skalpell</translation>
+    </message>
+    <message>
+        <source>Bleeding began</source>
+        <translation>Blutung begann</translation>
+    </message>
+    <message>
+        <source>Bleeding ended</source>
+        <translation>Blutung endete</translation>
+    </message>
+    <message>
+        <source>Cut line drawn</source>
+        <translation>Schwächungslinie gezogen</translation>
+    </message>
+    <message>
+        <source>Drug taken out</source>
+        <translation>Wirkstoff entfernt</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Losgelassen</translation>
+    </message>
+    <message>
+        <source>Not passed: %1</source>
+        <translation>Nicht bestanden: %1</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Injected</source>
+        <translation>Injiziert</translation>
+    </message>
+    <message>
+        <source>Touched</source>
+        <translation>Berührt</translation>
+    </message>
+    <message>
+        <source>Step %1 reached</source>
+        <translation>Schritt %1 erreicht</translation>
+    </message>
+    <message>
+        <source>Rod probe taken</source>
+        <translation>Stabsonde genommen</translation>
+    </message>
+    <message>
+        <source>Probe taken</source>
+        <translation>Sonde genommen</translation>
+    </message>
+    <message>
+        <source>Hook taken</source>
+        <translation>Haken genommen</translation>
+    </message>
+    <message>
+        <source>Forceps taken</source>
+        <translation>Pinzette genommen</translation>
+    </message>
+    <message>
+        <source>Rod probe</source>
+        <translation>Stabsonde</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Tearing stopped by its budget of %1</source>
+        <translation>Das Reißen endete mit seinem Budget für %1</translation>
+    </message>
+    <message>
+        <source>The simulation stopped by itself</source>
+        <translation>Die Simulation blieb von selbst stehen</translation>
+    </message>
+    <message>
+        <source>Took hold</source>
+        <translation>Zugegriffen</translation>
+    </message>
+    <message>
+        <source>Tool put away</source>
+        <translation>Werkzeug weggelegt</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Wieder heil</translation>
+    </message>
+    <message>
+        <source>has no surface</source>
+        <translation>hat keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>the patient</source>
+        <translation>der Patient</translation>
+    </message>
+    <message>
+        <source>is %1, before the beginning</source>
+        <translation>ist %1, vor dem Beginn</translation>
+    </message>
+    <message>
+        <source>Mend the file, or remove it: it holds notes alone</source>
+        <translation>Reparieren Sie die Datei, oder entfernen Sie sie: Sie enthält nur Notizen</translation>
+    </message>
+    <message>
+        <source>Remove it by hand</source>
+        <translation>Entfernen Sie sie von Hand</translation>
+    </message>
+    <message>
+        <source>cannot be removed: %1</source>
+        <translation>lässt sich nicht entfernen: %1</translation>
+    </message>
+    <message>
+        <source>Choose one of a play that was begun</source>
+        <translation>Wählen Sie die eines begonnenen Verlaufs</translation>
+    </message>
+    <message>
+        <source>From here on it is not what was played: another build of the program or another processor recorded it</source>
+        <translation>Ab hier ist es nicht mehr das Gespielte: Ein anderer Bau des Programms oder ein anderer Prozessor hat es aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>holds no step</source>
+        <translation>enthält keinen Schritt</translation>
+    </message>
+    <message>
+        <source>was played in another scene than the lesson&apos;s: %1</source>
+        <translation>wurde in einer anderen Szene als der der Lektion gespielt: %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not left out</source>
+        <translation>%1 ist %2, nicht weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 is left out, not %2</source>
+        <translation>%1 ist weggelassen, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not %3</source>
+        <translation>%1 ist %2, nicht %3</translation>
+    </message>
+    <message>
+        <source>diverged from the recording at step %1, so that it cannot be scored</source>
+        <translation>wich bei Schritt %1 von der Aufzeichnung ab und lässt sich deshalb nicht bewerten</translation>
+    </message>
+    <message>
+        <source>Another build of the program or another processor made it</source>
+        <translation>Ein anderer Bau des Programms oder ein anderer Prozessor hat sie gemacht</translation>
+    </message>
+    <message>
+        <source>Give a recording of this lesson</source>
+        <translation>Geben Sie eine Aufzeichnung dieser Lektion an</translation>
+    </message>
+    <message>
+        <source>Choose a place on the vessel tree</source>
+        <translation>Wählen Sie einen Ort auf dem Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation>das Ziel</translation>
+    </message>
+    <message>
+        <source>%1, %2 Newton iterates</source>
+        <translation>%1, %2 Newton-Iterationen</translation>
+    </message>
+    <message>
+        <source>%1, %2 substeps</source>
+        <translation>%1, %2 Teilschritte</translation>
+    </message>
+    <message>
+        <source>%1, %2 iterations</source>
+        <translation>%1, %2 Iterationen</translation>
+    </message>
+    <message>
+        <source>Reading the case</source>
+        <translation>Der Fall wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the tree</source>
+        <translation>Der Gefäßbaum wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the built-in patient</source>
+        <translation>Der eingebaute Patient wird gelesen</translation>
+    </message>
+    <message>
+        <source>Making the mesh</source>
+        <translation>Das Netz wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Meshing the vessels</source>
+        <translation>Die Gefäße werden vernetzt</translation>
+    </message>
+    <message>
+        <source>Editing the tree</source>
+        <translation>Der Gefäßbaum wird bearbeitet</translation>
+    </message>
+    <message>
+        <source>Parting the liver into segments</source>
+        <translation>Die Leber wird in Segmente geteilt</translation>
+    </message>
+    <message>
+        <source>Growing the vessels</source>
+        <translation>Die Gefäße wachsen</translation>
+    </message>
+    <message>
+        <source>Drawing the body</source>
+        <translation>Der Körper wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Die Aufnahme entsteht</translation>
+    </message>
+    <message>
+        <source>Extracting the tree</source>
+        <translation>Der Gefäßbaum wird gewonnen</translation>
+    </message>
+    <message>
+        <source>Making the skeleton one voxel wide</source>
+        <translation>Das Skelett wird ein Voxel breit gemacht</translation>
+    </message>
+    <message>
+        <source>Thinning to the skeleton</source>
+        <translation>Die Gefäße werden zum Skelett verdünnt</translation>
+    </message>
+    <message>
+        <source>Telling the systems apart</source>
+        <translation>Die Gefäßsysteme werden unterschieden</translation>
+    </message>
+    <message>
+        <source>Smoothing the vessels</source>
+        <translation>Die Gefäße werden geglättet</translation>
+    </message>
+    <message>
+        <source>Filling the vessels</source>
+        <translation>Die Gefäße werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Drawing thin vessels</source>
+        <translation>Dünne Gefäße werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Finding the liver</source>
+        <translation>Die Leber wird gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring the contrast</source>
+        <translation>Der Kontrast wird gemessen</translation>
+    </message>
+    <message>
+        <source>Refining the surface</source>
+        <translation>Die Oberfläche wird verfeinert</translation>
+    </message>
+    <message>
+        <source>Resampling the liver</source>
+        <translation>Die Leber wird umgerechnet</translation>
+    </message>
+    <message>
+        <source>Segmenting the vessels</source>
+        <translation>Die Gefäße werden segmentiert</translation>
+    </message>
+    <message>
+        <source>Following the vessel</source>
+        <translation>Dem Gefäß wird gefolgt</translation>
+    </message>
+    <message>
+        <source>Building the scene</source>
+        <translation>Die Szene wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>Replaying</source>
+        <translation>Die Aufzeichnung wird durchlaufen</translation>
+    </message>
+    <message>
+        <source>Measuring the reference</source>
+        <translation>Die Referenz wird gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring the settings</source>
+        <translation>Die Einstellungen werden gemessen</translation>
+    </message>
+    <message>
+        <source>check the name, and that its disk is connected</source>
+        <translation>Prüfen Sie den Namen, und ob der Datenträger verbunden ist</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>Diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>holds no voxels of vessels or organs</source>
+        <translation>enthält keine Voxel von Gefäßen oder Organen</translation>
+    </message>
+    <message>
+        <source>Reconstruct the case from its CT</source>
+        <translation>Rekonstruieren Sie den Fall aus seinem CT</translation>
+    </message>
+    <message>
+        <source>it is not known where this patient&apos;s CT lies</source>
+        <translation>Es ist nicht bekannt, wo das CT dieses Patienten liegt</translation>
+    </message>
+    <message>
+        <source>choose its folder or file</source>
+        <translation>Wählen Sie seinen Ordner oder seine Datei</translation>
+    </message>
+    <message>
+        <source>this is not the CT that the patient was reconstructed from</source>
+        <translation>Das ist nicht das CT, aus dem der Patient rekonstruiert wurde</translation>
+    </message>
+    <message>
+        <source>choose the one that was opened when the case was made; its files may have other names, but the voxels must be the same</source>
+        <translation>Wählen Sie das CT, das geöffnet war, als der Fall entstand; die Dateien dürfen anders heißen, die Voxel müssen dieselben sein</translation>
+    </message>
+    <message>
+        <source>%1 is passed over: %2</source>
+        <translation>%1 wird übergangen: %2</translation>
+    </message>
+    <message>
+        <source>Ask for the case again, or for its folder NAME.hep</source>
+        <translation>Bitten Sie noch einmal um den Fall oder um seinen Ordner NAME.hep</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to, on a disk with room</source>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, auf einem Datenträger mit freiem Platz</translation>
+    </message>
+    <message>
+        <source>Free some space among the temporary files: %1</source>
+        <translation>Schaffen Sie Platz unter den temporären Dateien: %1</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked</source>
+        <translation>lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>holds a file whose name no file of a case has: &quot;%1&quot;</source>
+        <translation>enthält eine Datei, deren Namen keine Datei eines Falls hat: „%1“</translation>
+    </message>
+    <message>
+        <source>holds more files than a case can</source>
+        <translation>enthält mehr Dateien, als ein Fall haben kann</translation>
+    </message>
+    <message>
+        <source>holds more than a case can: %1 is too large</source>
+        <translation>enthält mehr, als ein Fall haben kann: %1 ist zu groß</translation>
+    </message>
+    <message>
+        <source>holds %1 twice</source>
+        <translation>enthält %1 zweimal</translation>
+    </message>
+    <message>
+        <source>is damaged at %1</source>
+        <translation>ist beschädigt bei %1</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>is not a case in one file (.hepz), or is damaged</source>
+        <translation>ist kein Fall in einer Datei (.hepz) oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is not a patient&apos;s case: it holds no case.json</source>
+        <translation>ist kein Fall: Er enthält kein case.json</translation>
+    </message>
+    <message>
+        <source>has version %1; this program reads versions %2</source>
+        <translation>hat Version %1; dieses Programm liest die Versionen %2</translation>
+    </message>
+    <message>
+        <source>Check the path: a case is a folder NAME.hep or one file NAME.hepz</source>
+        <translation>Prüfen Sie den Pfad: Ein Fall ist ein Ordner NAME.hep oder eine Datei NAME.hepz</translation>
+    </message>
+    <message>
+        <source>Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep</source>
+        <translation>Rekonstruieren Sie den Patienten noch einmal: Datei &gt; CT-Ordner öffnen oder CT-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>is not the file that case.json was written for (its hash differs)</source>
+        <translation>ist nicht die Datei, für die case.json geschrieben wurde (der Hash weicht ab)</translation>
+    </message>
+    <message>
+        <source>was not written by this program</source>
+        <translation>wurde nicht von diesem Programm geschrieben</translation>
+    </message>
+    <message>
+        <source>edit %1 at %2</source>
+        <translation>Korrektur %1 bei %2</translation>
+    </message>
+    <message>
+        <source>the edits leave nothing of the tree</source>
+        <translation>Die Korrekturen lassen nichts vom Gefäßbaum übrig</translation>
+    </message>
+    <message>
+        <source>the last edit</source>
+        <translation>die letzte Korrektur</translation>
+    </message>
+    <message>
+        <source>Take it back, or delete a smaller branch</source>
+        <translation>Nehmen Sie sie zurück, oder löschen Sie einen kleineren Ast</translation>
+    </message>
+    <message>
+        <source>is there already and is not a patient&apos;s case</source>
+        <translation>ist schon da und ist kein Fall</translation>
+    </message>
+    <message>
+        <source>Give --out another name; only an older case is replaced</source>
+        <translation>Wählen Sie einen anderen Namen; ersetzt wird nur ein älterer Fall</translation>
+    </message>
+    <message>
+        <source>Put the case back that was there, or open this one anew</source>
+        <translation>Legen Sie den früheren Fall zurück, oder öffnen Sie diesen neu</translation>
+    </message>
+    <message>
+        <source>holds another patient than when it was opened</source>
+        <translation>enthält einen anderen Patienten als beim Öffnen</translation>
+    </message>
+    <message>
+        <source>holds edits without the tree that they were made on</source>
+        <translation>enthält Korrekturen ohne den Gefäßbaum, an dem sie gemacht wurden</translation>
+    </message>
+    <message>
+        <source>No hepatic vein is known where the liver&apos;s segments part: an adult&apos;s usual planes stand in for them. A seed inside a hepatic vein helps.</source>
+        <translation>Wo sich die Lebersegmente trennen, ist keine Lebervene bekannt: Die üblichen Ebenen eines Erwachsenen treten an ihre Stelle. Ein Startpunkt in einer Lebervene hilft.</translation>
+    </message>
+    <message>
+        <source>Not all three hepatic veins are known where the liver&apos;s segments part: an adult&apos;s usual planes stand in for them. A seed inside a hepatic vein helps.</source>
+        <translation>Wo sich die Lebersegmente trennen, sind nicht alle drei Lebervenen bekannt: Die üblichen Ebenen eines Erwachsenen treten an ihre Stelle. Ein Startpunkt in einer Lebervene hilft.</translation>
+    </message>
+    <message>
+        <source>No portal branch to the liver&apos;s segment %1 was found: its part of the liver counts to the neighbours.</source>
+        <translation>Zum Lebersegment %1 wurde kein Pfortaderast gefunden: Sein Teil der Leber zählt zu den Nachbarn.</translation>
+    </message>
+    <message>
+        <source>No portal branch to the liver&apos;s segments %1 was found: their part of the liver counts to the neighbours.</source>
+        <translation>Zu den Lebersegmenten %1 wurde kein Pfortaderast gefunden: Ihr Teil der Leber zählt zu den Nachbarn.</translation>
+    </message>
+    <message>
+        <source>%1, %2 and %3</source>
+        <translation>%1, %2 und %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>For %1 of the liver it is less than 80 % sure to which of Couinaud&apos;s segments it belongs: the branches there run across the usual borders.</source>
+        <translation>Bei %1 der Leber ist weniger als 80 % sicher, zu welchem Couinaud-Segment sie gehören: Die Äste dort laufen über die üblichen Grenzen hinweg.</translation>
+    </message>
+    <message>
+        <source>For %1 of the vessels&apos; length nothing tells which system they belong to. A seed inside the portal vein and one inside a hepatic vein would tell them apart.</source>
+        <translation>Bei %1 der Gefäßlänge verrät nichts, zu welchem System sie gehört. Ein Startpunkt in der Pfortader und einer in einer Lebervene würden sie unterscheiden.</translation>
+    </message>
+    <message>
+        <source>For %1 of the vessels&apos; length it is less than 80 % sure whether they belong to the portal vein or to the hepatic veins. Look at branches where both touch; a seed inside a wrong one, or giving the branch to the other system, mends all that hangs on it.</source>
+        <translation>Bei %1 der Gefäßlänge ist weniger als 80 % sicher, ob sie zur Pfortader oder zu den Lebervenen gehört. Sehen Sie sich Äste an, wo beide sich berühren; ein Startpunkt in einem falschen, oder ihn dem anderen System zuzuordnen, richtet alles, was daran hängt.</translation>
+    </message>
+    <message>
+        <source>The vessels rise only %1 HU above the liver, where the noise is %2 HU: most thin branches are missing, and some that are found may be noise. A scan in the portal venous phase, or a smoother kernel, shows more.</source>
+        <translation>Die Gefäße heben sich nur um %1 HU von der Leber ab, bei einem Rauschen von %2 HU: Die meisten dünnen Äste fehlen, und manche gefundenen können Rauschen sein. Eine Aufnahme in der portalvenösen Phase oder ein glatterer Kern zeigt mehr.</translation>
+    </message>
+    <message>
+        <source>The liver was found by the program: on real patients about 6 % of such a liver lay outside of an expert&apos;s, and 10 % of the expert&apos;s were missed. A segment beside stomach or pancreas, mostly 3, may lie outside of it by nearly half. Where volumes matter, give a mask of the liver.</source>
+        <translation>Die Leber hat das Programm gefunden: Bei echten Patienten lagen etwa 6 % einer solchen Leber außerhalb der eines Experten, und 10 % von dessen Leber fehlten. Ein Segment neben Magen oder Bauchspeicheldrüse, meist 3, kann fast zur Hälfte außerhalb liegen. Wo es auf Volumen ankommt, geben Sie eine Lebermaske an.</translation>
+    </message>
+    <message>
+        <source>%1 loop within one system, made where branches touch in the image, was opened. Thinner slices would part such branches.</source>
+        <translation>%1 Schleife in einem System, entstanden, wo Äste sich im Bild berühren, wurde geöffnet. Dünnere Schichten würden solche Äste trennen.</translation>
+    </message>
+    <message>
+        <source>%1 loops within one system, made where branches touch in the image, were opened. Thinner slices would part such branches.</source>
+        <translation>%1 Schleifen in einem System, entstanden, wo Äste sich im Bild berühren, wurden geöffnet. Dünnere Schichten würden solche Äste trennen.</translation>
+    </message>
+    <message>
+        <source>%1 loop is left in the vessels. Cut those that are no real connections.</source>
+        <translation>%1 Schleife bleibt in den Gefäßen. Durchtrennen Sie, was keine echte Verbindung ist.</translation>
+    </message>
+    <message>
+        <source>%1 loops are left in the vessels. Cut those that are no real connections.</source>
+        <translation>%1 Schleifen bleiben in den Gefäßen. Durchtrennen Sie, was keine echte Verbindung ist.</translation>
+    </message>
+    <message>
+        <source>In one tree (%1) blood comes in at an end of %2 mm radius (%3), and the end at %4, of %5 mm, is a wide way out for it. If that one is the trunk, set the root there.</source>
+        <translation>In einem Baum (%1) tritt Blut an einem Ende von %2 mm Radius ein (%3), und das Ende bei %4, von %5 mm, ist ein weiter Ausgang dafür. Wenn jenes der Stamm ist, setzen Sie die Wurzel dorthin.</translation>
+    </message>
+    <message>
+        <source>%1 piece of vessels, %2 mm in all, was left out of the tree: %3. A seed inside such a piece keeps it.</source>
+        <translation>%1 Gefäßstück, insgesamt %2 mm, wurde aus dem Baum ausgelassen: %3. Ein Startpunkt darin behält es.</translation>
+    </message>
+    <message>
+        <source>%1 pieces of vessels, %2 mm in all, were left out of the tree: %3. A seed inside such a piece keeps it.</source>
+        <translation>%1 Gefäßstücke, insgesamt %2 mm, wurden aus dem Baum ausgelassen: %3. Ein Startpunkt in einem solchen behält es.</translation>
+    </message>
+    <message>
+        <source>%1 piece as wide as an organ, %2 mm in all, was left out of the tree: %3. A seed inside such a piece keeps it.</source>
+        <translation>%1 Stück, so weit wie ein Organ, insgesamt %2 mm, wurde aus dem Baum ausgelassen: %3. Ein Startpunkt darin behält es.</translation>
+    </message>
+    <message>
+        <source>%1 pieces as wide as an organ, %2 mm in all, were left out of the tree: %3. A seed inside such a piece keeps it.</source>
+        <translation>%1 Stücke, so weit wie ein Organ, insgesamt %2 mm, wurden aus dem Baum ausgelassen: %3. Ein Startpunkt in einem solchen behält es.</translation>
+    </message>
+    <message>
+        <source>pieces shorter than %1 mm that nothing joins are often noise</source>
+        <translation>Stücke unter %1 mm, die nichts verbindet, sind oft Rauschen</translation>
+    </message>
+    <message>
+        <source>what hangs on a vessel by a neck and is wide and short is hardly one</source>
+        <translation>Was an einem Hals an einem Gefäß hängt und weit und kurz ist, ist kaum eines</translation>
+    </message>
+    <message>
+        <source>The labels of the vessel mask were taken for systems: %1. If they mean something else, name them: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM.</source>
+        <translation>Die Labels der Gefäßmaske wurden als Systeme genommen: %1. Wenn sie etwas anderes bedeuten, nimmt hepatica-cli reconstruct LABEL=SYSTEM für jedes.</translation>
+    </message>
+    <message>
+        <source>%1 as %2, %3 as %4, %5 as %6</source>
+        <translation>%1 als %2, %3 als %4, %5 als %6</translation>
+    </message>
+    <message>
+        <source>%1 as %2, %3 as %4</source>
+        <translation>%1 als %2, %3 als %4</translation>
+    </message>
+    <message>
+        <source>%1 as %2</source>
+        <translation>%1 als %2</translation>
+    </message>
+    <message>
+        <source>Give a mask whose vessels are not 0</source>
+        <translation>Geben Sie eine Maske an, in der die Gefäße nicht 0 sind</translation>
+    </message>
+    <message>
+        <source>Name those that are vessels: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM, where SYSTEM is portal, hepatic, artery or unknown; the others are left out</source>
+        <translation>Nennen Sie die der Gefäße: hepatica-cli reconstruct nimmt LABEL=SYSTEM für jedes, wobei SYSTEM portal, hepatic, artery oder unknown ist; die anderen entfallen</translation>
+    </message>
+    <message>
+        <source>holds the labels %1, and %2 is no vascular system (%3)</source>
+        <translation>enthält die Labels %1, und %2 ist kein Gefäßsystem (%3)</translation>
+    </message>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 und andere</translation>
+    </message>
+    <message>
+        <source>no vessels were found</source>
+        <translation>Es wurden keine Gefäße gefunden</translation>
+    </message>
+    <message>
+        <source>Give a window (--window LO,HI) or a vessel mask (--vessel-mask)</source>
+        <translation>Geben Sie ein Fenster oder eine Gefäßmaske an (Datei &gt; Mit Optionen rekonstruieren)</translation>
+    </message>
+    <message>
+        <source>Give a window (--window LO,HI), a seed inside a vessel (--seed-mm) or a vessel mask (--vessel-mask)</source>
+        <translation>Geben Sie ein Fenster, einen Startpunkt in einem Gefäß oder eine Gefäßmaske an (Datei &gt; Mit Optionen rekonstruieren)</translation>
+    </message>
+    <message>
+        <source>Give the liver, too (--liver-mask): blood reaches tumours through it</source>
+        <translation>Geben Sie auch die Leber an (Lebermaske): Tumoren erhalten ihr Blut durch sie</translation>
+    </message>
+    <message>
+        <source>the vessels found are too small for a tree</source>
+        <translation>Die gefundenen Gefäße sind zu klein für einen Baum</translation>
+    </message>
+    <message>
+        <source>tumours are given without a liver</source>
+        <translation>Tumoren sind ohne eine Leber angegeben</translation>
+    </message>
+    <message>
+        <source>The correction number %1 is left out, because it cannot be made on these vessels: %2 (%3)</source>
+        <translation>Die Korrektur Nummer %1 entfällt, weil sie an diesen Gefäßen nicht möglich ist: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>The seed at %1 is left out: %2</source>
+        <translation>Der Startpunkt bei %1 entfällt: %2</translation>
+    </message>
+    <message>
+        <source>Take back what was erased, or paint more of the vessels</source>
+        <translation>Nehmen Sie zurück, was radiert wurde, oder malen Sie mehr von den Gefäßen</translation>
+    </message>
+    <message>
+        <source>no vessel is left that is long enough for a tree</source>
+        <translation>Es bleibt kein Gefäß, das lang genug für einen Baum ist</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the image, which reaches from %2 to %3</source>
+        <translation>%1 liegt außerhalb des Bildes, das von %2 bis %3 reicht</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm from the liver of %3</source>
+        <translation>%1 liegt %2 mm von der Leber von %3 entfernt</translation>
+    </message>
+    <message>
+        <source>Give a place inside a vessel in or at the liver (LPS, mm)</source>
+        <translation>Geben Sie einen Ort in einem Gefäß in oder an der Leber an (LPS, mm)</translation>
+    </message>
+    <message>
+        <source>Give a place inside a vessel in patient space (LPS, mm); other programs may show RAS: there change the sign of X and Y</source>
+        <translation>Geben Sie einen Ort in einem Gefäß im Patientenraum an (LPS, mm); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
+    </message>
+    <message>
+        <source>only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; the tissue itself has %4 HU</source>
+        <translation>Nur %1 % der Leber liegen zwischen %2 und %3 HU und hängen wie Gefäße zusammen; das Gewebe selbst hat %4 HU</translation>
+    </message>
+    <message>
+        <source>The slices are %1 mm apart: thin branches may be broken or missing. Up to 1.5 mm is better.</source>
+        <translation>Die Schichten liegen %1 mm auseinander: Dünne Äste können unterbrochen sein oder fehlen. Besser sind bis zu 1,5 mm.</translation>
+    </message>
+    <message>
+        <source>Choose a window that reaches from between tissue and vessels to above the brightest vessel, or give none.</source>
+        <translation>Wählen Sie ein Fenster, das von zwischen Gewebe und Gefäßen bis über das hellste Gefäß reicht, oder keines.</translation>
+    </message>
+    <message>
+        <source>Give a mask of the whole liver.</source>
+        <translation>Geben Sie eine Maske der ganzen Leber an.</translation>
+    </message>
+    <message>
+        <source>Use a scan with contrast medium (portal-venous phase for veins, arterial phase for arteries), or give a vessel mask.</source>
+        <translation>Nehmen Sie eine Aufnahme mit Kontrastmittel (portalvenöse Phase für Venen, arterielle für Arterien), oder geben Sie eine Gefäßmaske an.</translation>
+    </message>
+    <message>
+        <source>liver mask</source>
+        <translation>Lebermaske</translation>
+    </message>
+    <message>
+        <source>the liver mask is so thin that nothing of it is further than 3 mm inside</source>
+        <translation>Die Lebermaske ist so dünn, dass nichts von ihr tiefer als 3 mm innen liegt</translation>
+    </message>
+    <message>
+        <source>the vessels do not stand out from the liver: the brightest structures cover %1 % of it and rise %2 HU above its %3 HU, where the noise is %4 HU</source>
+        <translation>Die Gefäße heben sich nicht von der Leber ab: Die hellsten Strukturen bedecken %1 % von ihr und liegen %2 HU über ihren %3 HU, bei einem Rauschen von %4 HU</translation>
+    </message>
+    <message>
+        <source>the number of recursions of the refinement is %1</source>
+        <translation>Die Zahl der Durchgänge der Verfeinerung ist %1</translation>
+    </message>
+    <message>
+        <source>the refinement&apos;s level is %1</source>
+        <translation>Die Schwelle der Verfeinerung ist %1</translation>
+    </message>
+    <message>
+        <source>the refinement&apos;s sigma is %1 mm</source>
+        <translation>Die Breite der Verfeinerung ist %1 mm</translation>
+    </message>
+    <message>
+        <source>Use 0 (no refinement) or more.</source>
+        <translation>Nehmen Sie 0 (keine Verfeinerung) oder mehr.</translation>
+    </message>
+    <message>
+        <source>Use a level between 0 and 1.</source>
+        <translation>Nehmen Sie eine Schwelle zwischen 0 und 1.</translation>
+    </message>
+    <message>
+        <source>Use a sigma above 0.</source>
+        <translation>Nehmen Sie eine Breite über 0.</translation>
+    </message>
+    <message>
+        <source>a working spacing of %1 mm was asked for</source>
+        <translation>Verlangt wurde ein Arbeitsabstand von %1 mm</translation>
+    </message>
+    <message>
+        <source>Use 0.3 to 1.5 mm.</source>
+        <translation>Nehmen Sie 0,3 bis 1,5 mm.</translation>
+    </message>
+    <message>
+        <source>Give a mask in which the liver is not 0.</source>
+        <translation>Geben Sie eine Maske an, in der die Leber nicht 0 ist.</translation>
+    </message>
+    <message>
+        <source>Give the mask of the same patient, in the same space as the CT.</source>
+        <translation>Geben Sie die Maske desselben Patienten an, im selben Raum wie das CT.</translation>
+    </message>
+    <message>
+        <source>the liver mask is empty</source>
+        <translation>Die Lebermaske ist leer</translation>
+    </message>
+    <message>
+        <source>the liver mask lies outside the CT</source>
+        <translation>Die Lebermaske liegt außerhalb des CTs</translation>
+    </message>
+    <message>
+        <source>no liver was found: the largest soft organ between %1 and %2 HU has %3 ml</source>
+        <translation>Es wurde keine Leber gefunden: Das größte weiche Organ zwischen %1 und %2 HU hat %3 ml</translation>
+    </message>
+    <message>
+        <source>Check that the scan shows the liver, or give a liver mask.</source>
+        <translation>Prüfen Sie, ob die Aufnahme die Leber zeigt, oder geben Sie eine Lebermaske an.</translation>
+    </message>
+    <message>
+        <source>Choose a CT of the upper abdomen; where it does show the liver, give a liver mask.</source>
+        <translation>Wählen Sie ein CT des Oberbauchs; wo es die Leber doch zeigt, geben Sie eine Lebermaske an.</translation>
+    </message>
+    <message>
+        <source>no liver was found: the largest soft organ is enclosed by bone (%1 of what lies around it), as a brain is</source>
+        <translation>Es wurde keine Leber gefunden: Das größte weiche Organ ist wie ein Gehirn von Knochen umgeben (%1 dessen, was darum liegt)</translation>
+    </message>
+    <message>
+        <source>no liver was found: the largest soft organ lies between the lungs (%1 of what lies around it), as a heart does</source>
+        <translation>Es wurde keine Leber gefunden: Das größte weiche Organ liegt wie ein Herz zwischen den Lungen (%1 dessen, was darum liegt)</translation>
+    </message>
+    <message>
+        <source>Give a mask that lies inside the CT.</source>
+        <translation>Geben Sie eine Maske an, die im CT liegt.</translation>
+    </message>
+    <message>
+        <source>the liver region is empty</source>
+        <translation>Der Leberbereich ist leer</translation>
+    </message>
+    <message>
+        <source>Give the lower value first.</source>
+        <translation>Geben Sie den kleineren Wert zuerst an.</translation>
+    </message>
+    <message>
+        <source>the window runs from %1 to %2 HU</source>
+        <translation>Das Fenster reicht von %1 bis %2 HU</translation>
+    </message>
+    <message>
+        <source>a seed&apos;s place is no number</source>
+        <translation>Der Ort eines Startpunkts ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give three finite numbers in mm.</source>
+        <translation>Geben Sie drei endliche Zahlen in mm an.</translation>
+    </message>
+    <message>
+        <source>Place the seed inside a vessel that the segmentation found.</source>
+        <translation>Setzen Sie den Startpunkt in ein Gefäß, das die Segmentierung gefunden hat.</translation>
+    </message>
+    <message>
+        <source>no vessel lies within 3 mm of the seed at %1</source>
+        <translation>Kein Gefäß liegt näher als 3 mm am Startpunkt bei %1</translation>
+    </message>
+    <message>
+        <source>a vesselness scale of %1 mm is below half a voxel</source>
+        <translation>Ein Gefäßmaß von %1 mm liegt unter einem halben Voxel</translation>
+    </message>
+    <message>
+        <source>Resample the volume to one spacing first.</source>
+        <translation>Rechnen Sie das Volumen erst auf einen einheitlichen Abstand um.</translation>
+    </message>
+    <message>
+        <source>Use scales of at least half the spacing.</source>
+        <translation>Nehmen Sie Maße von mindestens dem halben Abstand.</translation>
+    </message>
+    <message>
+        <source>vesselness needs cubic voxels, these are %1 by %2 mm</source>
+        <translation>Das Gefäßmaß braucht würfelförmige Voxel, diese sind %1 mal %2 mm</translation>
+    </message>
+    <message>
+        <source>a tolerance or time of the injection is negative</source>
+        <translation>eine Toleranz oder Zeit der Injektion ist negativ</translation>
+    </message>
+    <message>
+        <source>Give a time of 0 s or more</source>
+        <translation>Geben Sie eine Zeit von 0 s oder mehr an</translation>
+    </message>
+    <message>
+        <source>Give positive values</source>
+        <translation>Geben Sie positive Werte an</translation>
+    </message>
+    <message>
+        <source>Say where the drug enters</source>
+        <translation>Sagen Sie, wo der Wirkstoff eintritt</translation>
+    </message>
+    <message>
+        <source>the step is %1 s</source>
+        <translation>der Schritt ist %1 s</translation>
+    </message>
+    <message>
+        <source>there is no inlet %1</source>
+        <translation>es gibt keinen Zufluss %1</translation>
+    </message>
+    <message>
+        <source>injection</source>
+        <translation>Injektion</translation>
+    </message>
+    <message>
+        <source>node %1 does not exist</source>
+        <translation>Knoten %1 existiert nicht</translation>
+    </message>
+    <message>
+        <source>there is no segment %1</source>
+        <translation>es gibt kein Segment %1</translation>
+    </message>
+    <message>
+        <source>Choose a point on the vessel tree</source>
+        <translation>Wählen Sie einen Punkt auf dem Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>Correct the list of roots and outlets</source>
+        <translation>Korrigieren Sie die Liste der Wurzeln und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Correct the vessel tree there, or delete the segment</source>
+        <translation>Korrigieren Sie dort den Gefäßbaum, oder löschen Sie das Segment</translation>
+    </message>
+    <message>
+        <source>it begins and ends in the same node</source>
+        <translation>es beginnt und endet im selben Knoten</translation>
+    </message>
+    <message>
+        <source>it has no cones</source>
+        <translation>es hat keine Kegel</translation>
+    </message>
+    <message>
+        <source>it names a node that does not exist</source>
+        <translation>es nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>vessel network</source>
+        <translation>Gefäßnetz</translation>
+    </message>
+    <message>
+        <source>an inlet&apos;s node</source>
+        <translation>der Knoten eines Zuflusses</translation>
+    </message>
+    <message>
+        <source>Give a positive value in Pa s/mm3</source>
+        <translation>Geben Sie einen positiven Wert in Pa s/mm³ an</translation>
+    </message>
+    <message>
+        <source>Give a pressure in Pa, at most 1e12</source>
+        <translation>Geben Sie einen Druck in Pa an, höchstens 1e12</translation>
+    </message>
+    <message>
+        <source>Give a value from 0 to 1000; about 1 is the engineering upper end</source>
+        <translation>Geben Sie einen Wert von 0 bis 1000 an; etwa 1 ist technisch die Obergrenze</translation>
+    </message>
+    <message>
+        <source>Give a value in Pa s/mm3, 0 or more; infinity closes the outlet</source>
+        <translation>Geben Sie einen Wert in Pa s/mm³ an, 0 oder mehr; unendlich schließt den Ausgang</translation>
+    </message>
+    <message>
+        <source>Give more than 0</source>
+        <translation>Geben Sie mehr als 0 an</translation>
+    </message>
+    <message>
+        <source>Give one for each or none</source>
+        <translation>Geben Sie für jeden einen an oder keinen</translation>
+    </message>
+    <message>
+        <source>Give one per outlet: %1</source>
+        <translation>Geben Sie einen je Ausgang an: %1</translation>
+    </message>
+    <message>
+        <source>Name a node of the network</source>
+        <translation>Nennen Sie einen Knoten des Netzes</translation>
+    </message>
+    <message>
+        <source>a terminal resistance</source>
+        <translation>ein Endwiderstand</translation>
+    </message>
+    <message>
+        <source>an inlet pressure</source>
+        <translation>ein Druck am Zufluss</translation>
+    </message>
+    <message>
+        <source>an outlet pressure</source>
+        <translation>ein Druck am Ausgang</translation>
+    </message>
+    <message>
+        <source>flow conditions</source>
+        <translation>Flussbedingungen</translation>
+    </message>
+    <message>
+        <source>the ambient pressure</source>
+        <translation>der Umgebungsdruck</translation>
+    </message>
+    <message>
+        <source>the bifurcation loss coefficient</source>
+        <translation>der Verlustbeiwert der Gabelungen</translation>
+    </message>
+    <message>
+        <source>the number of outlet pressures</source>
+        <translation>die Zahl der Drücke an Ausgängen</translation>
+    </message>
+    <message>
+        <source>the number of terminal resistances</source>
+        <translation>die Zahl der Endwiderstände</translation>
+    </message>
+    <message>
+        <source>the opening of a torn vessel [mm2]</source>
+        <translation>die Öffnung eines gerissenen Gefäßes [mm²]</translation>
+    </message>
+    <message>
+        <source>the openings of torn vessels</source>
+        <translation>die Öffnungen gerissener Gefäße</translation>
+    </message>
+    <message>
+        <source>the outlet pressure</source>
+        <translation>der Druck am Ausgang</translation>
+    </message>
+    <message>
+        <source>the total terminal resistance</source>
+        <translation>der gesamte Endwiderstand</translation>
+    </message>
+    <message>
+        <source>there is no second phase called &apos;%1&apos;</source>
+        <translation>es gibt keine zweite Phase namens „%1“</translation>
+    </message>
+    <message>
+        <source>Give a positive value in g/mm3 for density, in Pa s for viscosity</source>
+        <translation>Geben Sie einen positiven Wert an, für die Dichte in g/mm³, für die Viskosität in Pa s</translation>
+    </message>
+    <message>
+        <source>Give a value from 0 up to, but not including, 1</source>
+        <translation>Geben Sie einen Wert von 0 bis unter 1 an</translation>
+    </message>
+    <message>
+        <source>the void fraction is %1</source>
+        <translation>der Anteil der zweiten Phase ist %1</translation>
+    </message>
+    <message>
+        <source>void fraction</source>
+        <translation>Anteil der zweiten Phase</translation>
+    </message>
+    <message>
+        <source>a flow of %1 mm3/s enters, but every way out is closed</source>
+        <translation>ein Fluss von %1 mm³/s tritt ein, aber jeder Ausgang ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Check the radii and the flow for values out of range</source>
+        <translation>Prüfen Sie Radien und Fluss auf unmögliche Werte</translation>
+    </message>
+    <message>
+        <source>Open a segment or an outlet, or give the inlet a pressure instead of a flow</source>
+        <translation>Öffnen Sie ein Segment oder einen Ausgang, oder geben Sie dem Zufluss einen Druck statt eines Flusses</translation>
+    </message>
+    <message>
+        <source>Remove segments whose radii differ by many orders of magnitude</source>
+        <translation>Entfernen Sie Segmente, deren Radien sich um viele Größenordnungen unterscheiden</translation>
+    </message>
+    <message>
+        <source>the flow did not settle after %1 Newton steps</source>
+        <translation>der Fluss kam nach %1 Newton-Schritten nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>the pressures cannot be told apart</source>
+        <translation>die Drücke lassen sich nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>the pressure at the tip (--pressure-pa) is %1 Pa and not above the %2 Pa beyond the outlets (--outlet-pressure-pa): nothing would be injected</source>
+        <translation>der Druck an der Spitze ist %1 Pa und nicht höher als die %2 Pa jenseits der Ausgänge: Es würde nichts injiziert</translation>
+    </message>
+    <message>
+        <source>Close a segment of the vessel tree</source>
+        <translation>Schließen Sie ein Segment des Gefäßbaums</translation>
+    </message>
+    <message>
+        <source>Give a higher pressure, or a mass flow</source>
+        <translation>Geben Sie einen höheren Druck oder einen Massenstrom an</translation>
+    </message>
+    <message>
+        <source>duration of the injection in s</source>
+        <translation>Dauer der Injektion in s</translation>
+    </message>
+    <message>
+        <source>end in s</source>
+        <translation>Ende in s</translation>
+    </message>
+    <message>
+        <source>flow of blood in g/s</source>
+        <translation>Blutfluss in g/s</translation>
+    </message>
+    <message>
+        <source>mass flow in g/s</source>
+        <translation>Massenstrom in g/s</translation>
+    </message>
+    <message>
+        <source>terminal resistance in Pa s/mm3</source>
+        <translation>Endwiderstand in Pa s/mm³</translation>
+    </message>
+    <message>
+        <source>time between samples in s</source>
+        <translation>Zeit zwischen Werten in s</translation>
+    </message>
+    <message>
+        <source>there is no pressure law called &apos;%1&apos;</source>
+        <translation>es gibt kein Druckgesetz namens „%1“</translation>
+    </message>
+    <message>
+        <source>Choose one of: published, consistent, regime</source>
+        <translation>Wählen Sie eines von: published, consistent, regime</translation>
+    </message>
+    <message>
+        <source>distal radius in mm</source>
+        <translation>distaler Radius in mm</translation>
+    </message>
+    <message>
+        <source>length in mm</source>
+        <translation>Länge in mm</translation>
+    </message>
+    <message>
+        <source>proximal radius in mm</source>
+        <translation>proximaler Radius in mm</translation>
+    </message>
+    <message>
+        <source>vessel segment</source>
+        <translation>Gefäßsegment</translation>
+    </message>
+    <message>
+        <source>the step was cut in halves: it would have made energy</source>
+        <translation>der Schritt wurde halbiert: Er hätte Energie erzeugt</translation>
+    </message>
+    <message>
+        <source>the body was stopped: no step lowers its energy</source>
+        <translation>der Körper wurde angehalten: Kein Schritt senkt seine Energie</translation>
+    </message>
+    <message>
+        <source>the body was slowed down: the step would have made energy</source>
+        <translation>der Körper wurde gebremst: Der Schritt hätte Energie erzeugt</translation>
+    </message>
+    <message>
+        <source>%1; a free piece lost spin</source>
+        <translation>%1; ein freies Stück verlor Drehung</translation>
+    </message>
+    <message>
+        <source>%1; a free piece lost momentum</source>
+        <translation>%1; ein freies Stück verlor Impuls</translation>
+    </message>
+    <message>
+        <source>the system of the step was not positive definite: %1 pivots were dropped</source>
+        <translation>das Gleichungssystem des Schritts war nicht positiv definit: %1 Pivots entfielen</translation>
+    </message>
+    <message>
+        <source>the system of the step could not be solved</source>
+        <translation>das Gleichungssystem des Schritts ließ sich nicht lösen</translation>
+    </message>
+    <message>
+        <source>the step was shortened: it would have made energy</source>
+        <translation>der Schritt wurde verkürzt: Er hätte Energie erzeugt</translation>
+    </message>
+    <message>
+        <source>elements that had turned inside out were put right</source>
+        <translation>umgestülpte Elemente wurden zurechtgerückt</translation>
+    </message>
+    <message>
+        <source>cannot follow a tear</source>
+        <translation>kann keinem Riss folgen</translation>
+    </message>
+    <message>
+        <source>the solver &quot;skeleton&quot;</source>
+        <translation>der Löser „skeleton“</translation>
+    </message>
+    <message>
+        <source>Choose cholesky, automatic or block-jacobi</source>
+        <translation>Wählen Sie cholesky, automatic oder block-jacobi</translation>
+    </message>
+    <message>
+        <source>would stand in the body</source>
+        <translation>stünde im Körper</translation>
+    </message>
+    <message>
+        <source>puts the body into the tool</source>
+        <translation>bringt den Körper in das Werkzeug</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>das Werkzeug</translation>
+    </message>
+    <message>
+        <source>the state</source>
+        <translation>der Zustand</translation>
+    </message>
+    <message>
+        <source>Put it beside the vessels</source>
+        <translation>Setzen Sie es neben die Gefäße</translation>
+    </message>
+    <message>
+        <source>Take the tool away first</source>
+        <translation>Nehmen Sie erst das Werkzeug weg</translation>
+    </message>
+    <message>
+        <source>the case</source>
+        <translation>der Fall</translation>
+    </message>
+    <message>
+        <source>has no mesh, so its vessels cannot be moved</source>
+        <translation>hat kein Netz, sodass sich seine Gefäße nicht bewegen lassen</translation>
+    </message>
+    <message>
+        <source>has no jaws</source>
+        <translation>hat keine Backen</translation>
+    </message>
+    <message>
+        <source>Take the forceps to open and close them</source>
+        <translation>Nehmen Sie die Pinzette, um sie zu öffnen und zu schließen</translation>
+    </message>
+    <message>
+        <source>the point to hold is not finite</source>
+        <translation>der zu haltende Punkt ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the hand&apos;s position is not finite</source>
+        <translation>der Ort der Hand ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>vertex %1 does not exist</source>
+        <translation>Ecke %1 existiert nicht</translation>
+    </message>
+    <message>
+        <source>The body has vertices 0 to %1</source>
+        <translation>Der Körper hat die Ecken 0 bis %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known</source>
+        <translation>„%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Give 0 or more</source>
+        <translation>Geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>holds vertices that the body does not have</source>
+        <translation>enthält Ecken, die der Körper nicht hat</translation>
+    </message>
+    <message>
+        <source>Give a checkpoint of the same patient</source>
+        <translation>Geben Sie einen Zwischenstand desselben Patienten an</translation>
+    </message>
+    <message>
+        <source>nothing tears in this scene</source>
+        <translation>in dieser Szene reißt nichts</translation>
+    </message>
+    <message>
+        <source>Add &quot;tear&quot;: {} to the scene</source>
+        <translation>Fügen Sie der Szene &quot;tear&quot;: {} hinzu</translation>
+    </message>
+    <message>
+        <source>leads along no vessel</source>
+        <translation>führt an keinem Gefäß entlang</translation>
+    </message>
+    <message>
+        <source>the cut line</source>
+        <translation>die Schwächungslinie</translation>
+    </message>
+    <message>
+        <source>cut line</source>
+        <translation>Schwächungslinie</translation>
+    </message>
+    <message>
+        <source>strength along a cut line</source>
+        <translation>Festigkeit entlang einer Schwächungslinie</translation>
+    </message>
+    <message>
+        <source>Choose a value from 0 (nothing holds) to 1 (as before)</source>
+        <translation>Wählen Sie einen Wert von 0 (nichts hält) bis 1 (wie vorher)</translation>
+    </message>
+    <message>
+        <source>Give two places on one system, on a vessel wide enough to have joints</source>
+        <translation>Geben Sie zwei Orte auf einem System an, auf einem Gefäß, das weit genug für Verbindungen ist</translation>
+    </message>
+    <message>
+        <source>the point is not finite</source>
+        <translation>der Punkt ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>mass flow</source>
+        <translation>Massenstrom</translation>
+    </message>
+    <message>
+        <source>Give more than 0 g/s</source>
+        <translation>Geben Sie mehr als 0 g/s an</translation>
+    </message>
+    <message>
+        <source>Give 0 s or more</source>
+        <translation>Geben Sie 0 s oder mehr an</translation>
+    </message>
+    <message>
+        <source>injects into segment %1, which is not there</source>
+        <translation>injiziert in Segment %1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>speed of the drug</source>
+        <translation>Tempo des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>time of the drug</source>
+        <translation>Zeit des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>a small synthetic patient, corotated in 8 substeps a frame, solved exactly, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
+        <translation>einen kleinen synthetischen Patienten, corotated in 8 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
+    </message>
+    <message>
+        <source>the same body, corotated on %1 tetrahedra, all of it in %2 substeps a frame, solved exactly, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
+        <translation>denselben Körper, corotated auf %1 Tetraedern, ganz in %2 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
+    </message>
+    <message>
+        <source>the same body, %1 on %2 tetrahedra, %3 substeps a frame, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
+        <translation>denselben Körper, %1 auf %2 Tetraedern, %3 Teilschritte je Bild, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
+    </message>
+    <message>
+        <source>the same body, %1 on %2 tetrahedra, %3 substeps a frame, pulled by 30 mm in half a second and back</source>
+        <translation>denselben Körper, %1 auf %2 Tetraedern, %3 Teilschritte je Bild, in einer halben Sekunde um 30 mm gezogen und zurück</translation>
+    </message>
+    <message>
+        <source>dial.json of the case</source>
+        <translation>dial.json des Falls</translation>
+    </message>
+    <message>
+        <source>has another format or version</source>
+        <translation>hat ein anderes Format oder eine andere Version</translation>
+    </message>
+    <message>
+        <source>Measure again: hepatica-cli dial CASE --anew; or remove the file</source>
+        <translation>Messen Sie neu: hepatica-cli dial CASE --anew; oder entfernen Sie die Datei</translation>
+    </message>
+    <message>
+        <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends lie downstream; they get %7 % of the flow</source>
+        <translation>Ast %1 (%2), bei %3 von %4 mm: %5 von %6 Enden liegen stromabwärts; sie erhalten %7 % des Flusses</translation>
+    </message>
+    <message>
+        <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends lie downstream</source>
+        <translation>Ast %1 (%2), bei %3 von %4 mm: %5 von %6 Enden liegen stromabwärts</translation>
+    </message>
+    <message>
+        <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends of this tree lie downstream; they get %7 % of its flow; %8 more ends of the system hang on other roots</source>
+        <translation>Ast %1 (%2), bei %3 von %4 mm: %5 von %6 Enden dieses Baums liegen stromabwärts; sie erhalten %7 % seines Flusses; %8 weitere Enden des Systems hängen an anderen Wurzeln</translation>
+    </message>
+    <message>
+        <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends of this tree lie downstream; %7 more ends of the system hang on other roots</source>
+        <translation>Ast %1 (%2), bei %3 von %4 mm: %5 von %6 Enden dieses Baums liegen stromabwärts; %7 weitere Enden des Systems hängen an anderen Wurzeln</translation>
+    </message>
+    <message>
+        <source>Give 0 to 1000 mm</source>
+        <translation>Geben Sie 0 bis 1000 mm an</translation>
+    </message>
+    <message>
+        <source>Give 0.1 to 100 mm</source>
+        <translation>Geben Sie 0,1 bis 100 mm an</translation>
+    </message>
+    <message>
+        <source>Give three finite numbers that are not all 0</source>
+        <translation>Geben Sie drei endliche Zahlen an, die nicht alle 0 sind</translation>
+    </message>
+    <message>
+        <source>Give three finite numbers that are not along the direction</source>
+        <translation>Geben Sie drei endliche Zahlen an, die nicht entlang der Richtung liegen</translation>
+    </message>
+    <message>
+        <source>has a length of %1</source>
+        <translation>hat eine Länge von %1</translation>
+    </message>
+    <message>
+        <source>has a radius of %1</source>
+        <translation>hat einen Radius von %1</translation>
+    </message>
+    <message>
+        <source>has a side that is not beside its direction</source>
+        <translation>hat eine Seite, die nicht neben seiner Richtung liegt</translation>
+    </message>
+    <message>
+        <source>has no direction</source>
+        <translation>hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>is a &quot;%1&quot;</source>
+        <translation>ist ein „%1“</translation>
+    </message>
+    <message>
+        <source>the place of the tool</source>
+        <translation>der Ort des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Give a checkpoint of this scene</source>
+        <translation>Geben Sie einen Zwischenstand dieser Szene an</translation>
+    </message>
+    <message>
+        <source>is of a scene with other parts</source>
+        <translation>gehört zu einer Szene mit anderen Teilen</translation>
+    </message>
+    <message>
+        <source>place on the tree</source>
+        <translation>Ort auf dem Baum</translation>
+    </message>
+    <message>
+        <source>the stepper&apos;s bytes are not base64</source>
+        <translation>die Bytes des Rechenschritts sind kein base64</translation>
+    </message>
+    <message>
+        <source>The recording is damaged</source>
+        <translation>Die Aufzeichnung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>the share of the tool&apos;s way</source>
+        <translation>der Anteil am Weg des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Add &quot;deform&quot; to the scene</source>
+        <translation>Fügen Sie der Szene &quot;deform&quot; hinzu</translation>
+    </message>
+    <message>
+        <source>Add &quot;flow&quot; to the scene</source>
+        <translation>Fügen Sie der Szene &quot;flow&quot; hinzu</translation>
+    </message>
+    <message>
+        <source>nothing flows in this scene</source>
+        <translation>in dieser Szene fließt nichts</translation>
+    </message>
+    <message>
+        <source>nothing moves in this scene</source>
+        <translation>in dieser Szene bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>command %1, field %2</source>
+        <translation>Befehl %1, Feld %2</translation>
+    </message>
+    <message>
+        <source>Correct the script or recording</source>
+        <translation>Korrigieren Sie das Skript oder die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command</source>
+        <translation>„%1“ ist kein Befehl</translation>
+    </message>
+    <message>
+        <source>has a value of the wrong kind (%1)</source>
+        <translation>hat einen Wert der falschen Art (%1)</translation>
+    </message>
+    <message>
+        <source>has no name</source>
+        <translation>hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>a keyframe of step %1 stands behind step %2</source>
+        <translation>ein Zwischenstand von Schritt %1 steht hinter Schritt %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2 was not written to its end and is left out</source>
+        <translation>%1, Zeile %2 wurde nicht zu Ende geschrieben und entfällt</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>was recorded by version %1, and this is %2, whose steps do not have the same bits</source>
+        <translation>wurde mit Version %1 aufgezeichnet, und dies ist %2, deren Schritte nicht dieselben Bits haben</translation>
+    </message>
+    <message>
+        <source>is of format %1, and this program reads format %2</source>
+        <translation>hat das Format %1, und dieses Programm liest das Format %2</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists and can be written to</source>
+        <translation>Wählen Sie einen Ordner, der existiert und beschreibbar ist</translation>
+    </message>
+    <message>
+        <source>Give a file written by simulate --record</source>
+        <translation>Geben Sie eine Aufzeichnung dieses Programms an</translation>
+    </message>
+    <message>
+        <source>Give a recording</source>
+        <translation>Geben Sie eine Aufzeichnung an</translation>
+    </message>
+    <message>
+        <source>Is the disk full? What was written before can be replayed</source>
+        <translation>Ist der Datenträger voll? Was vorher geschrieben wurde, lässt sich abspielen</translation>
+    </message>
+    <message>
+        <source>Record the session again</source>
+        <translation>Zeichnen Sie den Verlauf noch einmal auf</translation>
+    </message>
+    <message>
+        <source>Replay it with version %1</source>
+        <translation>Spielen Sie sie mit Version %1 ab</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a hash</source>
+        <translation>„%1“ ist kein Hash</translation>
+    </message>
+    <message>
+        <source>could not be written to its end</source>
+        <translation>ließ sich nicht zu Ende schreiben</translation>
+    </message>
+    <message>
+        <source>is not a recording</source>
+        <translation>ist keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>step %1 is behind the end</source>
+        <translation>Schritt %1 liegt hinter dem Ende</translation>
+    </message>
+    <message>
+        <source>the keyframe of step %1 is not the state that was recorded</source>
+        <translation>der Zwischenstand von Schritt %1 ist nicht der aufgezeichnete Zustand</translation>
+    </message>
+    <message>
+        <source>Begin at an earlier step</source>
+        <translation>Beginnen Sie bei einem früheren Schritt</translation>
+    </message>
+    <message>
+        <source>Give the case whose tree and mesh have the hash %1</source>
+        <translation>Geben Sie den Fall an, dessen Baum und Netz den Hash %1 haben</translation>
+    </message>
+    <message>
+        <source>It has %1 steps</source>
+        <translation>Sie hat %1 Schritte</translation>
+    </message>
+    <message>
+        <source>Replay it with the back end that recorded it</source>
+        <translation>Spielen Sie sie mit dem Rechenkern ab, der sie aufzeichnete</translation>
+    </message>
+    <message>
+        <source>was computed by the back end &quot;%1&quot;, and this is &quot;%2&quot;</source>
+        <translation>wurde vom Rechenkern „%1“ berechnet, und dies ist „%2“</translation>
+    </message>
+    <message>
+        <source>is not the patient that was recorded</source>
+        <translation>ist nicht der aufgezeichnete Patient</translation>
+    </message>
+    <message>
+        <source>The simulation diverged: it was taken back to its last good state and stopped. Resume to go on</source>
+        <translation>Die Simulation ist divergiert: Sie wurde auf ihren letzten guten Zustand zurückgesetzt und angehalten. Lassen Sie sie weiterlaufen, um fortzufahren</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: %1. It goes back to its last good state; resume to go on. %2</source>
+        <translation>Die Simulation wurde angehalten: %1. Sie geht auf ihren letzten guten Zustand zurück; lassen Sie sie weiterlaufen, um fortzufahren. %2</translation>
+    </message>
+    <message>
+        <source>it was told to within a step</source>
+        <translation>sie wurde in einem Schritt dazu aufgefordert</translation>
+    </message>
+    <message>
+        <source>What was done in the last second is lost</source>
+        <translation>Was in der letzten Sekunde geschah, ist verloren</translation>
+    </message>
+    <message>
+        <source>there was not enough memory</source>
+        <translation>der Speicher reichte nicht</translation>
+    </message>
+    <message>
+        <source>Close other programs or make the scene smaller</source>
+        <translation>Schließen Sie andere Programme, oder machen Sie die Szene kleiner</translation>
+    </message>
+    <message>
+        <source>Save what you need: it may happen again</source>
+        <translation>Speichern Sie, was Sie brauchen: Es kann wieder geschehen</translation>
+    </message>
+    <message>
+        <source>an error without a name</source>
+        <translation>ein Fehler ohne Namen</translation>
+    </message>
+    <message>
+        <source>Time since the vessels may tear (s)</source>
+        <translation>Zeit, seit die Gefäße reißen können (s)</translation>
+    </message>
+    <message>
+        <source>Entropy (nats)</source>
+        <translation>Entropie (nat)</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>Entropie</translation>
+    </message>
+    <message>
+        <source>produced</source>
+        <translation>erzeugt</translation>
+    </message>
+    <message>
+        <source>torn</source>
+        <translation>gerissen</translation>
+    </message>
+    <message>
+        <source>torn off</source>
+        <translation>abgerissen</translation>
+    </message>
+    <message>
+        <source>bleeding</source>
+        <translation>Blutung</translation>
+    </message>
+    <message>
+        <source>no more bleeding</source>
+        <translation>blutet nicht mehr</translation>
+    </message>
+    <message>
+        <source>tear stopped</source>
+        <translation>Riss angehalten</translation>
+    </message>
+    <message>
+        <source>entropy budget</source>
+        <translation>Entropiebudget</translation>
+    </message>
+    <message>
+        <source>vertex budget</source>
+        <translation>Eckenbudget</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Drug arrival (s)</source>
+        <translation>Ankunft des Wirkstoffs (s)</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>axis: square root of time</source>
+        <translation>Achse: Wurzel der Zeit</translation>
+    </message>
+    <message>
+        <source>The drug&apos;s front</source>
+        <translation>Front des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>Liver segment</source>
+        <translation>Lebersegment</translation>
+    </message>
+    <message>
+        <source>Liver segment %1</source>
+        <translation>Lebersegment %1</translation>
+    </message>
+    <message>
+        <source>Load (% of what tears)</source>
+        <translation>Last (% bis zum Reißen)</translation>
+    </message>
+    <message>
+        <source>Touch and force</source>
+        <translation>Berührung und Kraft</translation>
+    </message>
+    <message>
+        <source>A place of the lesson</source>
+        <translation>Ein Ort der Lektion</translation>
+    </message>
+    <message>
+        <source>A gap, and how sure</source>
+        <translation>Eine Lücke, und wie sicher</translation>
+    </message>
+    <message>
+        <source>Torn</source>
+        <translation>Gerissen</translation>
+    </message>
+    <message>
+        <source>%1 mm at the depth of the view&apos;s centre</source>
+        <translation>%1 mm in der Tiefe der Bildmitte</translation>
+    </message>
+    <message>
+        <source>%1, grip %2</source>
+        <translation>%1, Griff %2</translation>
+    </message>
+    <message>
+        <source>grip %1</source>
+        <translation>Griff %1</translation>
+    </message>
+    <message>
+        <source>hepatic vein</source>
+        <translation>Lebervene</translation>
+    </message>
+    <message>
+        <source>hepatic artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>vein at large strain</source>
+        <translation>Vene bei großer Dehnung</translation>
+    </message>
+    <message>
+        <source>parenchyma</source>
+        <translation>Parenchym</translation>
+    </message>
+    <message>
+        <source>more than half of it lies in vessels that are there already</source>
+        <translation>mehr als die Hälfte davon liegt in Gefäßen, die schon da sind</translation>
+    </message>
+    <message>
+        <source>Begin at the wall of the vessel and draw what is missing, or delete the branch first</source>
+        <translation>Beginnen Sie an der Wand des Gefäßes, und zeichnen Sie, was fehlt, oder löschen Sie erst den Ast</translation>
+    </message>
+    <message>
+        <source>both ends of the vessel lie at one point</source>
+        <translation>beide Enden des Gefäßes liegen an einem Punkt</translation>
+    </message>
+    <message>
+        <source>Draw it from one place to another</source>
+        <translation>Zeichnen Sie es von einem Ort zu einem anderen</translation>
+    </message>
+    <message>
+        <source>vessels meet here, and it is not clear which of them is meant</source>
+        <translation>Gefäße treffen sich hier, und es ist nicht klar, welches gemeint ist</translation>
+    </message>
+    <message>
+        <source>Name a place on the vessel away from the fork</source>
+        <translation>Nennen Sie einen Ort auf dem Gefäß abseits der Gabelung</translation>
+    </message>
+    <message>
+        <source>the vessel is of that system already: %1</source>
+        <translation>das Gefäß gehört schon zu diesem System: %1</translation>
+    </message>
+    <message>
+        <source>Name another vessel, or another system</source>
+        <translation>Nennen Sie ein anderes Gefäß oder ein anderes System</translation>
+    </message>
+    <message>
+        <source>no vessel within 10 mm</source>
+        <translation>kein Gefäß im Umkreis von 10 mm</translation>
+    </message>
+    <message>
+        <source>Name a place on a vessel</source>
+        <translation>Nennen Sie einen Ort auf einem Gefäß</translation>
+    </message>
+    <message>
+        <source>the vessel is too short here to be parted by a gap of 1 mm</source>
+        <translation>das Gefäß ist hier zu kurz für eine Lücke von 1 mm</translation>
+    </message>
+    <message>
+        <source>Cut a longer one beside it, or delete it</source>
+        <translation>Durchtrennen Sie ein längeres daneben, oder löschen Sie es</translation>
+    </message>
+    <message>
+        <source>both ends of the link lie at one point</source>
+        <translation>beide Enden der Verbindung liegen an einem Punkt</translation>
+    </message>
+    <message>
+        <source>Name two places that are not joined yet</source>
+        <translation>Nennen Sie zwei Orte, die noch nicht verbunden sind</translation>
+    </message>
+    <message>
+        <source>the vessel would join two systems: %1 and %2</source>
+        <translation>das Gefäß würde zwei Systeme verbinden: %1 und %2</translation>
+    </message>
+    <message>
+        <source>End it before the other vessel&apos;s wall, or say first of which system that vessel is</source>
+        <translation>Beenden Sie es vor der Wand des anderen Gefäßes, oder sagen Sie erst, zu welchem System jenes gehört</translation>
+    </message>
+    <message>
+        <source>there is no edit named %1</source>
+        <translation>es gibt keine Korrektur namens %1</translation>
+    </message>
+    <message>
+        <source>Take the edit out of the file</source>
+        <translation>Nehmen Sie die Korrektur aus der Datei</translation>
+    </message>
+    <message>
+        <source>there is no vascular system %1</source>
+        <translation>es gibt kein Gefäßsystem %1</translation>
+    </message>
+    <message>
+        <source>Name one of these: %1</source>
+        <translation>Nennen Sie eines von diesen: %1</translation>
+    </message>
+    <message>
+        <source>a vessel is drawn by %1 points with %2 radii</source>
+        <translation>ein Gefäß ist durch %1 Punkte mit %2 Radien gezeichnet</translation>
+    </message>
+    <message>
+        <source>a vessel is drawn with a radius of %1 mm</source>
+        <translation>ein Gefäß ist mit einem Radius von %1 mm gezeichnet</translation>
+    </message>
+    <message>
+        <source>Give two points or more in path_mm, and one of radii_mm for each</source>
+        <translation>Geben Sie zwei Punkte oder mehr in path_mm an und einen von radii_mm für jeden</translation>
+    </message>
+    <message>
+        <source>Give radii above 0 and up to 50 mm</source>
+        <translation>Geben Sie Radien über 0 und bis 50 mm an</translation>
+    </message>
+    <message>
+        <source>an edit</source>
+        <translation>eine Korrektur</translation>
+    </message>
+    <message>
+        <source>the end of a link</source>
+        <translation>das Ende einer Verbindung</translation>
+    </message>
+    <message>
+        <source>a vessel</source>
+        <translation>ein Gefäß</translation>
+    </message>
+    <message>
+        <source>is not a list of edits</source>
+        <translation>ist keine Liste von Korrekturen</translation>
+    </message>
+    <message>
+        <source>Give a JSON array of edits</source>
+        <translation>Geben Sie ein JSON-Feld von Korrekturen an</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the CT</source>
+        <translation>der Ort liegt außerhalb des CTs</translation>
+    </message>
+    <message>
+        <source>Point at the vessel within the image</source>
+        <translation>Zeigen Sie im Bild auf das Gefäß</translation>
+    </message>
+    <message>
+        <source>two places that follow each other are more than 50 mm apart</source>
+        <translation>zwei aufeinanderfolgende Orte liegen mehr als 50 mm auseinander</translation>
+    </message>
+    <message>
+        <source>Point at places between them</source>
+        <translation>Zeigen Sie auf Orte dazwischen</translation>
+    </message>
+    <message>
+        <source>a vessel needs two places at least</source>
+        <translation>ein Gefäß braucht mindestens zwei Orte</translation>
+    </message>
+    <message>
+        <source>the vessel that is drawn</source>
+        <translation>das gezeichnete Gefäß</translation>
+    </message>
+    <message>
+        <source>Point at its beginning and at its end</source>
+        <translation>Zeigen Sie auf seinen Anfang und auf sein Ende</translation>
+    </message>
+    <message>
+        <source>the CT shows no vessel there that is 15 HU brighter than its surroundings</source>
+        <translation>das CT zeigt dort kein Gefäß, das 15 HU heller als seine Umgebung ist</translation>
+    </message>
+    <message>
+        <source>Point at the middle of a bright vessel; what the CT does not show is joined as two vessels are linked</source>
+        <translation>Zeigen Sie auf die Mitte eines hellen Gefäßes; was das CT nicht zeigt, wird verbunden wie zwei Gefäße</translation>
+    </message>
+    <message>
+        <source>%1 mm long, more than %2 steps of %3 mm</source>
+        <translation>%1 mm lang, mehr als %2 Schritte von %3 mm</translation>
+    </message>
+    <message>
+        <source>Check the unit of the positions: millimetres</source>
+        <translation>Prüfen Sie die Einheit der Positionen: Millimeter</translation>
+    </message>
+    <message>
+        <source>a bridge</source>
+        <translation>eine Überbrückung</translation>
+    </message>
+    <message>
+        <source>a bridge has fewer than two points</source>
+        <translation>eine Überbrückung hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>Give a JSON array of bridges</source>
+        <translation>Geben Sie ein JSON-Feld von Überbrückungen an</translation>
+    </message>
+    <message>
+        <source>Give a tree in a .vtp, .swc or .json file</source>
+        <translation>Geben Sie einen Gefäßbaum als .vtp, .swc oder .json an</translation>
+    </message>
+    <message>
+        <source>has a vessel of radius %1</source>
+        <translation>hat ein Gefäß vom Radius %1</translation>
+    </message>
+    <message>
+        <source>Give radii in millimetres, from 0.001 to 1000, at every point</source>
+        <translation>Geben Sie an jedem Punkt Radien in Millimetern an, von 0,001 bis 1000</translation>
+    </message>
+    <message>
+        <source>counts its vascular systems from 0 and does not name them, as older versions did</source>
+        <translation>zählt seine Gefäßsysteme ab 0 und nennt sie nicht, wie ältere Versionen</translation>
+    </message>
+    <message>
+        <source>Make the tree anew: phantom and reconstruct give the same one from the same options; or open the case that it was taken from</source>
+        <translation>Erzeugen Sie den Gefäßbaum neu: Aus denselben Optionen entsteht derselbe; oder öffnen Sie den Fall, aus dem er stammt</translation>
+    </message>
+    <message>
+        <source>a node</source>
+        <translation>ein Knoten</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>is no format of vessel trees</source>
+        <translation>ist kein Format für Gefäßbäume</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in .vtp, .swc or .json</source>
+        <translation>Wählen Sie einen Namen, der auf .vtp, .swc oder .json endet</translation>
+    </message>
+    <message>
+        <source>hepatica vessel tree</source>
+        <translation>hepatica vessel tree</translation>
+    </message>
+    <message>
+        <source>is of version %1</source>
+        <translation>ist von der Version %1</translation>
+    </message>
+    <message>
+        <source>Write it anew with this program</source>
+        <translation>Schreiben Sie ihn mit diesem Programm neu</translation>
+    </message>
+    <message>
+        <source>Give a JSON file that holds a vessel tree</source>
+        <translation>Geben Sie eine JSON-Datei mit einem Gefäßbaum an</translation>
+    </message>
+    <message>
+        <source>line %1 is not a sample</source>
+        <translation>Zeile %1 ist kein Messpunkt</translation>
+    </message>
+    <message>
+        <source>Give an SWC file: seven numbers per line</source>
+        <translation>Geben Sie eine SWC-Datei an: sieben Zahlen je Zeile</translation>
+    </message>
+    <message>
+        <source>sample %1 is its own ancestor</source>
+        <translation>Messpunkt %1 ist sein eigener Vorfahr</translation>
+    </message>
+    <message>
+        <source>Give a tree: each vessel must lead back to a root</source>
+        <translation>Geben Sie einen Baum an: Jedes Gefäß muss zu einer Wurzel führen</translation>
+    </message>
+    <message>
+        <source>sample %1 stands there twice</source>
+        <translation>Messpunkt %1 kommt doppelt vor</translation>
+    </message>
+    <message>
+        <source>Number the samples differently</source>
+        <translation>Nummerieren Sie die Messpunkte verschieden</translation>
+    </message>
+    <message>
+        <source>sample %1 names a parent, %2, that is not there</source>
+        <translation>Messpunkt %1 nennt einen Vorgänger, %2, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Give the whole file</source>
+        <translation>Geben Sie die ganze Datei an</translation>
+    </message>
+    <message>
+        <source>holds no vessel</source>
+        <translation>enthält kein Gefäß</translation>
+    </message>
+    <message>
+        <source>Give an SWC file with two samples or more</source>
+        <translation>Geben Sie eine SWC-Datei mit mindestens zwei Messpunkten an</translation>
+    </message>
+    <message>
+        <source>Give a VTP file with the centrelines of vessels as lines</source>
+        <translation>Geben Sie eine VTP-Datei mit den Mittellinien der Gefäße als Linien an</translation>
+    </message>
+    <message>
+        <source>holds no lines</source>
+        <translation>enthält keine Linien</translation>
+    </message>
+    <message>
+        <source>does not say which way its axes run (it has no field data SPACE)</source>
+        <translation>sagt nicht, wie seine Achsen verlaufen (es hat keine Felddaten SPACE)</translation>
+    </message>
+    <message>
+        <source>State it, --tree-space lps or --tree-space ras, or save the tree from 3D Slicer, which writes SPACE</source>
+        <translation>Sagen Sie es auf der Kommandozeile, oder speichern Sie den Baum mit 3D Slicer, das SPACE schreibt</translation>
+    </message>
+    <message>
+        <source>Save it in LPS or RAS</source>
+        <translation>Speichern Sie ihn in LPS oder RAS</translation>
+    </message>
+    <message>
+        <source>says itself that its axes are %1</source>
+        <translation>sagt selbst, dass seine Achsen %1 sind</translation>
+    </message>
+    <message>
+        <source>Leave --tree-space out</source>
+        <translation>Lassen Sie den Raum des Baums weg</translation>
+    </message>
+    <message>
+        <source>holds radii that are not one number each</source>
+        <translation>enthält Radien, die nicht je eine Zahl sind</translation>
+    </message>
+    <message>
+        <source>its segments are not in the order of SegmentId</source>
+        <translation>seine Segmente stehen nicht in der Reihenfolge von SegmentId</translation>
+    </message>
+    <message>
+        <source>holds no radii</source>
+        <translation>enthält keine Radien</translation>
+    </message>
+    <message>
+        <source>Give the lines a point or cell array MaximumInscribedSphereRadius or Radius [mm], or state one radius for all vessels: --radius-mm</source>
+        <translation>Geben Sie den Linien ein Feld MaximumInscribedSphereRadius oder Radius [mm], oder nennen Sie auf der Kommandozeile einen Radius für alle Gefäße</translation>
+    </message>
+    <message>
+        <source>holds radii of its own</source>
+        <translation>enthält eigene Radien</translation>
+    </message>
+    <message>
+        <source>Leave --radius-mm out</source>
+        <translation>Lassen Sie den Radius weg</translation>
+    </message>
+    <message>
+        <source>Choose a folder that can be written and has space left</source>
+        <translation>Wählen Sie einen Ordner, der beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>has &quot;%1&quot; in place of a number</source>
+        <translation>hat „%1“ anstelle einer Zahl</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, no whole number of values</source>
+        <translation>hat %1 Bytes, keine ganze Zahl von Werten</translation>
+    </message>
+    <message>
+        <source>is compressed by &quot;%1&quot;, neither zlib nor LZ4</source>
+        <translation>ist mit „%1“ komprimiert, weder zlib noch LZ4</translation>
+    </message>
+    <message>
+        <source>Give a file of VTK&apos;s XML formats</source>
+        <translation>Geben Sie eine Datei der XML-Formate von VTK an</translation>
+    </message>
+    <message>
+        <source>is damaged, or no XML file of VTK</source>
+        <translation>ist beschädigt oder keine XML-Datei von VTK</translation>
+    </message>
+    <message>
+        <source>has a %1 of &quot;%2&quot;</source>
+        <translation>hat ein %1 von „%2“</translation>
+    </message>
+    <message>
+        <source>has a NumberOfComponents of &quot;%1&quot;</source>
+        <translation>hat ein NumberOfComponents von „%1“</translation>
+    </message>
+    <message>
+        <source>is of no known type</source>
+        <translation>ist von keiner bekannten Art</translation>
+    </message>
+    <message>
+        <source>has %1 numbers instead of %2</source>
+        <translation>hat %1 Zahlen statt %2</translation>
+    </message>
+    <message>
+        <source>holds texts with a NumberOfComponents of &quot;%1&quot;</source>
+        <translation>enthält Texte mit einem NumberOfComponents von „%1“</translation>
+    </message>
+    <message>
+        <source>has the character %1</source>
+        <translation>hat das Zeichen %1</translation>
+    </message>
+    <message>
+        <source>has %1 texts instead of %2</source>
+        <translation>hat %1 Texte statt %2</translation>
+    </message>
+    <message>
+        <source>is in no known format</source>
+        <translation>ist in keinem bekannten Format</translation>
+    </message>
+    <message>
+        <source>has an offset of &quot;%1&quot; beyond the file&apos;s data</source>
+        <translation>hat einen Versatz „%1“ jenseits der Daten</translation>
+    </message>
+    <message>
+        <source>Save the file anew with the program that wrote it</source>
+        <translation>Speichern Sie die Datei neu mit dem Programm, das sie schrieb</translation>
+    </message>
+    <message>
+        <source>its array &quot;%1&quot; %2</source>
+        <translation>sein Feld „%1“ %2</translation>
+    </message>
+    <message>
+        <source>is of type &quot;%1&quot; instead of %2</source>
+        <translation>ist von der Art „%1“ statt %2</translation>
+    </message>
+    <message>
+        <source>holds no %1</source>
+        <translation>enthält kein %1</translation>
+    </message>
+    <message>
+        <source>holds several pieces, of which one can be read</source>
+        <translation>enthält mehrere Stücke, von denen eines gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>holds no points</source>
+        <translation>enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>has a NumberOfPoints of &quot;%1&quot;</source>
+        <translation>hat ein NumberOfPoints von „%1“</translation>
+    </message>
+    <message>
+        <source>holds points that are not of three coordinates</source>
+        <translation>enthält Punkte, die nicht drei Koordinaten haben</translation>
+    </message>
+    <message>
+        <source>does not say which points its %1 have</source>
+        <translation>sagt nicht, welche Punkte seine %1 haben</translation>
+    </message>
+    <message>
+        <source>does not fit the connectivity of %1 points</source>
+        <translation>passt nicht zur Verknüpfung von %1 Punkten</translation>
+    </message>
+    <message>
+        <source>a cell names point %1 of %2</source>
+        <translation>eine Zelle nennt Punkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>does not say of what kind its cells are</source>
+        <translation>sagt nicht, von welcher Art seine Zellen sind</translation>
+    </message>
+    <message>
+        <source>states %1 bytes where %2 are left</source>
+        <translation>nennt %1 Bytes, wo %2 übrig sind</translation>
+    </message>
+    <message>
+        <source>is no base64</source>
+        <translation>ist kein base64</translation>
+    </message>
+    <message>
+        <source>has %1 bytes instead of %2</source>
+        <translation>hat %1 Bytes statt %2</translation>
+    </message>
+    <message>
+        <source>states %1 bytes</source>
+        <translation>nennt %1 Bytes</translation>
+    </message>
+    <message>
+        <source>has a last block of %1 bytes, larger than the others of %2</source>
+        <translation>hat einen letzten Block von %1 Bytes, größer als die anderen von %2</translation>
+    </message>
+    <message>
+        <source>states %1 blocks</source>
+        <translation>nennt %1 Blöcke</translation>
+    </message>
+    <message>
+        <source>states a block of %1 bytes in %2</source>
+        <translation>nennt einen Block von %1 Bytes in %2</translation>
+    </message>
+    <message>
+        <source>has a damaged block</source>
+        <translation>hat einen beschädigten Block</translation>
+    </message>
+    <message>
+        <source>the skeleton and the vessel mask lie on different grids</source>
+        <translation>Skelett und Gefäßmaske liegen auf verschiedenen Gittern</translation>
+    </message>
+    <message>
+        <source>Make the skeleton from this mask</source>
+        <translation>Machen Sie das Skelett aus dieser Maske</translation>
+    </message>
+    <message>
+        <source>The tree file is damaged or not a vessel tree</source>
+        <translation>Die Datei des Gefäßbaums ist beschädigt oder kein Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>does not have one radius per point</source>
+        <translation>hat nicht einen Radius je Punkt</translation>
+    </message>
+    <message>
+        <source>does not say of each point whether it bridges a gap</source>
+        <translation>sagt nicht von jedem Punkt, ob er eine Lücke überbrückt</translation>
+    </message>
+    <message>
+        <source>has a point that is not finite</source>
+        <translation>hat einen Punkt, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>has a radius that is not positive</source>
+        <translation>hat einen Radius, der nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>has two equal consecutive points</source>
+        <translation>hat zwei gleiche aufeinanderfolgende Punkte</translation>
+    </message>
+    <message>
+        <source>names a node that does not exist</source>
+        <translation>nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>stands before its parent</source>
+        <translation>steht vor seinem Vorgänger</translation>
+    </message>
+    <message>
+        <source>does not begin where its parent ends</source>
+        <translation>beginnt nicht, wo sein Vorgänger endet</translation>
+    </message>
+    <message>
+        <source>has a confidence outside 0 to 1</source>
+        <translation>hat eine Sicherheit außerhalb von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>a triangle of the surface names a vertex that is not there</source>
+        <translation>ein Dreieck der Oberfläche nennt eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a vertex was split from one that is not there</source>
+        <translation>eine Ecke wurde von einer abgespalten, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the surface of %1 meets itself along an edge or in a point, whatever the size of the elements (&quot;closed&quot; is false)</source>
+        <translation>die Oberfläche (%1) trifft sich an einer Kante oder in einem Punkt selbst, bei jeder Größe der Elemente</translation>
+    </message>
+    <message>
+        <source>The mesh is not sound: %1. Forces pass through such places as through a hinge. %2</source>
+        <translation>Das Netz ist nicht einwandfrei: %1. Kräfte gehen durch solche Stellen wie durch ein Scharnier. %2</translation>
+    </message>
+    <message>
+        <source>Branches that touch may be parted (hepatica-cli edit), or give another number of tetrahedra</source>
+        <translation>Äste, die sich berühren, lassen sich trennen (Bearbeiten in der Werkzeugleiste), oder geben Sie eine andere Zahl von Tetraedern an</translation>
+    </message>
+    <message>
+        <source>the mesh</source>
+        <translation>das Netz</translation>
+    </message>
+    <message>
+        <source>Check that the folder may be written and has free space</source>
+        <translation>Prüfen Sie, ob der Ordner beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>a vertex</source>
+        <translation>eine Ecke</translation>
+    </message>
+    <message>
+        <source>holds cells of another kind</source>
+        <translation>enthält Zellen anderer Art</translation>
+    </message>
+    <message>
+        <source>names vertex %1, which does not exist</source>
+        <translation>nennt Ecke %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is not closed at the edge between vertices %1 and %2</source>
+        <translation>ist an der Kante zwischen den Ecken %1 und %2 nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The mesh is damaged; reconstruct the patient again</source>
+        <translation>Das Netz ist beschädigt; rekonstruieren Sie den Patienten noch einmal</translation>
+    </message>
+    <message>
+        <source>is flat or inverted (volume %1)</source>
+        <translation>ist flach oder umgestülpt (Volumen %1)</translation>
+    </message>
+    <message>
+        <source>the vessels are %1 radii long, too thin for tetrahedra</source>
+        <translation>die Gefäße sind %1 Radien lang, zu dünn für Tetraeder</translation>
+    </message>
+    <message>
+        <source>an element size of %1 radii</source>
+        <translation>eine Elementgröße von %1 Radien</translation>
+    </message>
+    <message>
+        <source>Check the unit of the radii (millimetres), or set a least radius</source>
+        <translation>Prüfen Sie die Einheit der Radien (Millimeter), oder setzen Sie einen kleinsten Radius</translation>
+    </message>
+    <message>
+        <source>Choose a size from 0.3 to 1 radius</source>
+        <translation>Wählen Sie eine Größe von 0,3 bis 1 Radius</translation>
+    </message>
+    <message>
+        <source>Lower the window of intensities or give a vessel mask</source>
+        <translation>Senken Sie das Fenster, oder geben Sie eine Gefäßmaske an</translation>
+    </message>
+    <message>
+        <source>mesh options</source>
+        <translation>Optionen des Netzes</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
     </message>
 </context>
 </TS>

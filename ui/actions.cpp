@@ -216,7 +216,7 @@ class SpaceOfTheFocusedWidget : public QObject {
 };
 
 QString plain(const char* text) {
-    return Words::tr(text).remove('&').remove("…");
+    return Words::tr(text).remove('&').remove("…").trimmed();
 }
 
 }  // namespace

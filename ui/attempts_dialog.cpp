@@ -131,7 +131,7 @@ void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesyste
                        "<b>%1</b>: %n attempt(s). Tick those of an instructor: they are the band "
                        "in the learning curve.",
                        nullptr, static_cast<int>(count))
-                       .arg(QString::fromStdString(lesson).toHtmlEscaped());
+                       .arg(translated(lesson).toHtmlEscaped());
     for (const std::string& words : attempts_.passed_over)
         text += "<br>" + Words::tr("Left out: %1").arg(translated(words).toHtmlEscaped());
     title_->setText(text);

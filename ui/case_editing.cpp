@@ -80,7 +80,7 @@ void CaseEditing::warn_of_new_doubts() {
         const bool of_loops = &doubt == &doubts_.back() && loops_ > 0;
         const bool is_new =
             of_loops ? loops_ > loops_before : std::ranges::find(before, doubt) == before.end();
-        if (is_new) fresh << QString::fromStdString(doubt);
+        if (is_new) fresh << translated(doubt);
     }
     if (!fresh.isEmpty()) callbacks_.warn(fresh.join("\n"));
 }

@@ -53,7 +53,7 @@ QString sentence_of(const std::vector<Attempt>& attempts) {
     return Words::tr("%n attempt(s) at lessons, %1 passed; the last: %2, %3", nullptr,
                      static_cast<int>(attempts.size()))
         .arg(passed)
-        .arg(QString::fromStdString(attempts.back().lesson).toHtmlEscaped(),
+        .arg(translated(attempts.back().lesson).toHtmlEscaped(),
              attempts.back().passed ? Words::tr("passed") : Words::tr("not passed"));
 }
 
@@ -83,8 +83,8 @@ ShelvedCase shelved(const fs::path& place, const AttemptsOfPatients& attempts) {
         entry.readable = true;
     } catch (const InputError& error) {
         entry.facts = Words::tr("It cannot be opened: %1. %2")
-                          .arg(QString::fromStdString(error.problem()).toHtmlEscaped(),
-                               QString::fromStdString(error.remedy()).toHtmlEscaped());
+                          .arg(translated(error.problem()).toHtmlEscaped(),
+                               translated(error.remedy()).toHtmlEscaped());
     }
     return entry;
 }

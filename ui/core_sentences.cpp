@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/core_sentences.h"
 
-#include "ui/words.h"
-
 namespace hepatica {
+namespace {
+
+std::vector<const char*> joined() {
+    std::vector<const char*> all;
+    for (const auto& sentences :
+         {sentences_of_common(), sentences_of_image(), sentences_of_patient(), sentences_of_tree(),
+          sentences_of_play(), sentences_of_lesson(), sentences_of_built_in_lessons()})
+        all.insert(all.end(), sentences.begin(), sentences.end());
+    return all;
+}
+
+}  // namespace
 
 const std::vector<const char*>& core_sentences() {
-    static const std::vector<const char*> all{
-        Words::id("portal vein"),
-        Words::id("hepatic veins"),
-        Words::id("artery"),
-        Words::id("unknown system"),
-    };
+    static const std::vector<const char*> all = joined();
     return all;
 }
 

@@ -4,11 +4,21 @@
 // sources and fails on a sentence that is missing here.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace hepatica {
 
 // Of all rooms. The first one is translated into every language; see translated().
 const std::vector<const char*>& core_sentences();
+
+// By what they are about, each in a file of its own.
+std::span<const char* const> sentences_of_common();
+std::span<const char* const> sentences_of_image();
+std::span<const char* const> sentences_of_patient();
+std::span<const char* const> sentences_of_tree();
+std::span<const char* const> sentences_of_play();
+std::span<const char* const> sentences_of_lesson();
+std::span<const char* const> sentences_of_built_in_lessons();
 
 }  // namespace hepatica

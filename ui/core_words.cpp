@@ -18,11 +18,12 @@ namespace {
 // A sentence of core with what is put into it: "segment %1 of %2".
 struct Pattern {
     const char* id;
+    QString begin;  // what stands before the first place
     QRegularExpression shape;
     std::vector<int> order;  // which place each group of the expression fills
 };
 
-constexpr int deepest = 3;  // sentences within sentences
+constexpr int deepest = 6;  // sentences within sentences
 
 QString expression_of(const QString& sentence, std::vector<int>& order) {
     QString expression;
@@ -60,7 +61,7 @@ struct Sentences {
     }
 
     void add(const QString& sentence, const char* id) {
-        Pattern pattern{id, {}, {}};
+        Pattern pattern{id, sentence.section('%', 0, 0), {}, {}};
         const QString expression = expression_of(sentence, pattern.order);
         if (pattern.order.empty()) {
             whole.insert(sentence, id);
@@ -77,29 +78,31 @@ const Sentences& sentences() {
     return all;
 }
 
-// 3.250000 as 3,25; what only looks like a number (1.2.840, p1.hep, 2.x) stays.
+// 3.25 and 12.5 mN with the language's decimal sign; what only looks like a number (1.2.840,
+// p1.hep, 2.x) stays.
 QString number_in_words(const QString& text) {
-    static const QRegularExpression decimal(R"(^(-?\d+)\.(\d+)$)");
+    static const QRegularExpression decimal(R"(^(-?\d+)\.(\d+)((?: [^\s\d.]{1,6}){0,2})$)");
     const QRegularExpressionMatch match = decimal.match(text);
     if (!match.hasMatch()) return text;
-    return match.captured(1) + QLocale().decimalPoint() + match.captured(2);
+    return match.captured(1) + QLocale().decimalPoint() + match.captured(2) + match.captured(3);
 }
 
 QString in_words(const QString& english, int depth);
 
 // Names, numbers and lists that are put in.
 QString part_in_words(const QString& part, int depth) {
-    const QString number = number_in_words(part);
-    return number != part || depth >= deepest ? number : in_words(part, depth + 1);
+    return depth >= deepest ? number_in_words(part) : in_words(part, depth + 1);
 }
 
 QString in_words(const QString& english, int depth) {
+    if (const QString number = number_in_words(english); number != english) return number;
     if (const auto found = sentences().whole.constFind(english); found != sentences().whole.cend())
         return Words::tr(*found);
     // What the window itself says as core does: failures, stages.
     if (const QString whole = Words::tr(english.toUtf8().constData()); whole != english)
         return whole;
     for (const Pattern& pattern : sentences().patterns) {
+        if (!english.startsWith(pattern.begin)) continue;
         const QRegularExpressionMatch match = pattern.shape.match(english);
         if (!match.hasMatch()) continue;
         QString text = Words::tr(pattern.id);

@@ -76,13 +76,13 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
     lines_ = std::move(lines);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
     title_->setText(Words::tr("<b>%1</b>: %2 of %3 lessons passed")
-                        .arg(QString::fromStdString(name).toHtmlEscaped())
+                        .arg(translated(name).toHtmlEscaped())
                         .arg(passed)
                         .arg(lines_.size()));
     table_->setRowCount(static_cast<int>(lines_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const CourseLine& line = lines_[static_cast<std::size_t>(row)];
-        table_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(line.title)));
+        table_->setItem(row, 0, new QTableWidgetItem(translated(line.title)));
         table_->setItem(row, 1, new QTableWidgetItem(marks_of(line)));
         table_->setItem(row, 2, new QTableWidgetItem(QString::number(line.attempts)));
         table_->setItem(row, 3, new QTableWidgetItem(standing_of(line)));

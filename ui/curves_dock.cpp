@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/plot_panel.h"
 #include "ui/vessel_flow.h"
 #include "ui/words.h"
@@ -42,7 +43,7 @@ void CurvesDock::follow_tear(const Frame& frame) {
     if (tear_.empty()) return plots_->set_tear({}, {});
     std::vector<PlotEvent> events;
     for (const TearHistory::Event& event : tear_.events())
-        events.push_back({event.time_s, QString::fromStdString(event.text)});
+        events.push_back({event.time_s, translated(event.text)});
     plots_->set_tear(tear_.chart(), std::move(events));
     if (before == 0 && !tear_.events().empty()) show();
 }

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "ui/core_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -70,7 +71,7 @@ QWidget* EditPanel::make_tools() {
     tool_->setAccessibleName(Words::tr("Tool of the edit"));
     tool_->setObjectName("EditTool");
     for (const EditTool& tool : tools) {
-        tool_->addItem(tool.name);
+        tool_->addItem(Words::tr(tool.name));
         tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);
     }
     form->addRow(Words::tr("does"), tool_);
@@ -87,7 +88,7 @@ QWidget* EditPanel::make_tools() {
     system_->setAccessibleName(Words::tr("System that a branch is given to"));
     system_->setObjectName("EditSystem");
     for (const VascularSystem system : vascular_systems)
-        system_->addItem(QString::fromStdString(title_of(system)), number_of(system));
+        system_->addItem(translated(title_of(system)), number_of(system));
     system_->setEnabled(false);
     form->addRow(Words::tr("System"), system_);
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
@@ -186,7 +187,7 @@ void EditPanel::show_bridges(const QStringList& lines) {
     accept_->setEnabled(false);
     bridges_->setEnabled(!lines.isEmpty());
     accept_all_->setEnabled(!lines.isEmpty());
-    if (lines.isEmpty()) bridges_->addItem(Words::tr("none"));
+    if (lines.isEmpty()) bridges_->addItem(Words::tr("none yet"));
 }
 
 void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {

@@ -119,10 +119,10 @@ QWidget* InjectPanel::make_settings() {
     form->addRow(Words::tr("Viscosity"), viscosity_);
     model_ = new QComboBox(box);
     for (const auto& [name, description] : models) {
-        model_->addItem(name);
+        model_->addItem(Words::tr(name), name);
         model_->setItemData(model_->count() - 1, Words::tr(description), Qt::ToolTipRole);
     }
-    model_->setCurrentText(default_injection::pressure_model);
+    model_->setCurrentIndex(model_->findData(default_injection::pressure_model));
     model_->setToolTip(Words::tr("Form of the pressure law"));
     form->addRow(Words::tr("Pressure law"), model_);
     return box;
@@ -177,7 +177,7 @@ QWidget* InjectPanel::make_clock() {
 void InjectPanel::choose_preset(int index) {
     const Preset& preset = presets.at(static_cast<std::size_t>(index));
     void_fraction_->setValue(preset.void_fraction);
-    source_->setText(QString::fromUtf8(preset.source));
+    source_->setText(Words::tr(preset.source));
     show_flow_range();
 }
 
@@ -219,7 +219,7 @@ InjectDrug InjectPanel::injection_at(const Vec3& point_mm) const {
     injection.point_mm = point_mm;
     injection.mass_flow_g_s = mass_flow_g_s();
     injection.void_fraction = void_fraction_->value();
-    injection.pressure_model = model_->currentText().toStdString();
+    injection.pressure_model = model_->currentData().toString().toStdString();
     injection.second_phase =
         presets.at(static_cast<std::size_t>(preset_->currentIndex())).second_phase;
     if (viscosity_->value() > 0.0) injection.drug_viscosity_pa_s = 1e-3 * viscosity_->value();

@@ -15,6 +15,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/attempts_dialog.h"
+#include "ui/core_words.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
@@ -62,7 +63,7 @@ LessonDock::~LessonDock() = default;
 void LessonDock::fill(QMenu& menu) {
     int number = 0;
     for (const BuiltInLesson& entry : built_in_lessons()) {
-        const QString name = QString::fromStdString(find_lesson(entry.id).name);
+        const QString name = translated(find_lesson(entry.id).name);
         QAction* action = menu.addAction(QString("&%1  %2").arg(++number).arg(name));
         action->setObjectName(entry.id);
         connect(action, &QAction::triggered, this, [this, id = entry.id] { start(id); });

@@ -34,7 +34,7 @@ QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks
         known ? translated(to_words(bound.predicate.quantity, bound.value, units)) : "";
     return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
         .arg(QString::fromUtf8(bound.kept ? kept : broken),
-             QString::fromStdString(to_words(bound.predicate, marks, units)).toHtmlEscaped(),
+             translated(to_words(bound.predicate, marks, units)).toHtmlEscaped(),
              now.toHtmlEscaped());
 }
 
@@ -100,8 +100,8 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     doubts_->setVisible(!lines.isEmpty());
     lesson_ = lesson;
     hinted_step_ = static_cast<std::size_t>(-1);
-    title_->setText("<b>" + QString::fromStdString(lesson.name).toHtmlEscaped() + "</b>");
-    about_->setText(QString::fromStdString(lesson.about));
+    title_->setText("<b>" + translated(lesson.name).toHtmlEscaped() + "</b>");
+    about_->setText(translated(lesson.about));
     about_->setVisible(!lesson.about.empty());
 }
 
@@ -127,14 +127,14 @@ void LessonPanel::show_step(const LessonStanding& standing) {
     step_->setText(Words::tr("Step %1 of %2: %3")
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
-                       .arg(QString::fromStdString(step.text)));
+                       .arg(translated(step.text)));
     goal_->setText(
         table_of(Words::tr("Goal"), standing.goal, lesson_.mark_names(), units_, "●", "○"));
     hold_->setVisible(step.hold_s > 0.0);
     const double held_s = standing.steps[standing.step].held_s;
     if (step.hold_s > 0.0)
         hold_->setValue(static_cast<int>(100.0 * std::min(1.0, held_s / step.hold_s)));
-    hint_->setText(QString::fromStdString(step.hint));
+    hint_->setText(translated(step.hint));
     const bool open = hinted_step_ == standing.step;
     hint_->setVisible(open && !step.hint.empty());
     hint_button_->setEnabled(!open && !step.hint.empty());

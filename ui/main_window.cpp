@@ -306,6 +306,7 @@ void MainWindow::build_tool_bar() {
     // All six views shall fit beside them on a small screen.
     (*actions_)[ActionId::edit_mode].setIconText(Words::tr("Edit"));
     (*actions_)[ActionId::play_pause].setIconText(Words::tr("Run"));
+    (*actions_)[ActionId::reset].setIconText(Words::tr("Reset"));
     addToolBar(bar);
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/language.h"
 #include "ui/liver_keeper.h"
 #include "ui/main_window.h"
@@ -134,7 +135,7 @@ void MainWindow::follow_measuring() {
     if (chosen) {
         (*actions_)[measuring_actions[static_cast<std::size_t>(*chosen)]].setChecked(true);
         if (!measures) set_mouse_mode(MouseMode::measure);
-        statusBar()->showMessage(QString::fromStdString(ruler_->guidance()), 8000);
+        statusBar()->showMessage(translated(ruler_->guidance()), 8000);
     } else if (measures) {
         (*actions_)[ActionId::pull_mode].trigger();
     }

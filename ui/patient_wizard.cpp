@@ -170,9 +170,9 @@ void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
         if (one.spacing_mm > 0.0)
             text += Words::tr(", %L1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
         for (const std::string& word : {one.kernel, one.phase})
-            if (!word.empty()) text += ", " + QString::fromStdString(word);
+            if (!word.empty()) text += ", " + translated(word);
         series_->addItem(text);
-        const QString why = QString::fromStdString(one.why_not_chosen);
+        const QString why = translated(one.why_not_chosen);
         series_->setItemData(series_->count() - 1, why, Qt::ToolTipRole);
     }
     form_->setRowVisible(series_, series.size() > 1);

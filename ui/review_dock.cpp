@@ -21,6 +21,7 @@
 #include "core/lesson/score.h"
 #include "core/opening/recorded_case.h"
 #include "core/session/recording_file.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
 #include "ui/review_list.h"
 #include "ui/review_play.h"
@@ -221,8 +222,7 @@ void ReviewDock::take(Found found) {
     recording_ = std::move(found.recording);
     lesson_ = std::move(found.lesson);
     notes_ = std::move(found.notes);
-    for (const std::string& warning : recording_->warnings)
-        ways_.say(QString::fromStdString(warning));
+    for (const std::string& warning : recording_->warnings) ways_.say(translated(warning));
     // The job that called this is still alive: the next begins once it has gone.
     waits_ = found.request.has_value();
     if (found.request) return ways_.open(*found.request);

@@ -29,8 +29,7 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
     const auto warnings = series.warnings.size();
     return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
                                 QString::number(series.slices), spacing,
-                                QString::fromStdString(series.kernel),
-                                QString::fromStdString(series.phase),
+                                QString::fromStdString(series.kernel), translated(series.phase),
                                 warnings > 0 ? QString::number(warnings) : QString(), why});
 }
 

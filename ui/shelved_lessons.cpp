@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -50,8 +51,9 @@ std::optional<ShelvedLesson> shelved(const fs::path& file) {
             entry.of_case = file.parent_path() / lesson.patient;
         }
     } catch (const InputError& error) {
-        entry.about =
-            QString::fromStdString(error.place() + ": " + error.problem() + ". " + error.remedy());
+        entry.about = QString("%1: %2. %3")
+                          .arg(translated(error.place()), translated(error.problem()),
+                               translated(error.remedy()));
     }
     return entry;
 }

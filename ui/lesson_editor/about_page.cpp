@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/deform/body/material.h"
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/words.h"
 
@@ -96,10 +97,10 @@ QGroupBox* AboutPage::make_scene() {
     material_ = new QComboBox;
     material_->setObjectName("lessonMaterial");
     for (const MaterialPreset& preset : material_presets())
-        material_->addItem(QString::fromStdString(preset.name));
+        material_->addItem(translated(preset.name), QString::fromStdString(preset.name));
     connect(material_, &QComboBox::activated, this, [this] {
         change_value("", [&](Lesson& lesson) {
-            lesson.scene.deform->material = material_->currentText().toStdString();
+            lesson.scene.deform->material = material_->currentData().toString().toStdString();
         });
     });
     form->addRow(Words::tr("Material"), material_);
@@ -160,7 +161,9 @@ void AboutPage::fill_scene(const SceneSpec& scene) {
     moves_->setChecked(scene.deform.has_value());
     for (QWidget* part : std::initializer_list<QWidget*>{material_, touches_, self_, tears_})
         part->setEnabled(scene.deform.has_value());
-    if (scene.deform) material_->setCurrentText(QString::fromStdString(scene.deform->material));
+    if (scene.deform)
+        material_->setCurrentIndex(
+            material_->findData(QString::fromStdString(scene.deform->material)));
     touches_->setChecked(scene.contact && scene.contact->tools);
     self_->setChecked(scene.contact && scene.contact->self);
     tears_->setChecked(scene.tear.has_value());

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/lesson_page.h"
 #include "ui/words.h"
@@ -24,7 +25,7 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
     auto* choice = new QComboBox;
     auto* items = qobject_cast<QStandardItemModel*>(choice->model());
     for (const QuantityWords& words : quantities()) {
-        choice->addItem(words.words);
+        choice->addItem(translated(words.words));
         // A bound on a mark needs one.
         items->item(choice->count() - 1)->setEnabled(!words.of_mark || marks_known);
     }
@@ -37,7 +38,7 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
 
 QComboBox* mark_choice(const std::vector<std::string>& marks, int chosen) {
     auto* choice = new QComboBox;
-    for (const std::string& mark : marks) choice->addItem(QString::fromStdString(mark));
+    for (const std::string& mark : marks) choice->addItem(translated(mark));
     choice->setPlaceholderText(Words::tr("which mark?"));  // of a bound that lost its own
     choice->setCurrentIndex(chosen);
     return choice;

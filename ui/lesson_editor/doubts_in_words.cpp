@@ -18,7 +18,7 @@ namespace {
 // What keeps it from being played; empty: nothing.
 QStringList gaps_in_words(const Lesson& lesson) {
     QStringList lines;
-    for (const std::string& gap : gaps_in(lesson)) lines << QString::fromStdString(gap);
+    for (const std::string& gap : gaps_in(lesson)) lines << translated(gap);
     if (!lines.isEmpty()) return lines;
     try {
         lesson_of(text_of(lesson), Words::id("This lesson"));
@@ -42,10 +42,10 @@ std::vector<std::string> place_doubts(const Lesson& lesson, const VesselTree& tr
 
 QString doubts_in_words(const Lesson& lesson, const PatientCase* patient, const QString& shown) {
     QStringList lines = gaps_in_words(lesson);
-    for (const std::string& doubt : doubts_about(lesson)) lines << QString::fromStdString(doubt);
+    for (const std::string& doubt : doubts_about(lesson)) lines << translated(doubt);
     if (patient != nullptr)
         for (const std::string& doubt : place_doubts(lesson, patient->tree, shown))
-            lines << QString::fromStdString(doubt);
+            lines << translated(doubt);
     constexpr qsizetype most = 4;
     if (lines.size() > most)
         lines = lines.mid(0, most - 1)

@@ -20,6 +20,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
+#include "ui/core_words.h"
 #include "ui/lesson_editor/about_page.h"
 #include "ui/lesson_editor/doubts_in_words.h"
 #include "ui/lesson_editor/places_page.h"
@@ -108,8 +109,8 @@ void LessonEditor::build_buttons(QWidget& foot) {
     connect(menu->addAction(Words::tr("A file…")), &QAction::triggered, this, [this] { open(); });
     menu->addSeparator();
     for (const BuiltInLesson& entry : built_in_lessons()) {
-        QAction* action = menu->addAction(
-            Words::tr("A copy of: %1").arg(QString::fromStdString(find_lesson(entry.id).name)));
+        QAction* action =
+            menu->addAction(Words::tr("A copy of: %1").arg(translated(find_lesson(entry.id).name)));
         action->setObjectName(QString("beginWith_") + entry.id);
         connect(action, &QAction::triggered, this, [this, id = entry.id] { begin_with(id); });
     }

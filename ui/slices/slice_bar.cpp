@@ -11,6 +11,7 @@
 #include <array>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/words.h"
 
@@ -118,7 +119,7 @@ QWidget* SliceBar::segment_choice() {
         choice->setToolTip(
             known ? Words::tr("Couinaud's segments 1 to 8, in the colours of the branches "
                               "that supply them (F6)")
-                  : QString::fromStdString(scene_.why_no_segments()));
+                  : translated(scene_.why_no_segments()));
     };
     scene_.on_change(follow);
     follow();

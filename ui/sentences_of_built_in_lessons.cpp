@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The texts of the lessons that come with the program (assets/lessons).
+#include <array>
+
+#include "ui/core_sentences.h"
+#include "ui/words.h"
+
+namespace hepatica {
+namespace {
+
+constexpr std::array sentences_built_in_lessons{
+    Words::id("First steps"),
+    Words::id("Look around"),
+    Words::id("Gentle pull"),
+    Words::id("Probe a branch free"),
+    Words::id("Selective injection"),
+    Words::id("Hold a bleeding vessel"),
+    Words::id("The cut line"),
+    Words::id("Embolization"),
+    Words::id("Bring the tip of a probe near three places in turn, without pushing the vessels. "
+              "Turning the view is part of doing it well, but is not scored: a recording holds "
+              "what is done to the patient, not where somebody looks."),
+    Words::id("Take the probe and bring its tip near the first mark."),
+    Words::id("Key 4 takes the probe. The mouse leads it, the wheel moves it in depth. Look from "
+              "the side (L) to judge the depth."),
+    Words::id("Now near the second mark, around the vessels between."),
+    Words::id("Move the probe towards you with the wheel first."),
+    Words::id("And near the third."),
+    Words::id("the first mark"),
+    Words::id("the second mark"),
+    Words::id("the third mark"),
+    Words::id("the mark"),
+    Words::id("the branch"),
+    Words::id("the target's vessel"),
+    Words::id("the stump"),
+    Words::id("the line"),
+    Words::id("the hold"),
+    Words::id("Pull a vessel aside, hold it there, and let it go. Veins bear little: stay below a "
+              "stretch of 1.25, and do not jerk: 2 N end it."),
+    Words::id("Take hold of the vessel at the mark."),
+    Words::id("Press the left mouse button on the vessel and keep it down."),
+    Words::id("Pull it 10 mm aside and hold it there for a second."),
+    Words::id("Move slowly: what is stretched pulls back. Colours and the arrow's number show the "
+              "force."),
+    Words::id("Let go and wait until it has swung back."),
+    Words::id("Release the button."),
+    Words::id(
+        "Lift a branch with a rod so that a way opens behind it, and leave it whole. The tissue "
+        "around is springs: it gives way and pulls back, but nothing is glued to the branch."),
+    Words::id("Touch the marked branch with the rod."),
+    Words::id("Key 5 takes the rod; T turns it."),
+    Words::id("Move the branch by 4 mm and keep it there for half a second."),
+    Words::id("Push across the branch, not along it."),
+    Words::id("Take the rod away and let the branch come back."),
+    Words::id("Draw back the way you came; Esc puts the tool away."),
+    Words::id("Bring 3 g of drug into the left territory and as little as possible elsewhere. The "
+              "tip lies free in the vessel: what it injects also runs back, the more the nearer it "
+              "is to the root."),
+    Words::id("Inject so that 3 g reach the target's tissue."),
+    Words::id("Far beyond the mark: point at a vessel to see what lies downstream of it, then "
+              "double-click."),
+    Words::id(
+        "A branch was cut and bleeds. Press on its stump, then take it with the forceps. Nothing "
+        "here stems the flow: in this simulation pressing does not narrow a vessel, so that the "
+        "bleeding goes on at its rate. Scored is how soon, how near and how gently you hold it."),
+    Words::id("Press on the stump with the probe for half a second."),
+    Words::id("Key 4 takes the probe. Come from the side of the root."),
+    Words::id("Take the stump with the forceps and hold it for half a second."),
+    Words::id("Key 6 takes the forceps, C closes them."),
+    Words::id("Draw a cut line across a branch and pull it off along the line. Without the line "
+              "the pull would stretch the branch long before it tears."),
+    Words::id("Draw a cut line across the branch at the first mark, take the branch at the second "
+              "and pull until it comes off."),
+    Words::id("Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0."),
+    Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
+              "into the others. In a play a pump drives the drug, so that the flow itself never "
+              "stands still, and there are no beads: the end is the filled target. How beads bring "
+              "the flow to stasis computes hepatica-cli embolize."),
+    Words::id("Inject the emulsion until nine tenths of the target are full."),
+    Words::id("A little beyond the mark, slowly: Injection panel, lipiodol 50 %, 0.5 g/s."),
+    Words::id("Stop: take the catheter out."),
+    Words::id("Del removes the drug."),
+};
+
+}  // namespace
+
+std::span<const char* const> sentences_of_built_in_lessons() {
+    return sentences_built_in_lessons;
+}
+
+}  // namespace hepatica
