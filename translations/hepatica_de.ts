@@ -1802,10 +1802,6 @@
         <translation>Die Fälle werden gelesen …</translation>
     </message>
     <message>
-        <source>There is no case in this folder. Choose another one, or save a patient here: File &amp;gt; Save case as.</source>
-        <translation>In diesem Ordner liegt kein Fall. Wählen Sie einen anderen, oder speichern Sie hier einen Patienten: Datei &amp;gt; Fall speichern unter.</translation>
-    </message>
-    <message>
         <source>Copy the case</source>
         <translation>Fall kopieren</translation>
     </message>
@@ -3189,7 +3185,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Reset</source>
-        <translation>Zurück</translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>First steps</source>
@@ -4702,10 +4698,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Slowly.</source>
         <translation>Langsam.</translation>
-    </message>
-    <message>
-        <source>mark 1</source>
-        <translation>Marke 1</translation>
     </message>
     <message>
         <source>is %1, and this program reads 1</source>
@@ -7030,6 +7022,46 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>none yet</source>
         <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>There is no case in this folder. Choose another one, or save a patient here: File &gt; Save case as.</source>
+        <translation>In diesem Ordner liegt kein Fall. Wählen Sie einen anderen, oder speichern Sie hier einen Patienten: Datei &gt; Fall speichern unter.</translation>
+    </message>
+    <message>
+        <source>mark %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>mark 1</source>
+        <translation>Marke 1</translation>
+    </message>
+    <message>
+        <source>Pressure at the catheter (mmHg)</source>
+        <translation>Druck am Katheter (mmHg)</translation>
+    </message>
+    <message>
+        <source>%1 (s)</source>
+        <translation>%1 (s)</translation>
+    </message>
+    <message>
+        <source>%1 (mm)</source>
+        <translation>%1 (mm)</translation>
+    </message>
+    <message>
+        <source>%1 (mN)</source>
+        <translation>%1 (mN)</translation>
+    </message>
+    <message>
+        <source>%1 (mN s)</source>
+        <translation>%1 (mN s)</translation>
+    </message>
+    <message>
+        <source>%1 (mm²)</source>
+        <translation>%1 (mm²)</translation>
+    </message>
+    <message>
+        <source>%1 (g)</source>
+        <translation>%1 (g)</translation>
     </message>
 </context>
 </TS>

@@ -186,7 +186,7 @@ void LibraryDialog::show_chosen() {
     facts_->setText(
         one != nullptr ? "<b>" + one->name.toHtmlEscaped() + "</b><br>" + one->facts
                        : Words::tr("There is no case in this folder. Choose another one, or save a "
-                                   "patient here: File &gt; Save case as."));
+                                   "patient here: File > Save case as."));
 }
 
 void LibraryDialog::copy(const fs::path& from, const fs::path& to) {

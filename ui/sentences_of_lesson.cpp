@@ -88,7 +88,7 @@ constexpr std::array sentences_lesson{
     Words::id("Pull the vessel at the mark 10 mm aside and hold it for a second."),
     Words::id("What the trainee is to do."),
     Words::id("Slowly."),
-    Words::id("mark 1"),
+    Words::id("mark %1"),
     Words::id("is %1, and this program reads 1"),
     Words::id("is %1, not a list"),
     Words::id("is %1, not a number"),
@@ -175,6 +175,7 @@ constexpr std::array sentences_lesson{
     Words::id("%1, %2 Newton iterates"),
     Words::id("%1, %2 substeps"),
     Words::id("%1, %2 iterations"),
+    Words::id("mark 1"),
 };
 
 }  // namespace

@@ -228,6 +228,13 @@ constexpr std::array sentences_play{
     Words::id("hepatic artery"),
     Words::id("vein at large strain"),
     Words::id("parenchyma"),
+    Words::id("Pressure at the catheter (mmHg)"),
+    Words::id("%1 (s)"),
+    Words::id("%1 (mm)"),
+    Words::id("%1 (mN)"),
+    Words::id("%1 (mN s)"),
+    Words::id("%1 (mm²)"),
+    Words::id("%1 (g)"),
 };
 
 }  // namespace

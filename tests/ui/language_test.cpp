@@ -9,14 +9,17 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QToolBar>
 #include <clocale>
 #include <map>
 #include <set>
 
+#include "core/lesson/lesson_gaps.h"
 #include "tests/ui/fake_window_test.h"
 #include "tests/ui/translations.h"
 #include "ui/actions.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_editor/new_parts.h"
 #include "ui/message_bar.h"
 
 namespace hepatica::testing {
@@ -143,6 +146,19 @@ TEST_F(GermanWindow, WritesNumbersWithAComma) {
     }
     // Files and shaders are written and read by the standard library.
     EXPECT_STREQ(std::localeconv()->decimal_point, ".");
+}
+
+TEST_F(GermanWindow, BeginsANewLessonInGerman) {
+    Lesson lesson = new_lesson_in_words();
+    EXPECT_EQ(lesson.name, "Neue Lektion");
+    EXPECT_TRUE(gaps_in(lesson).empty());
+    EXPECT_EQ(lesson.marks.front().name, "Marke 1");
+    EXPECT_EQ(free_mark_name_in_words(lesson), "Marke 2");
+    EXPECT_EQ(new_step_in_words().text, "Was der Übende tun soll.");
+}
+
+TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {
+    EXPECT_LE(window_.findChild<QToolBar*>("Tools")->sizeHint().width(), 1280);
 }
 
 TEST_F(LanguageChoice, WritesNumbersWithAPointInEnglish) {

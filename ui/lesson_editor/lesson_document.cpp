@@ -7,9 +7,9 @@
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/lesson/draft_file.h"
-#include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
+#include "ui/lesson_editor/new_parts.h"
 
 namespace hepatica {
 namespace {
@@ -46,7 +46,7 @@ LessonDocument::LessonDocument(fs::path kept_copy) : kept_copy_(std::move(kept_c
             fs::rename(kept_copy_, kept_copy_.string() + ".unreadable", ignored);
         }
     }
-    begin(new_lesson());
+    begin(new_lesson_in_words());
 }
 
 void LessonDocument::forget_states(Lesson lesson) {

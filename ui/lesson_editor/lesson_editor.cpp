@@ -16,13 +16,13 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/core_words.h"
 #include "ui/lesson_editor/about_page.h"
 #include "ui/lesson_editor/doubts_in_words.h"
+#include "ui/lesson_editor/new_parts.h"
 #include "ui/lesson_editor/places_page.h"
 #include "ui/lesson_editor/rules_page.h"
 #include "ui/lesson_editor/steps_page.h"
@@ -212,7 +212,7 @@ bool LessonEditor::may_end() {
 void LessonEditor::begin_with(const std::string& id) {
     take_what_is_typed();
     if (document_.dirty() && !ways_.may_discard()) return;
-    document_.begin(id.empty() ? new_lesson() : find_lesson(id));
+    document_.begin(id.empty() ? new_lesson_in_words() : find_lesson(id));
     about_->forget();
     changed(true);
 }

@@ -12,6 +12,7 @@
 
 #include "core/lesson/lesson_draft.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_editor/new_parts.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -54,7 +55,7 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     add->setObjectName("lessonAddMark");
     connect(add, &QPushButton::clicked, this, [this] {
         change_shape([](Lesson& lesson) {
-            lesson.marks.push_back({free_mark_name(lesson), half_way});
+            lesson.marks.push_back({free_mark_name_in_words(lesson), half_way});
         });
     });
     column->addWidget(add, 0, Qt::AlignLeft);

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/lesson/lesson_draft.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/bounds_table.h"
+#include "ui/lesson_editor/new_parts.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -154,7 +154,8 @@ void StepsPage::set(const std::string& field, const std::function<void(LessonSte
 void StepsPage::add() {
     const std::size_t after = ++step_;
     change_shape([&](Lesson& lesson) {
-        lesson.steps.insert(lesson.steps.begin() + static_cast<std::ptrdiff_t>(after), new_step());
+        lesson.steps.insert(lesson.steps.begin() + static_cast<std::ptrdiff_t>(after),
+                            new_step_in_words());
     });
     text_->setFocus();
     text_->selectAll();
