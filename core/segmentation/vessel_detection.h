@@ -17,8 +17,8 @@ inline constexpr double smallest_vessel_mm3 = 200.0;
 
 // What coherent lines were told from noise by.
 struct LineEvidence {
-    FloatVolume rise;           // smoothed excess over the tissue, in HU
-    double deviation_hu = 0.0;  // of the noise in it, > 0
+    FloatVolume rise;            // smoothed excess over the tissue, in HU
+    double deviation_hu = 0.0;   // of the noise in it, > 0
     double false_line_hu = 0.0;  // the strength of a line that noise can make, > 0
 };
 
@@ -30,8 +30,8 @@ struct DetectionOptions {
 };
 
 struct Detection {
-    Mask vessels;     // 0 or 1
-    Mask centreline;  // multi_layer only, else empty
+    Mask vessels;                               // 0 or 1
+    Mask centreline;                            // multi_layer only, else empty
     std::optional<LineEvidence> evidence = {};  // of `coherent` without a window of the user's
 };
 

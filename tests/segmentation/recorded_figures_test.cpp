@@ -84,8 +84,8 @@ TEST(SegmentationFigures, OfDetection) {
     for (const auto& [name, method] : {std::pair{"coherent", SegmentationMethod::coherent},
                                        std::pair{"vesselness", SegmentationMethod::vesselness},
                                        std::pair{"multi_layer", SegmentationMethod::multi_layer}}) {
-        const Detection found =
-            detect_vessels(tissue, frame.liver, small_scan().ct.grid.spacing_mm, {.method = method}, job);
+        const Detection found = detect_vessels(tissue, frame.liver, small_scan().ct.grid.spacing_mm,
+                                               {.method = method}, job);
         figures.add(std::string(name) + ".vessels", found.vessels.voxels)
             .add(std::string(name) + ".centreline", found.centreline.voxels);
         const Detection coarse =
@@ -98,8 +98,7 @@ TEST(SegmentationFigures, OfDetection) {
         .add("window.threshold", windowed.threshold_hu.value_or(-1.0));
     const Hilum hilum{small_scan().tree.segments.front().points_mm.front(), Vec3(60, 60, 90),
                       tissue.parenchyma_hu, tissue.parenchyma_hu + 60.0};
-    const Detection coherent =
-        detect_vessels(tissue, frame.liver, Vec3(1.5, 1.5, 1.7), {}, job);
+    const Detection coherent = detect_vessels(tissue, frame.liver, Vec3(1.5, 1.5, 1.7), {}, job);
     const HilumVessels beyond = hilum_vessels(frame, coherent.vessels, hilum, job);
     const Vec3 trunk = beyond.trunk_mm.value_or(Vec3(-1, -2, -3));
     figures.add("hilum.vessels", beyond.vessels.voxels)
@@ -117,8 +116,7 @@ TEST(SegmentationFigures, OfFiltersAndSurfaces) {
                 numbers_of(line_coherence(
                     tissue.excess, tissue.interior,
                     {.half_length_mm = 5.0, .directions = 30, .max_bend_deg = 20}, job)));
-    const Detection coherent =
-        detect_vessels(tissue, frame.liver, Vec3(1.5, 1.5, 1.7), {}, job);
+    const Detection coherent = detect_vessels(tissue, frame.liver, Vec3(1.5, 1.5, 1.7), {}, job);
     figures.add("surface", fit_surface(frame.intensity, tissue.excess, coherent.vessels,
                                        frame.liver, tissue.noise_hu, {}, job)
                                .voxels);

@@ -72,8 +72,7 @@ TEST(DetectVessels, FindsNothingInNoiseAlone) {
     }
     Job job;
     const TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
-    const Detection found =
-        detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), {}, job);
+    const Detection found = detect_vessels(tissue, frame.liver, Vec3::Constant(0.8), {}, job);
     EXPECT_EQ(std::count(found.vessels.voxels.begin(), found.vessels.voxels.end(), 1), 0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the editor begins with, in the language of the window: from then on it is the instructor's own
-// text, which nobody translates.
+// What the editor begins with, in the language of the window: from then on it is the instructor's
+// own text, which nobody translates.
 #pragma once
 
 #include <string>
