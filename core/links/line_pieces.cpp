@@ -70,8 +70,8 @@ std::vector<LinePiece> line_pieces(const Mask& skeleton, const Mask& vessels, do
     }
     for (LinePiece& piece : pieces) {
         std::ranges::sort(piece.neighbours);
-        const auto repeated = std::ranges::unique(piece.neighbours);
-        piece.neighbours.erase(repeated.begin(), repeated.end());
+        piece.neighbours.erase(std::unique(piece.neighbours.begin(), piece.neighbours.end()),
+                               piece.neighbours.end());
     }
     return pieces;
 }
