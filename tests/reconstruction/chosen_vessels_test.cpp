@@ -47,7 +47,7 @@ class ChosenVessels : public testing::Test {
     static Segmentation segment(std::optional<LinkModel> model) {
         SegmentationOptions options;
         options.liver = phantom_->liver;
-        options.spacing_mm = 1.4;
+        options.spacing_mm = 1.0;
         options.model = std::move(model);
         Job job;
         return segment_vessels(phantom_->ct, options, job);
