@@ -7063,5 +7063,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>%1 (g)</source>
         <translation>%1 (g)</translation>
     </message>
+    <message>
+        <source>Choosing the vessels</source>
+        <translation>Gefäße werden ausgewählt</translation>
+    </message>
 </context>
 </TS>
