@@ -20,7 +20,6 @@
 #include <sstream>
 #include <utility>
 
-#include "render/picture_words.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -65,7 +64,7 @@ void place_text(vtkTextActor& actor, const std::string& text, double x, double y
     actor.SetVisibility(!text.empty());
     if (text.empty()) return;
     style_text(*actor.GetTextProperty(), std::max(6, static_cast<int>(std::lround(size))), colour);
-    actor.SetInput(in_picture(text).c_str());
+    actor.SetInput(text.c_str());
     actor.SetPosition(std::round(x), std::round(y));
 }
 
@@ -100,6 +99,11 @@ void Annotations::set_look(const ViewLook& look) {
     shown_ = {};  // everything is placed anew
 }
 
+void Annotations::set_words(PictureWords words) {
+    words_ = std::move(words);
+    shown_ = {};
+}
+
 void Annotations::set_caption(const std::string& text) {
     caption_text_ = text;
 }
@@ -111,7 +115,7 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
               caption_text_};
     if (now == shown_ && !count) return;
     shown_ = std::move(now);
-    legend_.update(visible_ ? legend_rows(legend) : std::vector<LegendRow>{},
+    legend_.update(visible_ ? legend_rows(legend, words_) : std::vector<LegendRow>{},
                    {size.width, size.height, size.legend_point}, look_, count);
     update_scale_bar(size, camera);
     const double r = size.pixel_ratio;
@@ -141,7 +145,8 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const bool wide = size.width > 640.0 * size.legend_point;
     const std::string label =
         formatted(length_mm, decimals) + (wide ? " mm at the depth of the view's centre" : " mm");
-    place_text(*bar_label_, label, x + 0.5 * width, y + 8.0 * r, 12.0 * r, look_.text);
+    place_text(*bar_label_, said(words_, label), x + 0.5 * width, y + 8.0 * r, 12.0 * r,
+               look_.text);
 }
 
 }  // namespace hepatica

@@ -41,6 +41,7 @@ class Annotations {
     void set_caption(const std::string& text);
     void set_visible(bool visible) { visible_ = visible; }
     void set_look(const ViewLook& look);
+    void set_words(PictureWords words);  // of all but the caption; English at first
 
   private:
     // Everything that the marks show or depend on.
@@ -55,6 +56,7 @@ class Annotations {
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
 
     ViewLook look_ = dark_look;
+    PictureWords words_;
     Shown shown_;
     bool visible_ = true;
     std::string caption_text_;

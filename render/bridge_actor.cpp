@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "render/palette.h"
-#include "render/picture_words.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -105,7 +104,7 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
         lines_.emplace_back(line);
 
         vtkNew<vtkBillboardTextActor3D> label;
-        label->SetInput(in_picture(bridge.label).c_str());
+        label->SetInput(said(words_, bridge.label).c_str());
         const Vec3 middle = point_along(bridge.path_mm, 0.5 * length_of(bridge.path_mm));
         label->SetPosition(middle.x(), middle.y(), middle.z());
         renderer_.AddActor(label);

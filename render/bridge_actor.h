@@ -6,12 +6,14 @@
 #include <vtkSmartPointer.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/vector.h"
 #include "core/tree/extraction/gap_bridging.h"
 
 #include "render/palette.h"
+#include "render/picture_words.h"
 
 class vtkActor;
 class vtkBillboardTextActor3D;
@@ -37,6 +39,8 @@ class BridgeActor {
 
     // The colour of one that is chosen.
     void set_text_colour(const Colour& colour);
+    // From the next bridges on; English at first.
+    void set_words(PictureWords words) { words_ = std::move(words); }
     void set_bridges(std::vector<BridgeView> bridges);
     const std::vector<BridgeView>& bridges() const { return bridges_; }
     // Of the letters; follows the screen.
@@ -46,6 +50,7 @@ class BridgeActor {
     void remove_actors();
 
     vtkRenderer& renderer_;
+    PictureWords words_;
     std::vector<BridgeView> bridges_;
     std::vector<vtkSmartPointer<vtkActor>> lines_;
     std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;

@@ -10,8 +10,6 @@
 #include <set>
 #include <sstream>
 
-#include "render/picture_words.h"
-
 namespace hepatica {
 namespace {
 
@@ -135,12 +133,12 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
 
 }  // namespace
 
-std::vector<LegendRow> legend_rows(const LegendContent& content) {
+std::vector<LegendRow> legend_rows(const LegendContent& content, const PictureWords& words) {
     std::vector<LegendRow> rows = rows_in_english(content);
     for (LegendRow& row : rows) {
-        row.text = in_picture(row.text);
-        row.at_right = in_picture(row.at_right);
-        for (auto& [place, number] : row.ticks) number = in_picture(number);
+        row.text = said(words, row.text);
+        row.at_right = said(words, row.at_right);
+        for (auto& [place, number] : row.ticks) number = said(words, number);
     }
     return rows;
 }

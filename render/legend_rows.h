@@ -12,6 +12,7 @@
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
 #include "render/palette.h"
+#include "render/picture_words.h"
 
 namespace hepatica {
 
@@ -48,7 +49,7 @@ struct LegendRow {
 };
 
 // From top to bottom. While a drug is shown its colours stand in for the systems'.
-std::vector<LegendRow> legend_rows(const LegendContent& content);
+std::vector<LegendRow> legend_rows(const LegendContent& content, const PictureWords& words = {});
 
 // A rectangle of the picture in device pixels, y upwards.
 struct PictureBox {

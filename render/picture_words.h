@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that are drawn into pictures: legend, scale bar, forces. They are English unless the
-// program says how they are said in another language.
+// The words that are drawn into pictures: legend, scale bar, forces, gaps. They are English unless
+// whoever draws says how they are said in another language.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace hepatica {
 
-// Of an English text with its numbers, such as "12.5 mN" or "Drug arrival (s)".
+// Of an English text with its numbers, such as "12.5 mN" or "Drug arrival (s)"; empty: as it is.
 using PictureWords = std::function<std::string(const std::string& english)>;
 
-// For all pictures that are drawn from now on, by the thread that draws them.
-void set_picture_words(PictureWords words);
-std::string in_picture(const std::string& english);
+inline std::string said(const PictureWords& words, const std::string& english) {
+    return words ? words(english) : english;
+}
 
 }  // namespace hepatica

@@ -278,6 +278,12 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->bridges.set_text_colour(look.text);
 }
 
+void SceneView::set_words(const PictureWords& words) {
+    parts_->annotations.set_words(words);
+    parts_->bridges.set_words(words);
+    parts_->tool.set_words(words);
+}
+
 void SceneView::set_caption(const std::string& text) {
     parts_->annotations.set_caption(text);
 }

@@ -89,6 +89,8 @@ class SceneView {
     // Cuts vessels and liver open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
     void set_look(const ViewLook& look);  // dark at first
+    // What is drawn in words from now on, but for the caption; English at first.
+    void set_words(const PictureWords& words);
     // Whether vessels that pass in front of others are set off by a rim, as at first; pictures that
     // must be quick (Smoothing::none) have none.
     void set_halos_visible(bool visible);

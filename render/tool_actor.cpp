@@ -21,7 +21,6 @@
 #include <sstream>
 
 #include "render/palette.h"
-#include "render/picture_words.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -155,7 +154,7 @@ void ToolActor::place_arrow() {
     if (force.empty() && grip.empty()) return;
     const std::string text =
         force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
-    label_->SetInput((" " + in_picture(text)).c_str());  // beside the arrow's head
+    label_->SetInput((" " + said(words_, text)).c_str());  // beside the arrow's head
     if (force.empty()) {
         label_->GetPositionCoordinate()->SetValue(shown_->tip_mm.x(), shown_->tip_mm.y(),
                                                   shown_->tip_mm.z());

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/frame.h"
@@ -16,6 +17,8 @@
 class vtkActor;
 class vtkRenderer;
 class vtkTextActor;
+
+#include "render/picture_words.h"
 
 namespace hepatica {
 
@@ -30,6 +33,8 @@ class ToolActor {
     ToolActor(const ToolActor&) = delete;
     ToolActor& operator=(const ToolActor&) = delete;
 
+    // From the next update on; English at first.
+    void set_words(PictureWords words) { words_ = std::move(words); }
     // Returns true if the picture is another now.
     bool update(const std::optional<ToolView>& tool);
     // Size of one point of the screen at the focal plane, and its pixels.
@@ -39,6 +44,7 @@ class ToolActor {
     void place_arrow();
 
     vtkRenderer& renderer_;
+    PictureWords words_;
     std::optional<ToolView> shown_;
     std::vector<vtkSmartPointer<vtkActor>> parts_;
     vtkSmartPointer<vtkActor> arrow_;

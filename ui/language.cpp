@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 
-#include "render/picture_words.h"
-#include "ui/core_words.h"
 #include "ui/words.h"
 
 // A resource of a static library is not there by itself.
@@ -26,10 +24,17 @@ constexpr std::array choices{
     Language{"de", "Deutsch"},
 };
 
-// One of each source of words; loading anew takes the words before away.
-void load(QTranslator& translator, const QString& file, const QString& folder) {
-    QCoreApplication::removeTranslator(&translator);
-    if (translator.load(file, folder)) QCoreApplication::installTranslator(&translator);
+// The program's own for each source of words; loading anew takes the words before away.
+void load(const QString& source, const QString& code, const QString& folder) {
+    QCoreApplication* program = QCoreApplication::instance();
+    auto* translator = program->findChild<QTranslator*>(source);
+    if (!translator) {
+        translator = new QTranslator(program);
+        translator->setObjectName(source);
+    }
+    QCoreApplication::removeTranslator(translator);
+    if (translator->load(source + "_" + code, folder))
+        QCoreApplication::installTranslator(translator);
 }
 
 bool is_known(const QString& code) {
@@ -53,16 +58,14 @@ QString language_of(const QString& chosen) {
 }
 
 void use_language(const QString& chosen) {
-    static QTranslator own, of_qt;
     init_translations();
     const QString code = language_of(chosen);
-    load(own, "hepatica_" + code, ":/translations");
-    load(of_qt, "qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    load("hepatica", code, ":/translations");
+    load("qtbase", code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     const QLocale system = QLocale::system();
     QLocale numbers = system.language() == QLocale(code).language() ? system : QLocale(code);
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(numbers);
-    set_picture_words([](const std::string& english) { return translated(english).toStdString(); });
 }
 
 }  // namespace hepatica

@@ -44,6 +44,14 @@ void LibraryDialog::build() {
     row->addWidget(choose_);
     column->addLayout(row);
     auto* middle = new QHBoxLayout;
+    build_list();
+    middle->addWidget(list_, 1);
+    middle->addLayout(of_chosen_case());
+    column->addLayout(middle, 1);
+    column->addWidget(buttons());
+}
+
+void LibraryDialog::build_list() {
     list_ = new QListWidget;
     list_->setObjectName("library");
     list_->setAccessibleName(Words::tr("Cases"));
@@ -55,7 +63,9 @@ void LibraryDialog::build() {
     list_->setWordWrap(true);
     connect(list_, &QListWidget::currentRowChanged, this, [this] { show_chosen(); });
     connect(list_, &QListWidget::itemActivated, this, [this] { open_->click(); });
-    middle->addWidget(list_, 1);
+}
+
+QLayout* LibraryDialog::of_chosen_case() {
     facts_ = new QLabel;
     facts_->setObjectName("libraryFacts");
     facts_->setWordWrap(true);
@@ -71,8 +81,10 @@ void LibraryDialog::build() {
     auto* of_case = new QVBoxLayout;
     of_case->addWidget(scroll, 3);
     of_case->addWidget(lessons_, 2);
-    middle->addLayout(of_case);
-    column->addLayout(middle, 1);
+    return of_case;
+}
+
+QWidget* LibraryDialog::buttons() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     open_ = buttons->addButton(Words::tr("&Open"), QDialogButtonBox::ActionRole);
     open_->setObjectName("libraryOpen");
@@ -85,23 +97,26 @@ void LibraryDialog::build() {
             ways_.open(to_text(one->place));
         }
     });
-    connect(take_, &QPushButton::clicked, this, [this] {
-        const QString from =
-            QFileDialog::getOpenFileName(this, Words::tr("Take in a case"), settings_.last_folder(),
-                                         Words::tr("Cases in one file (*.hepz)"));
-        if (!from.isEmpty()) take_in(to_path(from));
-    });
-    connect(give_, &QPushButton::clicked, this, [this] {
-        const ShelvedCase* one = chosen();
-        if (one == nullptr) return;
-        const QString to =
-            QFileDialog::getSaveFileName(this, Words::tr("Save as one file"),
-                                         settings_.last_folder() + "/" + one->name + ".hepz",
-                                         Words::tr("Cases in one file (*.hepz)"));
-        if (!to.isEmpty()) give_away(to_path(to.endsWith(".hepz") ? to : to + ".hepz"));
-    });
+    connect(take_, &QPushButton::clicked, this, [this] { ask_what_to_take_in(); });
+    connect(give_, &QPushButton::clicked, this, [this] { ask_where_to_give(); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
-    column->addWidget(buttons);
+    return buttons;
+}
+
+void LibraryDialog::ask_what_to_take_in() {
+    const QString from =
+        QFileDialog::getOpenFileName(this, Words::tr("Take in a case"), settings_.last_folder(),
+                                     Words::tr("Cases in one file (*.hepz)"));
+    if (!from.isEmpty()) take_in(to_path(from));
+}
+
+void LibraryDialog::ask_where_to_give() {
+    const ShelvedCase* one = chosen();
+    if (one == nullptr) return;
+    const QString to = QFileDialog::getSaveFileName(
+        this, Words::tr("Save as one file"), settings_.last_folder() + "/" + one->name + ".hepz",
+        Words::tr("Cases in one file (*.hepz)"));
+    if (!to.isEmpty()) give_away(to_path(to.endsWith(".hepz") ? to : to + ".hepz"));
 }
 
 void LibraryDialog::begin(const ShelvedLesson& lesson) {

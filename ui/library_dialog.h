@@ -48,6 +48,11 @@ class LibraryDialog : public QDialog {
 
   private:
     void build();
+    void build_list();
+    QLayout* of_chosen_case();
+    QWidget* buttons();
+    void ask_what_to_take_in();
+    void ask_where_to_give();
     void begin(const ShelvedLesson& lesson);
     void choose_folder();
     void read_folder();

@@ -126,7 +126,7 @@ void MainWindow::show_workspace() {
     if (!workspace.has_patient()) return;
     setWindowTitle(translated(workspace.title()) + "[*] - Hepatica");
     setWindowModified(workspace.dirty());
-    view_->scene().set_caption(workspace.title());
+    view_->scene().set_caption(translated(workspace.title()).toStdString());
     recovery_->follow(workspace);
     editing_->update_panel();
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),

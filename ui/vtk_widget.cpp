@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/pixel_mapping.h"
 
 namespace hepatica {
@@ -37,6 +38,7 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
       hover_(callbacks.hover) {
     window_->SetFrameBlitModeToNoBlit();
     scene_ = std::make_unique<SceneView>(*window_);
+    scene_->set_words([](const std::string& english) { return translated(english).toStdString(); });
     mouse_ = std::make_unique<MouseTool>(*scene_, std::move(callbacks));
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(200);

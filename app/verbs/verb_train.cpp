@@ -18,9 +18,9 @@ struct TrainChoices {
 };
 
 Json run_train(TrainChoices options, Job& job) {
-    if (options.seed < 0)
+    if (options.seed < 1)
         throw InputError(std::to_string(options.seed) + " is no seed", "--seed",
-                         "Give a whole number from 0 on");
+                         "Give a whole number from 1 on");
     options.training.seed = static_cast<std::uint64_t>(options.seed);
     require_writable(options.out);
     const LinkModel model = trained_links(options.training, job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number as a message shows it: six significant digits, a dot in every locale.
+// A number as a message shows it, with a dot in every locale.
 #pragma once
 
 #include <array>
@@ -8,10 +8,19 @@
 
 namespace hepatica {
 
+// Six significant digits.
 inline std::string number_text(double value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    std::chars_format::general, 6);
+    return {digits.data(), end.ptr};
+}
+
+// With so many decimals (0 to 15), rounded to the nearest.
+inline std::string fixed_text(double value, int decimals) {
+    std::array<char, 384> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                   std::chars_format::fixed, decimals);
     return {digits.data(), end.ptr};
 }
 

@@ -99,10 +99,6 @@ void for_each_run(const RunTable& table, const Grid& grid, const Job& job, const
 
 }  // namespace
 
-Components connected_components(const Mask& mask, Connectivity connectivity) {
-    return connected_components(mask, connectivity, Job());
-}
-
 Components connected_components(const Mask& mask, Connectivity connectivity, const Job& job) {
     const RunTable table(mask, true, job);
     DisjointSets sets = joined_runs(table, mask.grid, connectivity, job);
@@ -138,10 +134,6 @@ Mask largest_components(const Mask& mask, Connectivity connectivity, int count,
             kept.voxels[i] = 1;
     }
     return kept;
-}
-
-Mask fill_holes(const Mask& mask) {
-    return fill_holes(mask, Job());
 }
 
 Mask fill_holes(const Mask& mask, const Job& job) {

@@ -40,13 +40,12 @@ struct Components {
         sizes;  // sizes[i]: voxels of label i + 1, falling; ties by first voxel
 };
 
-Components connected_components(const Mask& mask, Connectivity connectivity);
-Components connected_components(const Mask& mask, Connectivity connectivity, const Job& job);
+Components connected_components(const Mask& mask, Connectivity connectivity,
+                                const Job& job = Job());
 // Keeps the `count` largest components, and of those only the ones of at least minimum_voxels.
 Mask largest_components(const Mask& mask, Connectivity connectivity, int count = 1,
                         std::size_t minimum_voxels = 1);
 // Fills background that no path through faces joins to the border of the image.
-Mask fill_holes(const Mask& mask);
-Mask fill_holes(const Mask& mask, const Job& job);
+Mask fill_holes(const Mask& mask, const Job& job = Job());
 
 }  // namespace hepatica

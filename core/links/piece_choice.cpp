@@ -15,7 +15,8 @@ namespace hepatica {
 
 namespace {
 
-constexpr double tie_mm = 1.5;   // a break costs as much as so many millimetres of full doubt
+constexpr double tie_mm = 1.5;  // a break costs as much as so many millimetres of full doubt
+constexpr std::size_t between_looks = 16384;
 constexpr double surest = 0.95;  // of a share, so that no piece decides alone
 
 double log_odds(double share) {
@@ -54,10 +55,11 @@ class NearestWall {
     }
 
     // 1 where a kept piece's wall is the nearest.
-    std::vector<std::uint8_t> grown() {
+    std::vector<std::uint8_t> grown(const Job& job) {
         const Grid& grid = vessels_.grid;
         const auto steps = steps_to_neighbours();
-        while (!waiting_.empty()) {
+        for (std::size_t settled = 0; !waiting_.empty(); ++settled) {
+            if (settled % between_looks == 0) job.throw_if_cancelled();
             const auto [cost, at] = waiting_.top();
             waiting_.pop();
             if (cost > cost_[at]) continue;
@@ -107,12 +109,12 @@ std::vector<std::uint8_t> chosen_pieces(const std::vector<LinePiece>& pieces,
 }
 
 Mask without_dropped(const Mask& vessels, const std::vector<LinePiece>& pieces,
-                     const std::vector<std::uint8_t>& chosen) {
+                     const std::vector<std::uint8_t>& chosen, const Job& job) {
     NearestWall nearest(vessels);
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t k = 0; k < pieces[i].points_mm.size(); ++k)
             nearest.begin(pieces[i].points_mm[k], pieces[i].radii_mm[k], chosen[i] != 0);
-    const std::vector<std::uint8_t> kept = nearest.grown();
+    const std::vector<std::uint8_t> kept = nearest.grown(job);
     Mask left = vessels;
     for (std::size_t i = 0; i < left.voxels.size(); ++i)
         if (!kept[i]) left.voxels[i] = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/job.h"
 #include "core/links/line_pieces.h"
 #include "core/links/link_model.h"
 
@@ -19,7 +20,8 @@ std::vector<std::uint8_t> chosen_pieces(const std::vector<LinePiece>& pieces,
 
 // The mask without the voxels that are nearer to the wall of a piece that is not chosen than to
 // that of one that is, by way through the mask. Voxels that hang together with no piece stay.
+// Throws Cancelled.
 Mask without_dropped(const Mask& vessels, const std::vector<LinePiece>& pieces,
-                     const std::vector<std::uint8_t>& chosen);
+                     const std::vector<std::uint8_t>& chosen, const Job& job);
 
 }  // namespace hepatica

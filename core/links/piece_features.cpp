@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -77,7 +78,7 @@ std::array<FloatVolume, half_lengths_mm.size()> lines_through(const std::vector<
 class Measuring {
   public:
     Measuring(const std::vector<LinePiece>& pieces, const PieceImage& image, Job& job)
-        : pieces_(pieces), image_(image), lines_(lines_through(pieces, image.evidence.rise, job)) {
+        : image_(image), lines_(lines_through(pieces, image.evidence.rise, job)) {
         Mask outside = image.liver;
         for (std::uint8_t& voxel : outside.voxels) voxel = voxel ? 0 : 1;
         depth_ = distance_to(outside, job);
@@ -125,7 +126,6 @@ class Measuring {
     }
 
   private:
-    const std::vector<LinePiece>& pieces_;
     const PieceImage& image_;
     std::array<FloatVolume, half_lengths_mm.size()> lines_;
     FloatVolume depth_;
@@ -162,6 +162,43 @@ double alignment(const LinePiece& a, const LinePiece& b) {
     return straightness;
 }
 
+// What each piece hangs together with, in the order of the names. `values` holds what the pieces
+// show by themselves.
+std::vector<std::array<double, 8>> company_of(const std::vector<LinePiece>& pieces,
+                                              const std::vector<std::vector<double>>& values,
+                                              const std::vector<double>& radii) {
+    std::vector<double> strengths;
+    for (const std::vector<double>& own : values) strengths.push_back(own[4]);
+    const std::vector<int> component = components_of(pieces);
+    std::vector<double> length(pieces.size()), widest(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        length[component[i]] += pieces[i].length_mm;
+        widest[component[i]] = std::max(widest[component[i]], radii[i]);
+    }
+    const std::vector<WayToSure> ways = ways_to_sure(pieces, strengths, radii);
+    std::vector<std::array<double, 8>> company;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        double wide = 0.0, bright = 0.0, straight = -1.0;
+        for (const int next : pieces[i].neighbours) {
+            wide = std::max(wide, radii[next]);
+            bright = std::max(bright, values[next][0]);
+            straight = std::max(straight, alignment(pieces[i], pieces[next]));
+        }
+        company.push_back({length[component[i]], widest[component[i]],
+                           static_cast<double>(pieces[i].neighbours.size()), wide / radii[i],
+                           bright / std::max(values[i][0], 0.1), straight, ways[i].distance_mm,
+                           ways[i].weakest_line});
+    }
+    return company;
+}
+
+std::array<double, 5> of_the_image(const PieceImage& image, double radius_mm) {
+    const double voxel_mm = std::cbrt(image.ct_spacing_mm.prod());
+    return {image.vessel_rise_hu / image.evidence.deviation_hu,
+            image.evidence.false_line_hu / image.evidence.deviation_hu,
+            image.ct_spacing_mm.maxCoeff(), voxel_mm, radius_mm / voxel_mm};
+}
+
 }  // namespace
 
 std::vector<PieceFeatures> piece_features(const std::vector<LinePiece>& pieces,
@@ -176,37 +213,17 @@ std::vector<PieceFeatures> piece_features(const std::vector<LinePiece>& pieces,
             append_shape(pieces[i], values[i]);
         }
     });
-    std::vector<double> strengths, radii;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        strengths.push_back(values[i][4]);
-        radii.push_back(mean_radius(pieces[i]));
-    }
-    const std::vector<int> component = components_of(pieces);
-    std::vector<double> component_length(pieces.size()), component_radius(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        component_length[component[i]] += pieces[i].length_mm;
-        component_radius[component[i]] = std::max(component_radius[component[i]], radii[i]);
-    }
-    const std::vector<WayToSure> ways = ways_to_sure(pieces, strengths, radii);
-    const Vec3& spacing = image.ct_spacing_mm;
-    const double voxel = std::cbrt(spacing.prod());
+    std::vector<double> radii;
+    for (const LinePiece& piece : pieces) radii.push_back(mean_radius(piece));
+    const auto company = company_of(pieces, values, radii);
     std::vector<PieceFeatures> features(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        double wide = 0.0, bright = 0.0, straight = -1.0;
-        for (const int next : pieces[i].neighbours) {
-            wide = std::max(wide, radii[next]);
-            bright = std::max(bright, values[next][0]);
-            straight = std::max(straight, alignment(pieces[i], pieces[next]));
-        }
-        const auto [depth_mean, depth_least] = measuring.depths(pieces[i]);
-        values[i].insert(values[i].end(),
-                         {component_length[component[i]], component_radius[component[i]],
-                          static_cast<double>(pieces[i].neighbours.size()), wide / radii[i],
-                          bright / std::max(values[i][0], 0.1), straight, ways[i].distance_mm,
-                          ways[i].weakest_line, depth_mean, depth_least,
-                          image.vessel_rise_hu / image.evidence.deviation_hu,
-                          image.evidence.false_line_hu / image.evidence.deviation_hu,
-                          spacing.maxCoeff(), voxel, radii[i] / voxel});
+        const auto append = [&](const auto& more) {
+            values[i].insert(values[i].end(), more.begin(), more.end());
+        };
+        append(company[i]);
+        append(measuring.depths(pieces[i]));
+        append(of_the_image(image, radii[i]));
         std::ranges::transform(values[i], features[i].begin(),
                                [](double v) { return static_cast<float>(v); });
     }

@@ -45,7 +45,8 @@ struct PhantomOptions {
 struct Phantom {
     Volume ct;
     Mask vessels;     // voxels of which at least half is lumen: number of the system, else 0
-    Mask liver;       // voxels of which at least half is liver, vessels included
+    Mask liver;       // voxels of which at least half is liver, vessels included but for arteries,
+                      // which may come in from outside of it
     VesselTree tree;  // centrelines and radii that the CT was drawn from; systems share no node
     std::vector<Vec3> contacts_mm;  // where the systems touch, as asked for
 };

@@ -42,7 +42,7 @@ void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVess
         chosen_pieces(measured.pieces, shares, model.kept_share);
     if (std::ranges::find(chosen, 0) == chosen.end()) return;
     Mask& vessels = found.detection.vessels;
-    vessels = without_dropped(vessels, measured.pieces, chosen);
+    vessels = without_dropped(vessels, measured.pieces, chosen, job);
     vessels = hysteresis(vessels, vessels, smallest_vessel_mm3, job);
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/segmentation/liver_region.h"
@@ -25,12 +27,6 @@ constexpr double least_contrast_hu = 15.0;
 constexpr double least_inner_share = 0.65;
 // The same in the liver that was found, which may lack a tenth of the organ.
 constexpr double least_liver_share = 0.3;
-
-std::string rounded(double value, int decimals = 0) {
-    std::string text = std::to_string(value);
-    return text.substr(
-        0, text.find('.') + (decimals > 0 ? static_cast<std::size_t>(decimals) + 1 : 0));
-}
 
 std::size_t object_count(const Mask& mask) {
     return mask.voxels.size() - static_cast<std::size_t>(std::count(
@@ -108,28 +104,31 @@ ContrastStatistics contrast_of(const DetectedVessels& found, Job& job) {
 
 void require_contrast(const ContrastStatistics& measured, const DetectedVessels& found,
                       const std::optional<std::pair<double, double>>& window_hu) {
-    const std::size_t size = object_count(found.tissue.interior);
+    const Mask& interior = found.tissue.interior;
+    const std::size_t size = object_count(interior);
     if (size == 0)
         throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
                          "liver mask", "Give a mask of the whole liver.");
-    const double share =
-        static_cast<double>(object_count(within(found.detection.vessels, found.tissue.interior))) /
-        static_cast<double>(size);
+    const std::vector<std::uint8_t>& vessels = found.detection.vessels.voxels;
+    std::size_t inner = 0;
+    for (std::size_t i = 0; i < vessels.size(); ++i) inner += vessels[i] && interior.voxels[i];
+    const double share = static_cast<double>(inner) / static_cast<double>(size);
     if (share >= least_vessel_share && measured.contrast_hu() >= least_contrast_hu) return;
     if (window_hu)
-        throw InputError("only " + rounded(100.0 * share, 2) + " % of the liver lie between " +
-                             rounded(window_hu->first) + " and " + rounded(window_hu->second) +
+        throw InputError("only " + fixed_text(100.0 * share, 2) + " % of the liver lie between " +
+                             fixed_text(window_hu->first, 0) + " and " +
+                             fixed_text(window_hu->second, 0) +
                              " HU and hang together as vessels do; the tissue itself has " +
-                             rounded(measured.parenchyma_hu) + " HU",
+                             fixed_text(measured.parenchyma_hu, 0) + " HU",
                          "window",
                          "Choose a window that reaches from between tissue and vessels to above "
                          "the brightest vessel, or give none.");
     throw InputError(
         "the vessels do not stand out from the liver: the brightest structures cover " +
-            rounded(100.0 * share, 2) + " % of it and rise " +
-            rounded(share > 0.0 ? measured.contrast_hu() : 0.0) + " HU above its " +
-            rounded(measured.parenchyma_hu) + " HU, where the noise is " +
-            rounded(measured.noise_hu) + " HU",
+            fixed_text(100.0 * share, 2) + " % of it and rise " +
+            fixed_text(share > 0.0 ? measured.contrast_hu() : 0.0, 0) + " HU above its " +
+            fixed_text(measured.parenchyma_hu, 0) + " HU, where the noise is " +
+            fixed_text(measured.noise_hu, 0) + " HU",
         "CT",
         "Use a scan with contrast medium (portal-venous phase for veins, arterial "
         "phase for arteries), or give a vessel mask.");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/filters.h"
 #include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
@@ -34,12 +35,6 @@ constexpr double kept_branch_mm = 4.0;
 // Below this contrast, in deviations of the noise, a radius is not measured any better than an
 // outline.
 constexpr double measurable_contrast = 4.5;
-
-std::string rounded(double value, int decimals = 0) {
-    std::string text = std::to_string(value);
-    return text.substr(
-        0, text.find('.') + (decimals > 0 ? static_cast<std::size_t>(decimals) + 1 : 0));
-}
 
 Mask with_thin_vessels_round(const Mask& vessels, const Mask& skeleton, const VesselTree& tree,
                              Job& job) {
@@ -70,7 +65,7 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     Segmentation result;
     const double coarsest = ct.grid.spacing_mm.maxCoeff();
     if (coarsest > coarse_slices_mm)
-        result.warnings.push_back("The slices are " + rounded(coarsest, 1) +
+        result.warnings.push_back("The slices are " + fixed_text(coarsest, 1) +
                                   " mm apart: thin branches may be broken or missing. Up to 1.5 mm "
                                   "is better.");
     const LinkModel* model = options.model ? &*options.model : nullptr;

@@ -100,10 +100,6 @@ class CoarseLevel {
 
 }  // namespace
 
-RobustSpread robust_spread(const FloatVolume& values, const Mask& where) {
-    return robust_spread(values, where, Job());
-}
-
 RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job) {
     std::vector<float> chosen = sample(values, where, job);
     if (chosen.empty()) return {};

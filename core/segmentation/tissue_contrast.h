@@ -31,7 +31,6 @@ struct RobustSpread {
     double median = 0.0;
     double deviation = 0.0;
 };
-RobustSpread robust_spread(const FloatVolume& values, const Mask& where);
-RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job);
+RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job = Job());
 
 }  // namespace hepatica

@@ -11,10 +11,6 @@
 
 namespace hepatica {
 
-Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3) {
-    return hysteresis(strong, weak, minimum_mm3, Job());
-}
-
 Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3, const Job& job) {
     const Components pieces = connected_components(weak, Connectivity::all26, job);
     std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
@@ -61,10 +57,6 @@ Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
     return grown;
 }
 
-Mask pieces_within(const Mask& mask, const Mask& where, double least_share) {
-    return pieces_within(mask, where, least_share, Job());
-}
-
 Mask pieces_within(const Mask& mask, const Mask& where, double least_share, const Job& job) {
     const Components pieces = connected_components(mask, Connectivity::all26, job);
     std::vector<std::size_t> inner(pieces.sizes.size() + 1, 0);
@@ -79,10 +71,6 @@ Mask pieces_within(const Mask& mask, const Mask& where, double least_share, cons
             kept.voxels[i] = mask.voxels[i];
     });
     return kept;
-}
-
-void rejoin(const Mask& skeleton, double kept_mm, Mask& surface) {
-    rejoin(skeleton, kept_mm, surface, Job());
 }
 
 void rejoin(const Mask& skeleton, double kept_mm, Mask& surface, const Job& job) {

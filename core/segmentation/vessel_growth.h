@@ -10,8 +10,7 @@ namespace hepatica {
 
 // The 26-connected pieces of `weak` that hold at least one voxel of `strong` and at least
 // minimum_mm3 of volume. Same grid for both.
-Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3);
-Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3, const Job& job);
+Mask hysteresis(const Mask& strong, const Mask& weak, double minimum_mm3, const Job& job = Job());
 
 // What of `weak` can be reached from `strong` by a path of at most reach_mm through `weak`, in
 // steps to 26 neighbours counted as one voxel each. Same grid of cubes for both.
@@ -19,12 +18,10 @@ Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm);
 
 // The 26-connected pieces of `mask` of whose voxels at least least_share lie in `where`. Same grid
 // for both.
-Mask pieces_within(const Mask& mask, const Mask& where, double least_share);
-Mask pieces_within(const Mask& mask, const Mask& where, double least_share, const Job& job);
+Mask pieces_within(const Mask& mask, const Mask& where, double least_share, const Job& job = Job());
 
 // Puts back the pieces of a skeleton outside a surface that join two of its parts, or are longer
 // than kept_mm. All on one grid.
-void rejoin(const Mask& skeleton, double kept_mm, Mask& surface);
-void rejoin(const Mask& skeleton, double kept_mm, Mask& surface, const Job& job);
+void rejoin(const Mask& skeleton, double kept_mm, Mask& surface, const Job& job = Job());
 
 }  // namespace hepatica

@@ -66,17 +66,17 @@ class TearTrial {
             reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
     }
 
-    ExtremeRow run(int steps) {
+    ExtremeRow run(int steps, const std::stop_token& stop) {
         ExtremeRow row;
         stepper_ = make_cpu_stepper(body_, options_);
-        Trial trial(*stepper_, row);
+        Trial trial(*stepper_, row, stop);
         SplitCheck check(body_, options_);
         weaken_some();
         if (play_ == TearPlay::press) bring_tool();
         for (int k = 0; k < steps; ++k) {
             if (k % steps_a_goal == 0 && !begin_goal(trial, check)) break;
             lead();
-            const StepReport report = stepper_->step(frame_s);
+            const StepReport report = stepper_->step(frame_s, stop);
             if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_, report.energy)))
                 break;
         }
@@ -198,8 +198,8 @@ std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
         char name[80];
         std::snprintf(name, sizeof name, "tear %d %s at %.3g mm/s, %d tetrahedra", t,
                       tear_plays[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps]() mutable {
-                             return TearTrial(play, speed, random, tetrahedra).run(steps);
+        cases.push_back({name, [=, steps = campaign.steps](const std::stop_token& stop) mutable {
+                             return TearTrial(play, speed, random, tetrahedra).run(steps, stop);
                          }});
     }
     return cases;

@@ -27,7 +27,7 @@ std::vector<ExtremeRow> run_extremes(const std::vector<ExtremeCase>& cases,
         job.advance(static_cast<double>(rows.size()) / static_cast<double>(chosen.size()));
         ExtremeRow row;
         try {
-            row = extreme.run();
+            row = extreme.run(job.stop_token());
         } catch (const Error& refusal) {
             row.note = std::string("refused: ") + refusal.what();
         }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct ExtremeRow {
 
 struct ExtremeCase {
     std::string name;
-    std::function<ExtremeRow()> run;
+    // Throws Cancelled soon after a stop was asked for.
+    std::function<ExtremeRow(const std::stop_token& stop)> run;
 };
 
 // All of them, more than 200, in a fixed order.
@@ -64,7 +66,7 @@ std::vector<ExtremeCase> touch_cases(const Campaign& campaign);
 // transaction in which something split; energies as in every trial.
 std::vector<ExtremeCase> tear_cases(const Campaign& campaign);
 
-// Runs those whose name contains `filter` (all where it is empty).
+// Runs those whose name contains `filter` (all where it is empty). Throws Cancelled.
 std::vector<ExtremeRow> run_extremes(const std::vector<ExtremeCase>& cases,
                                      const std::string& filter, Job& job);
 

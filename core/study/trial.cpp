@@ -22,7 +22,7 @@ bool Trial::require(bool good, const std::string& what) {
 
 bool Trial::run(int steps, double dt_s) {
     for (int i = 0; i < steps; ++i)
-        if (!judge(stepper_.step(dt_s))) return false;
+        if (!judge(stepper_.step(dt_s, stop_))) return false;
     return true;
 }
 

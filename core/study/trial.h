@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "core/deform/body/body.h"
@@ -14,9 +15,10 @@ namespace hepatica {
 class Trial {
   public:
     // What the ledger leaves open is judged against what the step handled, but at least against
-    // this share of the most that any step has handled.
-    Trial(Stepper& stepper, ExtremeRow& row, double ledger_share = 0.0)
-        : stepper_(stepper), row_(row), ledger_share_(ledger_share) {}
+    // this share of the most that any step has handled. After a stop was asked for, run() throws
+    // Cancelled.
+    Trial(Stepper& stepper, ExtremeRow& row, const std::stop_token& stop, double ledger_share = 0.0)
+        : stepper_(stepper), row_(row), stop_(stop), ledger_share_(ledger_share) {}
 
     // Steps; false as soon as something is wrong, which the row then says.
     bool run(int steps, double dt_s);
@@ -45,6 +47,7 @@ class Trial {
 
     Stepper& stepper_;
     ExtremeRow& row_;
+    std::stop_token stop_;
     double ledger_share_;
     double stored_ = 0.0;   // after the last step
     double handled_ = 0.0;  // the most in any step so far

@@ -13,6 +13,7 @@ namespace hepatica {
 namespace {
 
 constexpr std::uint64_t patients_of_a_seed = 1000000;
+constexpr std::uint64_t most_seed = 1000000000000;
 constexpr std::size_t enough_pieces = 200;
 
 // The patient's own stages do not count: one stage a patient is what is watched.
@@ -32,6 +33,9 @@ LinkModel trained_links(const TrainingOptions& options, Job& job) {
     if (options.volumes < 1 || options.volumes > 10000)
         throw InputError(std::to_string(options.volumes) + " patients cannot be used", "--volumes",
                          "Choose a number from 1 to 10000");
+    if (options.seed < 1 || options.seed > most_seed)
+        throw InputError(std::to_string(options.seed) + " is no seed", "--seed",
+                         "Give a whole number from 1 to " + std::to_string(most_seed));
     LinkModel model;
     model.made_by = "hepatica-cli train --seed " + std::to_string(options.seed) + " --volumes " +
                     std::to_string(options.volumes);

@@ -66,7 +66,7 @@ TEST_F(Model, ThatIsShippedIsNamedInTheCase) {
 
 TEST_F(Model, IsNotTrainedOnNothing) {
     for (const std::vector<std::string>& wrong :
-         {std::vector<std::string>{"--volumes", "0"}, {"--seed", "-1"}}) {
+         {std::vector<std::string>{"--volumes", "0"}, {"--seed", "-1"}, {"--seed", "0"}}) {
         std::vector<std::string> call{"train", "--out", path("t.json")};
         call.insert(call.end(), wrong.begin(), wrong.end());
         EXPECT_NE(run_cli(call).exit_code, 0);

@@ -63,7 +63,7 @@ TEST_F(WithoutDropped, ABranchGoesAndItsTrunkStaysWhole) {
     std::vector<std::uint8_t> chosen;
     for (const LinePiece& piece : pieces_)
         chosen.push_back(std::abs(piece.points_mm.back().y() - piece.points_mm.front().y()) < 1.0);
-    const Mask left = without_dropped(vessels_, pieces_, chosen);
+    const Mask left = without_dropped(vessels_, pieces_, chosen, Job());
     std::size_t lost = 0, stays = 0;
     for (std::size_t i = 0; i < left.voxels.size(); ++i) {
         EXPECT_LE(left.voxels[i], vessels_.voxels[i]);
@@ -80,15 +80,15 @@ TEST_F(WithoutDropped, ABranchGoesAndItsTrunkStaysWhole) {
 
 TEST_F(WithoutDropped, AllOrNothing) {
     const std::vector<std::uint8_t> all(pieces_.size(), 1), none(pieces_.size(), 0);
-    EXPECT_EQ(without_dropped(vessels_, pieces_, all).voxels, vessels_.voxels);
-    EXPECT_THAT(without_dropped(vessels_, pieces_, none).voxels, Each(0));
+    EXPECT_EQ(without_dropped(vessels_, pieces_, all, Job()).voxels, vessels_.voxels);
+    EXPECT_THAT(without_dropped(vessels_, pieces_, none, Job()).voxels, Each(0));
 }
 
 TEST_F(WithoutDropped, WhatHangsTogetherWithNoPieceStays) {
     Mask with_dot = vessels_;
     with_dot.at(60, 60, 60) = 1;
     const std::vector<std::uint8_t> none(pieces_.size(), 0);
-    const Mask left = without_dropped(with_dot, pieces_, none);
+    const Mask left = without_dropped(with_dot, pieces_, none, Job());
     EXPECT_EQ(left.at(60, 60, 60), 1);
     EXPECT_EQ(std::count(left.voxels.begin(), left.voxels.end(), 1), 1);
 }

@@ -101,97 +101,126 @@ TEST(SceneFigures, OfPlays) {
 
 // Everything that can be done to a world: tools that press, hold and turn, cuts and tears that
 // bleed, injections, and the way back.
-Figures handled(const SceneSpec& spec) {
-    Job job;
-    World world(small_patient(), spec, job);
-    DeformPart& body = *world.deform();
-    FlowPart& flow = *world.flow();
-    const VesselTree& tree = small_patient()->tree;
-    const Vec3 place = middle_of(tree, 1), cut = middle_of(tree, 0);
-    const auto& line = tree.segments[1].points_mm;
-    const Vec3 along = (line[line.size() / 2 + 1] - line[line.size() / 2 - 1]).normalized();
-    const Vec3 from = along.unitOrthogonal();
-    std::vector<double> shapes, tools, tears, drug;
-    std::string checkpoints;
-    const auto note = [&](const Vec3& v) { tools.insert(tools.end(), v.begin(), v.end()); };
-    for (int k = 0; k < 60; ++k) {
-        if (k == 1) body.add_tool({"forceps", 1.5, 16.0, -from, along.cross(from)}, place);
-        if (k > 2 && k < 12) body.close_jaws(1.0 / (12 - k));
-        if (k > 12 && k < 18) body.lead_tool(body.tool()->parts[0].shape.centre_mm + 0.2 * from);
-        if (k == 18) body.turn_tool(0.3 * along);
-        if (k == 22) body.open_jaws(0.5);
-        if (k == 24) body.add_tool({"hook", 1.0, 14.0, -from, {}}, place);
-        if (k == 28) body.remove_tool();
-        if (k == 2) flow.inject({world.place_near(cut), 2.0, 0.0, "carrier", "regime"});
-        if (k == 20) flow.inject({world.place_near(place), 1.0, 0.3, "gas", "consistent"});
-        if (k == 21) flow.finish_injection();
-        if (k == 30) flow.set_time(0.7);
-        if (k == 31) flow.set_speed(4.0);
-        if (body.tears()) {
-            if (k == 29) body.cut_line(tree, cut, cut, 0.0);
-            if (k == 30) body.grab(tree.segments[0].points_mm.back());
-            if (k > 30 && k < 45)
-                body.move_grab(tree.segments[0].points_mm.back() + 0.3 * k * along);
-            if (k == 45) body.release();
-            if (k == 46) body.cut_line(tree, cut, middle_of(tree, 2), 1.0);
-            if (k == 48) body.cut(tree, cut - 15.0 * from, cut + 15.0 * from);
-            if (k == 56) body.mend();
+class Handling {
+  public:
+    explicit Handling(const SceneSpec& spec) : world_(small_patient(), spec, job_) {
+        const auto& line = tree_.segments[1].points_mm;
+        along_ = (line[line.size() / 2 + 1] - line[line.size() / 2 - 1]).normalized();
+        across_ = along_.unitOrthogonal();
+    }
+
+    Figures figures() {
+        for (int k = 0; k < 60; ++k) {
+            use_tools(k);
+            inject(k);
+            if (body_.tears()) cut_and_pull(k);
+            world_.step();
+            Frame frame;
+            world_.fill(frame);
+            if (k % 4 == 0)
+                shapes_.insert(shapes_.end(), frame.positions_mm.begin(), frame.positions_mm.end());
+            if (frame.tool) note_tool(*frame.tool);
+            if (frame.tear) note_tears(frame);
+            note_drug(k, frame.drug);
+            if (k == 26 || k == 50) go_back();
         }
-        world.step();
-        Frame frame;
-        world.fill(frame);
-        if (k % 4 == 0)
-            shapes.insert(shapes.end(), frame.positions_mm.begin(), frame.positions_mm.end());
-        if (frame.tool) {
-            note(frame.tool->tip_mm);
-            note(frame.tool->at_mm);
-            note(1e-5 * frame.tool->force_un);
-            tools.push_back(frame.tool->opening_mm);
-            tools.push_back(1e-5 * frame.tool->grip_un);
-            tools.push_back(frame.tool->at_limit);
-            for (const int vertex : frame.tool->touched) tools.push_back(vertex);
-        }
-        if (frame.tear) {
-            tears.insert(tears.end(),
-                         {double(frame.tear->joints_broken), double(frame.tear->pieces),
-                          frame.tear->entropy_nats, frame.tear->leak_g_s, frame.tear->leaked_g});
-            tears.push_back(static_cast<double>(frame.positions_mm.size()));
-            tears.push_back(body.critical_opening_mm());
-            for (const ThroughTear& torn : body.torn_through(tree)) {
-                tears.push_back(torn.at.segment);
-                tears.push_back(torn.at.arclength_mm);
-                tears.push_back(torn.area_mm2);
-            }
-        }
-        drug.insert(drug.end(), {frame.drug.time_s, frame.drug.end_s, double(frame.drug.playing)});
-        if (k % 10 == 0 && frame.drug.arrival_s)
-            for (const float arrival : *frame.drug.arrival_s)
-                drug.push_back(std::isfinite(arrival) ? arrival : -1.0);
-        if (k == 26 || k == 50) {
-            const WorldCheckpoint taken = world.checkpoint();
-            // Keys alone: the numbers of a shape differ by rounding.
-            const nlohmann::ordered_json flat = to_json(taken).flatten();
-            for (const auto& [key, value] : flat.items()) checkpoints += key;
-            world.restore(taken);
+        return Figures()
+            .add("shapes", shapes_)
+            .add("tools", tools_)
+            .add("tears", tears_)
+            .add("drug", drug_)
+            .add("checkpoints", text_of(checkpoints_))
+            .add("mass_error", flow_.mass_error_relative() < 1e-9);
+    }
+
+  private:
+    void use_tools(int k) {
+        if (k == 1) body_.add_tool({"forceps", 1.5, 16.0, -across_, along_.cross(across_)}, place_);
+        if (k > 2 && k < 12) body_.close_jaws(1.0 / (12 - k));
+        if (k > 12 && k < 18)
+            body_.lead_tool(body_.tool()->parts[0].shape.centre_mm + 0.2 * across_);
+        if (k == 18) body_.turn_tool(0.3 * along_);
+        if (k == 22) body_.open_jaws(0.5);
+        if (k == 24) body_.add_tool({"hook", 1.0, 14.0, -across_, {}}, place_);
+        if (k == 28) body_.remove_tool();
+    }
+
+    void inject(int k) {
+        if (k == 2) flow_.inject({world_.place_near(cut_), 2.0, 0.0, "carrier", "regime"});
+        if (k == 20) flow_.inject({world_.place_near(place_), 1.0, 0.3, "gas", "consistent"});
+        if (k == 21) flow_.finish_injection();
+        if (k == 30) flow_.set_time(0.7);
+        if (k == 31) flow_.set_speed(4.0);
+    }
+
+    void cut_and_pull(int k) {
+        const Vec3 end = tree_.segments[0].points_mm.back();
+        if (k == 29) body_.cut_line(tree_, cut_, cut_, 0.0);
+        if (k == 30) body_.grab(end);
+        if (k > 30 && k < 45) body_.move_grab(end + 0.3 * k * along_);
+        if (k == 45) body_.release();
+        if (k == 46) body_.cut_line(tree_, cut_, middle_of(tree_, 2), 1.0);
+        if (k == 48) body_.cut(tree_, cut_ - 15.0 * across_, cut_ + 15.0 * across_);
+        if (k == 56) body_.mend();
+    }
+
+    void note_tool(const ToolView& tool) {
+        for (const Vec3& v : {tool.tip_mm, tool.at_mm, Vec3(1e-5 * tool.force_un)})
+            tools_.insert(tools_.end(), v.begin(), v.end());
+        tools_.push_back(tool.opening_mm);
+        tools_.push_back(1e-5 * tool.grip_un);
+        tools_.push_back(tool.at_limit);
+        for (const int vertex : tool.touched) tools_.push_back(vertex);
+    }
+
+    void note_tears(const Frame& frame) {
+        tears_.insert(tears_.end(),
+                      {double(frame.tear->joints_broken), double(frame.tear->pieces),
+                       frame.tear->entropy_nats, frame.tear->leak_g_s, frame.tear->leaked_g});
+        tears_.push_back(static_cast<double>(frame.positions_mm.size()));
+        tears_.push_back(body_.critical_opening_mm());
+        for (const ThroughTear& torn : body_.torn_through(tree_)) {
+            tears_.push_back(torn.at.segment);
+            tears_.push_back(torn.at.arclength_mm);
+            tears_.push_back(torn.area_mm2);
         }
     }
-    return Figures()
-        .add("shapes", shapes)
-        .add("tools", tools)
-        .add("tears", tears)
-        .add("drug", drug)
-        .add("checkpoints", text_of(checkpoints))
-        .add("mass_error", flow.mass_error_relative() < 1e-9);
-}
+
+    void note_drug(int k, const DrugView& drug) {
+        drug_.insert(drug_.end(), {drug.time_s, drug.end_s, double(drug.playing)});
+        if (k % 10 == 0 && drug.arrival_s)
+            for (const float arrival : *drug.arrival_s)
+                drug_.push_back(std::isfinite(arrival) ? arrival : -1.0);
+    }
+
+    // To where it is, by way of a checkpoint.
+    void go_back() {
+        const WorldCheckpoint taken = world_.checkpoint();
+        // Keys alone: the numbers of a shape differ by rounding.
+        const nlohmann::ordered_json flat = to_json(taken).flatten();
+        for (const auto& [key, value] : flat.items()) checkpoints_ += key;
+        world_.restore(taken);
+    }
+
+    Job job_;
+    World world_;
+    DeformPart& body_ = *world_.deform();
+    FlowPart& flow_ = *world_.flow();
+    const VesselTree& tree_ = small_patient()->tree;
+    const Vec3 place_ = middle_of(tree_, 1), cut_ = middle_of(tree_, 0);
+    Vec3 along_, across_;
+    std::vector<double> shapes_, tools_, tears_, drug_;
+    std::string checkpoints_;
+};
 
 TEST(SceneFigures, OfEverythingThatCanBeDone) {
     SceneSpec spec = default_scene();
     spec.contact = ContactSpec{.tools = true, .self = true};
-    expect_recorded("scene", "handled", handled(spec));
+    expect_recorded("scene", "handled", Handling(spec).figures());
     spec.tear = TearSpec{.tear_factor = 0.4, .stop = TearStop::entropy, .entropy_budget = 0.3};
     spec.contact->self = false;
     spec.deform->wall_mm = 0.8;
-    expect_recorded("scene", "handled_tearing", handled(spec));
+    expect_recorded("scene", "handled_tearing", Handling(spec).figures());
 }
 
 // What a scene says without saying it, as its file has it.

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stop_token>
+
+#include "core/base/error.h"
 
 namespace hepatica {
 namespace {
@@ -15,6 +18,19 @@ TEST(Extremes, HasTwoHundredRowsOfDifferentNames) {
     for (const ExtremeCase& extreme : cases) names.insert(extreme.name);
     EXPECT_GE(cases.size(), 200u);
     EXPECT_EQ(names.size(), cases.size());
+}
+
+TEST(Extremes, HearAStopInEveryRowThatSteps) {
+    std::stop_source stopped;
+    stopped.request_stop();
+    auto cases = extreme_cases();
+    for (const auto& campaign : {touch_cases({.trials = 6, .most_tetrahedra = 300}),
+                                 tear_cases({.trials = 4, .most_tetrahedra = 300})})
+        cases.insert(cases.end(), campaign.begin(), campaign.end());
+    for (const ExtremeCase& extreme : cases) {
+        if (extreme.name.starts_with("refuse")) continue;
+        EXPECT_THROW(extreme.run(stopped.get_token()), Cancelled) << extreme.name;
+    }
 }
 
 // A sample of the campaign: each kind of play twice, on small trees.

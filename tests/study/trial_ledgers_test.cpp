@@ -41,7 +41,7 @@ StepReport of_100_nj() {
 }
 
 TEST_F(TrialOfLedgers, PassesWhatIsBooked) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy(of_100_nj()));
     EXPECT_TRUE(trial.check_energy(after_a_loss(20.0)));
     StepReport lifted = after_a_loss(20.0);  // 80 nJ before; gravity and the tool bring 50
@@ -57,7 +57,7 @@ TEST_F(TrialOfLedgers, PassesWhatIsBooked) {
 }
 
 TEST_F(TrialOfLedgers, FailsWhereEnergyIsMade) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy(of_100_nj()));
     StepReport more = of_100_nj();
     more.energy.elastic += 1.0;
@@ -70,7 +70,7 @@ TEST_F(TrialOfLedgers, FailsWhereEnergyIsMade) {
 TEST_F(TrialOfLedgers, FailsWhereTheLedgerLeavesALossOpen) {
     for (const double open : {1e-8, 0.1}) {
         ExtremeRow row;
-        Trial trial(*stepper_, row);
+        Trial trial(*stepper_, row, {});
         EXPECT_TRUE(trial.check_energy(of_100_nj()));
         EXPECT_FALSE(trial.check_energy(after_a_loss(20.0, -100.0 * 2.2 * open)));
         EXPECT_NE(row.note.find("the ledger leaves"), std::string::npos) << row.note;
@@ -85,7 +85,7 @@ TEST_F(TrialOfLedgers, KeepsTheLargestGapOfTheAuditAndFailsWhereItIsTooLarge) {
         report.audit_gap_nj = gap_nj;
         return report;
     };
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy(of_100_nj()));
     EXPECT_TRUE(trial.check_energy(with_gap(5e-4))) << row_.note;
     const double found = row_.audit_gap;
@@ -98,7 +98,7 @@ TEST_F(TrialOfLedgers, KeepsTheLargestGapOfTheAuditAndFailsWhereItIsTooLarge) {
 
 // A loss at first must not hide that energy is made later.
 TEST_F(TrialOfLedgers, JudgesEveryStepAlone) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy(of_100_nj()));
     EXPECT_TRUE(trial.check_energy(after_a_loss(50.0)));
     EXPECT_FALSE(trial.check_energy(after_a_loss(0.0, -40.0)));  // 60 nJ, after 50
@@ -106,7 +106,7 @@ TEST_F(TrialOfLedgers, JudgesEveryStepAlone) {
 
 // At rest only rounding of the energies that once were is left: 1e-9 of the most handled passes.
 TEST_F(TrialOfLedgers, LetsABodyAtRestHaveTheRoundingOfItsEnergies) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy(of_100_nj()));
     EXPECT_TRUE(trial.check_energy(after_a_loss(100.0)));
     StepReport rounding;
@@ -117,7 +117,7 @@ TEST_F(TrialOfLedgers, LetsABodyAtRestHaveTheRoundingOfItsEnergies) {
 }
 
 TEST_F(TrialOfLedgers, NeverHandlingAnythingIsNothingWrong) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.check_energy({}));
     EXPECT_TRUE(trial.check_energy({}));
     EXPECT_EQ(row_.energy_made, 0.0);
@@ -127,7 +127,7 @@ TEST_F(TrialOfLedgers, NeverHandlingAnythingIsNothingWrong) {
 TEST_F(TrialOfLedgers, JudgesTheOpenRestAgainstAShareOfTheLargestStep) {
     for (const double share : {0.0, 1.0}) {
         ExtremeRow row;
-        Trial trial(*stepper_, row, share);
+        Trial trial(*stepper_, row, {}, share);
         EXPECT_TRUE(trial.check_energy(of_100_nj()));
         StepReport small = after_a_loss(99.0);
         EXPECT_TRUE(trial.check_energy(small));
@@ -138,7 +138,7 @@ TEST_F(TrialOfLedgers, JudgesTheOpenRestAgainstAShareOfTheLargestStep) {
 }
 
 TEST_F(TrialOfLedgers, TakesEnergyAtTheStartFromTheFirstLedger) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     StepReport first = of_100_nj();
     first.energy.imbalance = -1.0;  // 1 nJ was lost and nobody knows where
     EXPECT_FALSE(trial.check_energy(first));
@@ -146,7 +146,7 @@ TEST_F(TrialOfLedgers, TakesEnergyAtTheStartFromTheFirstLedger) {
 }
 
 TEST_F(TrialOfLedgers, ComparesWithReferencesRelatively) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.require_close(-2.1, -2.0, 0.0501, "a book"));
     EXPECT_NEAR(row_.error, 0.05, 1e-12);
     EXPECT_EQ(row_.reference, "a book");
@@ -157,13 +157,13 @@ TEST_F(TrialOfLedgers, ComparesWithReferencesRelatively) {
 }
 
 TEST_F(TrialOfLedgers, AllowsWhatIsJustAllowed) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.require_close(3.0, 2.0, 0.5, "a book"));
     EXPECT_EQ(row_.error, 0.5);
 }
 
 TEST_F(TrialOfLedgers, KeepsTheFirstReason) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     EXPECT_TRUE(trial.require(true, "fine"));
     EXPECT_TRUE(row_.note.empty());
     EXPECT_FALSE(trial.require(false, "first"));
@@ -172,7 +172,7 @@ TEST_F(TrialOfLedgers, KeepsTheFirstReason) {
 }
 
 TEST_F(TrialOfLedgers, ComparesPlacesWithThoseBefore) {
-    Trial trial(*stepper_, row_);
+    Trial trial(*stepper_, row_, {});
     std::vector<Vec3> places = body_.mesh.vertices_mm;
     places[3].x() += 0.5;
     EXPECT_TRUE(trial.require_back_at(places, 0.51));

@@ -35,7 +35,7 @@ TEST(Trial, NoticesAnInvertedElementOfEveryKind) {
         const BodyDescription body = brick(kind);
         const auto stepper = make_cpu_stepper(body, {.model = kind.model, .order = kind.order});
         ExtremeRow row;
-        Trial trial(*stepper, row);
+        Trial trial(*stepper, row, {});
         EXPECT_TRUE(trial.require_positive_volumes(body, kind.model, kind.order)) << row.note;
         std::vector<Vec3> x = body.mesh.vertices_mm;
         x.back() -= Vec3(18, 0, 0);  // a corner pushed through the middle

@@ -10,9 +10,18 @@
 namespace hepatica {
 namespace {
 
+// Of as many patients as a training may ask for; those below a million are for judging.
 TEST(LinkTraining, SeedsShareNoPatient) {
-    EXPECT_NE(patient_number(1, 10000), patient_number(2, 0));
+    EXPECT_GT(patient_number(1, 1), 1000000u);
     EXPECT_LT(patient_number(1, 10000), patient_number(2, 1));
+    EXPECT_LT(patient_number(999999999999, 10000), patient_number(1000000000000, 1));
+}
+
+TEST(LinkTraining, RefusesSeedsWhosePatientsWouldBeOthers) {
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1000000000001}}) {
+        Job job;
+        EXPECT_THROW(trained_links({.seed = seed, .volumes = 1}, job), InputError);
+    }
 }
 
 TEST(LinkTraining, RefusesNumbersOfPatientsThatMakeNoSense) {

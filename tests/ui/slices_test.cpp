@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slices of the CT beside the vessels, in a window with a fake simulation and a CT of a few voxels.
-#include "core/image/volume_writer.h"
-#include "core/patient/image_digest.h"
-#include "tests/ui/fake_window_test.h"
+#include "tests/ui/slices_test.h"
 #include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
-#include "ui/paths.h"
-#include "ui/slices/slice_view.h"
-#include "ui/slices/view_layout.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -18,58 +13,10 @@
 namespace hepatica {
 namespace {
 
-// Each voxel's value tells its index.
-Volume numbered_ct() {
-    Grid grid;
-    grid.dims = {40, 50, 60};
-    grid.spacing_mm = Vec3(3, 3, 3);
-    grid.origin_mm = Vec3(-60, -75, -90);
-    Volume ct(grid);
-    for (std::size_t i = 0; i < ct.voxels.size(); ++i)
-        ct.voxels[i] = static_cast<std::int16_t>(i % 900);
-    return ct;
-}
-
 constexpr std::array directions{SliceDirection::axial, SliceDirection::coronal,
                                 SliceDirection::sagittal};
 
-class Slices : public testing::FakeWindowTest {
-  protected:
-    Slices() : file_(to_path(folder_.filePath("ct.nii.gz"))) {
-        write_nifti(file_, ct_);
-        open_built_in();
-        auto patient = std::make_shared<PatientCase>();
-        patient->source.image_sha256 = digest_of(ct_);
-        patient->source.image_grid = ct_.grid;
-        VesselSegment vessel;
-        vessel.system = VascularSystem::portal;
-        vessel.points_mm = {Vec3(0, 0, -30), Vec3(0, 0, 30)};
-        vessel.radii_mm = {4.0, 5.0};
-        patient->tree.segments = {vessel};
-        patient->mask = Mask(ct_.grid);
-        patient->mask.voxels[ct_.grid.offset(20, 25, 30)] = 1;
-        patient_ = patient;
-    }
-    ViewLayout& views() { return window_.view_layout(); }
-    SliceScene& scene() { return views().slices(); }
-    SliceView& view(SliceDirection direction) { return views().slice_view(direction); }
-    // With the CT where the patient was reconstructed from just now.
-    void show_slices() {
-        views().show_patient(patient_, {}, file_);
-        QTest::keyClick(&window_, Qt::Key_F7);
-        ASSERT_TRUE(testing::wait_for([this] { return !scene().empty(); }));
-    }
-    void turn_wheel(SliceView& slice, int notches, Qt::KeyboardModifiers keys = {}) {
-        const QPointF place(slice.rect().center());
-        QWheelEvent wheel(place, slice.mapToGlobal(place), {}, QPoint(0, 120 * notches),
-                          Qt::NoButton, keys, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&slice, &wheel);
-    }
-
-    const Volume ct_ = numbered_ct();
-    const std::filesystem::path file_;
-    std::shared_ptr<const PatientCase> patient_;
-};
+class Slices : public testing::SlicesTest {};
 
 TEST_F(Slices, AreReadWhenSomebodyWantsToSeeThem) {
     views().show_patient(patient_, {}, file_);
@@ -207,86 +154,6 @@ TEST_F(Slices, LeaveRoomForALessonOnASmallScreen) {
         QApplication::processEvents();
         EXPECT_LE(window_.minimumSizeHint().width(), 1280) << purpose;
     }
-}
-
-// What is painted shows at once, and is asked to be made into vessels with all its strokes.
-TEST_F(Slices, TakeTheStrokesOfABrush) {
-    show_slices();
-    SliceView& axial = view(SliceDirection::axial);
-    auto* choice = window_.findChild<QComboBox*>("measure");
-    auto* rebuild = window_.findChild<QPushButton*>("rebuildVessels");
-    auto* radius = window_.findChild<QDoubleSpinBox*>("brushRadius");
-    const MaskBrush& brush = scene().brush();
-    const Mask before = scene().systems();
-    EXPECT_FALSE(rebuild->isVisible());
-    emit choice->activated(6);
-    EXPECT_EQ(choice->currentText(), "Paint vessels");
-    EXPECT_TRUE(rebuild->isVisible());
-    EXPECT_FALSE(rebuild->isEnabled());
-    radius->setValue(4.0);
-    scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
-    const QPoint from = axial.place_of(ct_.grid.to_mm(10, 25, 30)).toPoint();
-    const QPoint to = axial.place_of(ct_.grid.to_mm(15, 25, 30)).toPoint();
-    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
-    QMouseEvent move(QEvent::MouseMove, QPointF(to), axial.mapToGlobal(QPointF(to)), Qt::NoButton,
-                     Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&axial, &move);
-    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
-    ASSERT_EQ(brush.strokes().size(), 1u);
-    EXPECT_EQ(brush.strokes()[0].path_mm.size(), 2u);
-    Mask expected = before;
-    for (const BrushStroke& stroke : brush.strokes()) apply(stroke, painted_label, expected);
-    EXPECT_EQ(scene().systems().voxels, expected.voxels) << "while the mouse led it, too";
-    EXPECT_EQ(scene().systems().at(12, 25, 30), painted_label);
-    EXPECT_EQ(scene().vessels().at(12, 25, 30), 255);
-    EXPECT_EQ(scene().systems().at(12, 25, 31), painted_label) << "a ball, not a disc";
-    EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
-    // Lifted, it leaves nothing; nor where there are no voxels, and says so.
-    QApplication::sendEvent(&axial, &move);
-    EXPECT_EQ(brush.strokes()[0].path_mm.size(), 2u);
-    Mask corner(Grid{{4, 4, 4}, Vec3(3, 3, 3), ct_.grid.origin_mm, Mat3::Identity()}, 1);
-    scene().set_systems(corner);
-    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
-    QApplication::sendEvent(&axial, &move);
-    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
-    EXPECT_TRUE(brush.strokes().empty());
-    EXPECT_TRUE(
-        window_.findChild<QLabel*>("slicePlace")->text().contains("Too far from the liver"));
-    scene().set_systems({});
-    QTest::keyClick(&axial, Qt::Key_Return);
-    EXPECT_TRUE(brush.strokes().empty());
-    EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("knows no voxels"));
-    scene().set_systems(before);
-    QTest::mousePress(&axial, Qt::LeftButton, {}, from);
-    QApplication::sendEvent(&axial, &move);
-    QTest::mouseRelease(&axial, Qt::LeftButton, {}, to);
-    EXPECT_EQ(scene().systems().voxels, expected.voxels);
-    // By the keys: smaller, a dab that erases, and back.
-    emit choice->activated(7);
-    QTest::keyClick(&axial, Qt::Key_Minus);
-    EXPECT_EQ(radius->value(), 3.5);
-    EXPECT_NE(scene().systems().at(20, 25, 30), 0);
-    QTest::keyClick(&axial, Qt::Key_Return);
-    EXPECT_EQ(scene().systems().at(20, 25, 30), 0);
-    QTest::keyClick(&axial, Qt::Key_Delete);
-    EXPECT_EQ(scene().systems().voxels, expected.voxels);
-    emit choice->activated(0);
-    EXPECT_TRUE(rebuild->isVisible()) << "what was painted waits";
-    EXPECT_TRUE(rebuild->isEnabled());
-    emit choice->activated(6);
-    QTest::keyClick(&axial, Qt::Key_Escape);
-    EXPECT_EQ(scene().systems().voxels, before.voxels);
-    QTest::keyClick(&axial, Qt::Key_Escape);
-    EXPECT_EQ(choice->currentText(), "Crosshair");
-    EXPECT_FALSE(rebuild->isVisible());
-    // Other voxels drop what was painted on those before.
-    emit choice->activated(6);
-    QTest::keyClick(&axial, Qt::Key_Return);
-    scene().set_systems(before);
-    EXPECT_EQ(brush.strokes().size(), 1u) << "they are the same";
-    scene().set_systems(expected);
-    EXPECT_TRUE(brush.strokes().empty());
-    EXPECT_EQ(scene().systems().voxels, expected.voxels);
 }
 
 TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {

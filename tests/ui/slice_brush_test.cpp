@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vessels painted and erased in the slices by mouse and keys.
+#include "tests/ui/slices_test.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+
+namespace hepatica {
+namespace {
+
+// The brush of 4 mm in hand, over the axial slice through the middle.
+class BrushOnSlices : public testing::SlicesTest {
+  protected:
+    void begin() {
+        show_slices();
+        EXPECT_FALSE(rebuild().isVisible());
+        before_ = scene().systems();
+        take(painting);
+        window_.findChild<QDoubleSpinBox*>("brushRadius")->setValue(4.0);
+        scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
+    }
+    void take(int purpose) { emit choice().activated(purpose); }
+    // From left to right, with the button held.
+    void stroke() {
+        QTest::mousePress(&axial(), Qt::LeftButton, {}, place_of_column(10));
+        move();
+        QTest::mouseRelease(&axial(), Qt::LeftButton, {}, place_of_column(15));
+    }
+    void move() {
+        const QPointF to = place_of_column(15);
+        QMouseEvent event(QEvent::MouseMove, to, axial().mapToGlobal(to), Qt::NoButton,
+                          Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&axial(), &event);
+    }
+    // What the strokes make of the voxels from before.
+    Mask painted() {
+        Mask mask = before_;
+        for (const BrushStroke& stroke : brush().strokes()) apply(stroke, painted_label, mask);
+        return mask;
+    }
+    bool said(const QString& words) {
+        return window_.findChild<QLabel*>("slicePlace")->text().contains(words);
+    }
+    SliceView& axial() { return view(SliceDirection::axial); }
+    const MaskBrush& brush() { return scene().brush(); }
+    QComboBox& choice() { return *window_.findChild<QComboBox*>("measure"); }
+    QPushButton& rebuild() { return *window_.findChild<QPushButton*>("rebuildVessels"); }
+
+    static constexpr int crosshair = 0, painting = 6, erasing = 7;
+    Mask before_;
+
+  private:
+    QPoint place_of_column(int i) { return axial().place_of(ct_.grid.to_mm(i, 25, 30)).toPoint(); }
+};
+
+TEST_F(BrushOnSlices, ShowsAtOnceWhatItPaints) {
+    begin();
+    EXPECT_EQ(choice().currentText(), "Paint vessels");
+    stroke();
+    ASSERT_EQ(brush().strokes().size(), 1u);
+    EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels) << "while the mouse led it, too";
+    EXPECT_EQ(scene().systems().at(12, 25, 30), painted_label);
+    EXPECT_EQ(scene().vessels().at(12, 25, 30), 255);
+    EXPECT_EQ(scene().systems().at(12, 25, 31), painted_label) << "a ball, not a disc";
+    EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
+    move();
+    EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u) << "lifted, it leaves nothing";
+}
+
+TEST_F(BrushOnSlices, SaysWhereItCannotPaint) {
+    begin();
+    scene().set_systems(
+        Mask(Grid{{4, 4, 4}, Vec3(3, 3, 3), ct_.grid.origin_mm, Mat3::Identity()}, 1));
+    stroke();
+    EXPECT_TRUE(brush().strokes().empty());
+    EXPECT_TRUE(said("Too far from the liver"));
+    scene().set_systems({});
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    EXPECT_TRUE(brush().strokes().empty());
+    EXPECT_TRUE(said("knows no voxels"));
+    scene().set_systems(before_);
+    stroke();
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+}
+
+// Smaller, a dab that erases, and back.
+TEST_F(BrushOnSlices, IsLedByKeys) {
+    begin();
+    stroke();
+    take(erasing);
+    QTest::keyClick(&axial(), Qt::Key_Minus);
+    EXPECT_EQ(window_.findChild<QDoubleSpinBox*>("brushRadius")->value(), 3.5);
+    EXPECT_NE(scene().systems().at(20, 25, 30), 0);
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    EXPECT_EQ(scene().systems().at(20, 25, 30), 0);
+    EXPECT_EQ(brush().strokes().size(), 2u);
+    QTest::keyClick(&axial(), Qt::Key_Delete);
+    EXPECT_EQ(brush().strokes().size(), 1u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+}
+
+TEST_F(BrushOnSlices, AsksToRebuildUntilItIsPutAway) {
+    begin();
+    EXPECT_TRUE(rebuild().isVisible());
+    EXPECT_FALSE(rebuild().isEnabled());
+    stroke();
+    take(crosshair);
+    EXPECT_TRUE(rebuild().isVisible()) << "what was painted waits";
+    EXPECT_TRUE(rebuild().isEnabled());
+    take(painting);
+    QTest::keyClick(&axial(), Qt::Key_Escape);
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+    QTest::keyClick(&axial(), Qt::Key_Escape);
+    EXPECT_EQ(choice().currentText(), "Crosshair");
+    EXPECT_FALSE(rebuild().isVisible());
+}
+
+TEST_F(BrushOnSlices, DropsWhatWasPaintedOnOtherVoxels) {
+    begin();
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    scene().set_systems(before_);
+    EXPECT_EQ(brush().strokes().size(), 1u) << "they are the same";
+    Mask other = before_;
+    other.voxels[ct_.grid.offset(3, 3, 3)] = 2;
+    scene().set_systems(other);
+    EXPECT_TRUE(brush().strokes().empty());
+    EXPECT_EQ(scene().systems().voxels, other.voxels);
+}
+
+}  // namespace
+}  // namespace hepatica
