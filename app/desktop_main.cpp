@@ -13,6 +13,7 @@
 #include "app/process_clock.h"
 #include "app/report/report_main.h"
 #include "app/users_cache.h"
+#include "core/opening/case_segmentation.h"
 #include "core/patient/patient_case.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
@@ -139,5 +140,9 @@ int main(int argc, char** argv) {
     };
     MainWindow::Patients patients{load, write_case};
     patients.keep = write_case;
+    patients.archive = [](const PatientCase& patient, const std::filesystem::path& ct,
+                          const std::filesystem::path& file, Job& job) {
+        write_case_segmentation(patient, ct, file, HEPATICA_VERSION, job);
+    };
     return run_windows(settings, patients, options);
 }

@@ -7067,5 +7067,105 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Choosing the vessels</source>
         <translation>Gefäße werden ausgewählt</translation>
     </message>
+    <message>
+        <source>Export DICO&amp;M segmentation…</source>
+        <translation>DICOM-Se&amp;gmentierung ausgeben …</translation>
+    </message>
+    <message>
+        <source>Write vessels, liver and tumours as a segmentation of the CT, for the archive and other viewers</source>
+        <translation>Gefäße, Leber und Tumoren als Segmentierung des CTs schreiben, für das Archiv und andere Programme</translation>
+    </message>
+    <message>
+        <source>Save the vessels as a DICOM segmentation, which names the patient as the CT does</source>
+        <translation>Gefäße als DICOM-Segmentierung speichern, die den Patienten nennt wie das CT</translation>
+    </message>
+    <message>
+        <source>DICOM segmentations (*.dcm)</source>
+        <translation>DICOM-Segmentierungen (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>is there and is no segmentation</source>
+        <translation>ist schon da und keine Segmentierung</translation>
+    </message>
+    <message>
+        <source>Choose another name, or take the file away</source>
+        <translation>Wählen Sie einen anderen Namen oder nehmen Sie die Datei weg</translation>
+    </message>
+    <message>
+        <source>More or fewer &amp;vessels…</source>
+        <translation>&amp;Mehr oder weniger Gefäße …</translation>
+    </message>
+    <message>
+        <source>Try another threshold in the slices, and make the vessels anew of it</source>
+        <translation>Eine andere Schwelle in den Schnitten ausprobieren und die Gefäße daraus neu aufbauen</translation>
+    </message>
+    <message>
+        <source>More or fewer vessels</source>
+        <translation>Mehr oder weniger Gefäße</translation>
+    </message>
+    <message>
+        <source>Threshold from which a line is believed to be a vessel</source>
+        <translation>Schwelle, ab der eine Linie als Gefäß gilt</translation>
+    </message>
+    <message>
+        <source>To the left more and fainter vessels come in, and more of what is none; to the right the faintest go</source>
+        <translation>Nach links kommen mehr und schwächere Gefäße dazu und mehr, was keines ist; nach rechts gehen die schwächsten</translation>
+    </message>
+    <message>
+        <source>%1 % of the usual</source>
+        <translation>%1 % der üblichen</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>How often the surface is smoothed on top of what was done</source>
+        <translation>Wie oft die Oberfläche noch geglättet wird</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>The &amp;usual</source>
+        <translation>Die ü&amp;bliche</translation>
+    </message>
+    <message>
+        <source>&amp;Rebuild</source>
+        <translation>&amp;Neu aufbauen</translation>
+    </message>
+    <message>
+        <source>The vessels are made anew of what the slices show; an undo takes it back</source>
+        <translation>Die Gefäße werden aus dem neu aufgebaut, was die Schnitte zeigen; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Waiting for the CT</source>
+        <translation>Das CT wird erwartet</translation>
+    </message>
+    <message>
+        <source>The lines of the CT are being measured…</source>
+        <translation>Die Linien des CTs werden vermessen …</translation>
+    </message>
+    <message>
+        <source>%L1 mL of vessels, %L2 mL now</source>
+        <translation>%L1 mL Gefäße, jetzt %L2 mL</translation>
+    </message>
+    <message>
+        <source>%1 is no share of the usual threshold</source>
+        <translation>%1 ist kein Anteil der üblichen Schwelle</translation>
+    </message>
+    <message>
+        <source>%1 recursions cannot be made</source>
+        <translation>%1 Wiederholungen sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>Give a whole number from 0 to %1</source>
+        <translation>Geben Sie eine ganze Zahl von 0 bis %1 an</translation>
+    </message>
 </context>
 </TS>

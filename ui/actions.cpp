@@ -43,6 +43,10 @@ constexpr std::array table{
                Words::id("Keep the patient as another case: NAME.hep, a folder of open formats, or "
                          "NAME.hepz, one file"),
                false, true},
+    ActionSpec{archive_case, Words::id("&File"), Words::id("Export DICO&M segmentation…"), "",
+               Words::id("Write vessels, liver and tumours as a segmentation of the CT, for the "
+                         "archive and other viewers"),
+               false, true},
     ActionSpec{save_picture, Words::id("&File"), Words::id("Save &picture…"), "Ctrl+P",
                Words::id("Save the three-dimensional view as PNG")},
     ActionSpec{quit, Words::id("&File"), Words::id("&Quit"), "Ctrl+Q",
@@ -78,6 +82,9 @@ constexpr std::array table{
         Words::id(
             "Take the tool out of the picture, or end measuring, and pull with the mouse again; "
             "once more takes measurements away")},
+    ActionSpec{choose_threshold, Words::id("&Play"), Words::id("More or fewer &vessels…"), "F4",
+               Words::id("Try another threshold in the slices, and make the vessels anew of it"),
+               false, true},
     ActionSpec{undo_edit, Words::id("&Play"), Words::id("&Undo the last edit"), "Ctrl+Z",
                Words::id("Take back the last correction of the tree"), false, true},
     ActionSpec{redo_edit, Words::id("&Play"), Words::id("Red&o the edit"), "Ctrl+Shift+Z",

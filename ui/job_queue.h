@@ -13,7 +13,7 @@
 
 namespace hepatica {
 
-enum class JobKind { open, correct, remake, save };
+enum class JobKind { open, correct, remake, save, archive };
 
 struct QueuedJob {
     JobKind kind = JobKind::open;

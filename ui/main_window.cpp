@@ -331,6 +331,7 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::reconstruct, [this] { ask_for_reconstruction(); });
     actions_->on(ActionId::save_case, [this] { keeper_->save(); });
     actions_->on(ActionId::save_case_as, [this] { keeper_->ask_and_save(); });
+    actions_->on(ActionId::archive_case, [this] { ask_where_to_archive(); });
     actions_->on(ActionId::save_picture, [this] { ask_where_to_save_picture(); });
     actions_->on(ActionId::quit, [this] { close(); });
     auto* recent = new RecentMenu(
@@ -404,6 +405,10 @@ void MainWindow::connect_views() {
         view_->draw_again();
     });
     QAction& slices = (*actions_)[ActionId::toggle_slices];
+    actions_->on(ActionId::choose_threshold, [this, &slices] {
+        if (!slices.isChecked()) slices.trigger();
+        view_layout_->choose_threshold();
+    });
     actions_->on(ActionId::toggle_slices,
                  [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
     actions_->on(ActionId::full_screen,

@@ -141,6 +141,7 @@ class MainWindow : public QMainWindow {
     std::optional<std::filesystem::path> ask_for_recording();
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
+    void ask_where_to_archive();
     void save_table(const QString& name, const std::string& csv);
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);

@@ -119,6 +119,30 @@ void MainWindow::ask_where_to_save_picture() {
     if (!file.isEmpty()) attempt(Words::tr("Save picture"), [&] { save_picture(file); });
 }
 
+// The CT is asked for only where these settings do not know it.
+void MainWindow::ask_where_to_archive() {
+    namespace fs = std::filesystem;
+    const std::string& digest = workspace().patient()->source.image_sha256;
+    fs::path ct = to_path(settings_.place_of_image(digest));
+    std::error_code ignored;
+    if (ct.empty() || !fs::exists(ct, ignored)) {
+        const auto place = ask_where_ct_lies();
+        if (!place) return;
+        ct = *place;
+    }
+    if (!fs::is_directory(ct, ignored)) ct = ct.parent_path();
+    QString file = QFileDialog::getSaveFileName(
+        this,
+        Words::tr("Save the vessels as a DICOM segmentation, which names the patient as the CT "
+                  "does"),
+        settings_.last_folder() + "/" + QString::fromStdString(workspace().title()) + ".dcm",
+        Words::tr("DICOM segmentations (*.dcm)"));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += ".dcm";
+    keeper_->archive(ct, to_path(file),
+                     [this, digest, ct] { settings_.remember_image(digest, to_text(ct)); });
+}
+
 void MainWindow::save_plots(bool picture) {
     const QString file = QFileDialog::getSaveFileName(
         this, Words::tr("Save curves"),

@@ -318,6 +318,32 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
     };
 }
 
+void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesystem::path& file,
+                            std::function<void()> written) {
+    if (!workspace_.has_patient()) return;
+    QueuedJob job;
+    job.kind = JobKind::archive;
+    job.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
+    job.begin = [this, ct, file, written = std::move(written)]() -> BackgroundJob::Work {
+        return [this, ct, file, written, patient = workspace_.patient(),
+                voxels = workspace_.folder()](Job& job) -> std::function<void()> {
+            constexpr int comparing_and_writing = 2;
+            job.expect_stages(1 + comparing_and_writing);
+            job.begin_stage(Words::id("Reading the voxels"));
+            ways_.archive(whole_case(*patient, voxels, job), ct, file, job);
+            return [this, file, written] {
+                written();
+                screen_.say(Words::tr("Saved %1").arg(to_text(file)).toStdString());
+            };
+        };
+    };
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+    };
+    job.cancelled = [this] { screen_.say(Words::tr("Not saved").toStdString()); };
+    jobs_.add(std::move(job));
+}
+
 void PatientKeeper::cancel() {
     jobs_.cancel_running();
 }

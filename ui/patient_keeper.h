@@ -41,6 +41,10 @@ class PatientKeeper {
         // Those that the person is asked about before one is read; none: there is no choice.
         std::function<std::vector<SeriesDescription>(const OpenRequest&, Job&)> list_series =
             series_to_choose_from;
+        // A DICOM segmentation of the CT in a folder, for the archive; the program sets it.
+        std::function<void(const PatientCase&, const std::filesystem::path& ct,
+                           const std::filesystem::path& file, Job&)>
+            archive{};
         // Copies of what is not saved, see Recovery; none: there are none.
         Recovery::Write keep{};
     };
@@ -85,6 +89,9 @@ class PatientKeeper {
     bool save();
     bool ask_and_save();
     void save_as(const std::filesystem::path& folder);
+    // Writes him as a DICOM segmentation of the CT in this folder; `written` once that is done.
+    void archive(const std::filesystem::path& ct, const std::filesystem::path& file,
+                 std::function<void()> written);
     // Cancels the job that runs; a correction is then taken back.
     void cancel();
 

@@ -4,8 +4,7 @@
 
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
-#include "core/base/error.h"
-#include "core/image/dicom_segmentation.h"
+#include "core/image/segmentation_writer.h"
 #include "core/opening/case_segmentation.h"
 
 namespace hepatica {
@@ -18,17 +17,9 @@ struct ExportChoices {
     std::filesystem::path out;
 };
 
-// A slip of the hand overwrites no slice of the CT.
-void require_place(const std::filesystem::path& file) {
-    require_writable(file);
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored) && !is_dicom_segmentation(file))
-        throw InputError("is there and is no segmentation", file.string(),
-                         "Give --out another name, or take the file away");
-}
-
 Json run_export(const ExportChoices& options, Job& job) {
-    require_place(options.out);
+    require_writable(options.out);
+    require_segmentation_place(options.out);
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);

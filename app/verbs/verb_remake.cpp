@@ -16,6 +16,7 @@
 #include "core/opening/patient_image.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/remade_case.h"
+#include "core/reconstruction/vessel_preview.h"
 
 namespace hepatica {
 
@@ -31,6 +32,7 @@ struct RemakeChoices {
     fs::path ct;
     fs::path out;
     std::vector<std::string> painted, erased;  // X,Y,Z,RADIUS
+    ThresholdChoice threshold;
 };
 
 BrushStroke dab(const std::string& option, const std::string& text, bool erases) {
@@ -54,6 +56,13 @@ std::vector<BrushStroke> dabs(const RemakeChoices& options) {
     return strokes;
 }
 
+constexpr auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+
+// Another threshold than the one by which the case's vessels were found, or a smoother surface.
+bool searches(const RemakeChoices& options) {
+    return options.threshold.line_share != 1.0 || options.threshold.refinement_recursions != 0;
+}
+
 // Those of the file, else the case's, painted and erased.
 Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>& strokes,
                     const PatientCase& patient, const Grid& ct_grid,
@@ -71,7 +80,6 @@ Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>
         throw InputError("holds no voxels of its vessels", options.patient.string(),
                          "Give some: --vessels FILE");
     }
-    const auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
     for (const BrushStroke& stroke : strokes) {
         const Vec3& place = stroke.path_mm.front();
         if (!holds(vessels.grid, place))
@@ -88,18 +96,26 @@ auto vessel_voxels(const Mask& mask) {
 }
 
 Json run_remake(const RemakeChoices& options, Job& job) {
-    if (options.vessels.empty() && options.painted.empty() && options.erased.empty())
+    if (options.vessels.empty() && options.painted.empty() && options.erased.empty() &&
+        !searches(options))
         throw UsageError("there is nothing to change", "remake",
-                         "Give --vessels FILE, --paint X,Y,Z,RADIUS or --erase X,Y,Z,RADIUS");
+                         "Give --vessels FILE, --paint X,Y,Z,RADIUS, --erase X,Y,Z,RADIUS, "
+                         "--line-share SHARE or --refine N");
+    if (!options.vessels.empty() && searches(options))
+        throw UsageError("vessels of a file are taken as they are", "--vessels",
+                         "Leave --line-share and --refine out, or --vessels");
     const fs::path& out = options.out.empty() ? options.patient : options.out;
     if (!options.out.empty()) require_case_place(options.out);
     const std::vector<BrushStroke> strokes = dabs(options);  // refused before the long work
-    job.expect_stages(remade_stages + 3);
+    job.expect_stages(remade_stages + 3 + (searches(options) ? preview_stages : 0));
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);
     const Volume ct = image_of(patient, options.ct, job);
     std::vector<std::string> warnings;
     Mask vessels = wanted_vessels(options, strokes, patient, ct.grid, warnings, job);
+    if (searches(options))
+        vessels = VesselPreview(ct, patient.organs, job)
+                      .vessels(vessels, options.threshold, unknown, job);
     RemadeCase made = remade(patient, std::move(vessels), ct, job);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
@@ -132,6 +148,13 @@ void add_remake(CommandLine& line) {
     verb.add_option("--erase", options->erased,
                     "X,Y,Z,RADIUS [mm]: a ball without vessel, after what is painted; may be "
                     "repeated");
+    verb.add_option("--line-share", options->threshold.line_share,
+                    "Share of the usual strength from which a line is believed to be a vessel, 0.4 "
+                    "to 2: below 1 more and fainter vessels come in, above 1 the faintest go")
+        ->check(CLI::Range(least_line_share, most_line_share));
+    verb.add_option("--refine", options->threshold.refinement_recursions,
+                    "Recursions of the Gaussian refinement of the surface, 0 to 10")
+        ->check(CLI::Range(0, 10));
     verb.add_option("--ct", options->ct,
                     "CT of the case: a folder or a file; the built-in patient needs none");
     verb.add_option("--out", options->out,

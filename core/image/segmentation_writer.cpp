@@ -15,6 +15,7 @@
 #include "core/base/quoted_name.h"
 #include "core/base/temporary_folder.h"
 #include "core/image/dicom_reader.h"
+#include "core/image/dicom_segmentation.h"
 
 namespace hepatica {
 
@@ -154,9 +155,17 @@ std::vector<DicomSlice> classic_slices(const fs::path& ct, int series, Job& job)
 
 }  // namespace
 
+void require_segmentation_place(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::exists(file, ignored) && !is_dicom_segmentation(file))
+        throw InputError("is there and is no segmentation", file.string(),
+                         "Choose another name, or take the file away");
+}
+
 void write_dicom_segmentation(const fs::path& file, std::span<const SegmentMeaning> segments,
                               std::span<const SegmentLayer> layers, const fs::path& ct, int series,
                               const std::string& program_version, Job& job) {
+    require_segmentation_place(file);
     job.begin_stage("Writing the segmentation");
     const std::vector<DicomSlice> slices = classic_slices(ct, series, job);
     const std::vector<FoundFrame> frames = frames_of(slices, segments.size(), layers, job);

@@ -37,11 +37,16 @@ struct SegmentLayer {
     std::map<std::uint8_t, std::size_t> segment_of;  // label to index
 };
 
+// Throws InputError where a file is there that is no DICOM segmentation: a slip of the hand
+// overwrites no slice of the CT.
+void require_segmentation_place(const std::filesystem::path& file);
+
 // Segments of several layers may overlap; one without a pixel in the CT is left out. `ct` and
 // `series` are as for read_volume(). The file holds patient, study and frame of reference of the
 // CT, the patient's name among them. Begins one stage. Throws Cancelled; InputError where the CT is
 // no DICOM series of classic slices, lacks identifiers, no segment has a pixel in it, the helper is
-// missing or takes more than 2 GiB or two minutes, or the file cannot be written: nothing is then.
+// missing or takes more than 2 GiB or two minutes, or the file cannot be written: nothing is then;
+// as require_segmentation_place() does.
 void write_dicom_segmentation(const std::filesystem::path& file,
                               std::span<const SegmentMeaning> segments,
                               std::span<const SegmentLayer> layers, const std::filesystem::path& ct,

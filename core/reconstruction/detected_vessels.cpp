@@ -50,18 +50,10 @@ double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     return robust_spread(excess, object_count(inner) >= enough ? inner : vessels, job).median;
 }
 
-// Drops the pieces that lie elsewhere for the most part.
-void keep_within(const Mask& where, double least_share, Detection& detection, const Job& job) {
-    detection.vessels = pieces_within(detection.vessels, where, least_share, job);
-    for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
-        if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
-}
-
 }  // namespace
 
-DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
-                                double line_share, Job& job) {
-    DetectedVessels result;
+MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options, Job& job) {
+    MeasuredLiver result;
     FoundLiver found;
     if (!options.liver) {
         job.begin_stage("Finding the liver");
@@ -71,27 +63,35 @@ DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& opt
     const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;
     result.frame =
         make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing, job);
-    found.vessel_region = Mask();
-
-    LiverFrame& frame = result.frame;
-
-    job.begin_stage("Measuring the contrast");
-    result.tissue = measure_tissue(frame.intensity, frame.liver, job);
-    TissueContrast& tissue = result.tissue;
-    if (options.window_hu) apply_window(frame, *options.window_hu, tissue);
-
-    job.begin_stage("Segmenting the vessels");
-    result.detection =
-        detect_vessels(tissue, frame.liver, ct.grid.spacing_mm, {options.method, line_share}, job);
-    job.throw_if_cancelled();
-    keep_within(tissue.interior, least_inner_share, result.detection, job);
-    job.throw_if_cancelled();
+    const LiverFrame& frame = result.frame;
+    result.liver_was_given = options.liver.has_value();
     result.liver = options.liver
                        ? frame.liver
                        : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+
+    job.begin_stage("Measuring the contrast");
+    result.tissue = measure_tissue(frame.intensity, frame.liver, job);
+    if (options.window_hu) apply_window(frame, *options.window_hu, result.tissue);
+    return result;
+}
+
+Mask without_others(const MeasuredLiver& measured, const Mask& vessels, const Job& job) {
+    const Mask inner = pieces_within(vessels, measured.tissue.interior, least_inner_share, job);
     // Spleen, pancreas and heart may hang together with the region that was searched.
-    if (!options.liver) keep_within(result.liver, least_liver_share, result.detection, job);
-    job.throw_if_cancelled();
+    return measured.liver_was_given ? inner
+                                    : pieces_within(inner, measured.liver, least_liver_share, job);
+}
+
+DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
+                                double line_share, Job& job) {
+    DetectedVessels result{measure_liver(ct, options, job), {}};
+    job.begin_stage("Segmenting the vessels");
+    Detection& detection = result.detection;
+    detection = detect_vessels(result.tissue, result.frame.liver, ct.grid.spacing_mm,
+                               {options.method, line_share}, job);
+    detection.vessels = without_others(result, detection.vessels, job);
+    for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
+        if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
     return result;
 }
 

@@ -11,15 +11,26 @@
 
 namespace hepatica {
 
-struct DetectedVessels {
+struct MeasuredLiver {
     LiverFrame frame;
     TissueContrast tissue;
     Mask liver;  // closed; where none was given, the one found; on the frame's grid
+    bool liver_was_given = false;
+};
+
+struct DetectedVessels : MeasuredLiver {
     Detection detection;
 };
 
-// Begins the stages from "Finding the liver" to "Segmenting the vessels". line_share: of
-// DetectionOptions. Throws InputError where there is no liver; Cancelled.
+// Begins the stages from "Finding the liver" to "Measuring the contrast". Throws InputError where
+// there is no liver; Cancelled.
+MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options, Job& job);
+
+// Without the pieces that lie in the rim of what was searched, or outside of the liver that was
+// found, for the most part: other organs' vessels and walls. On the liver's grid. Throws Cancelled.
+Mask without_others(const MeasuredLiver& measured, const Mask& vessels, const Job& job);
+
+// The same and the stage "Segmenting the vessels". line_share: of DetectionOptions.
 DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
                                 double line_share, Job& job);
 

@@ -61,12 +61,6 @@ constexpr double kept_branch_mm = 4.0;
 constexpr double growth_mm = 1.6;
 const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
 
-struct Evidence {
-    FloatVolume rise;  // smoothed excess
-    double deviation = 0.0;
-    double false_line_hu = 0.0;  // once lines have been measured
-};
-
 // How much the CT's voxel size degrades thin vessels, each from 0 to 1.
 struct Sampling {
     double thick;   // slices: the organs around shine into the next one
@@ -109,8 +103,9 @@ RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& inter
             std::max(away.deviation, least_deviation_hu)};
 }
 
-Evidence smoothed(const TissueContrast& tissue, Job& job) {
-    Evidence evidence;
+// No lines have been measured yet.
+LineEvidence smoothed(const TissueContrast& tissue, Job& job) {
+    LineEvidence evidence;
     evidence.rise = copied_image(tissue.excess, job);
     gaussian_smooth(evidence.rise, Vec3::Constant(surface_sigma_mm), job);
     job.throw_if_cancelled();
@@ -119,7 +114,7 @@ Evidence smoothed(const TissueContrast& tissue, Job& job) {
     for_each_voxel(evidence.rise.voxels.size(), job, [&](std::size_t i) {
         evidence.rise.voxels[i] -= static_cast<float>(spread.median);
     });
-    evidence.deviation = spread.deviation;
+    evidence.deviation_hu = spread.deviation;
     return evidence;
 }
 
@@ -153,40 +148,44 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
     return std::lerp(fine, coarse, sampling.coarse) - thick_slices_share * sampling.thick;
 }
 
-Mask coherent(const TissueContrast& tissue, const Mask& liver, Evidence& evidence,
-              const Sampling& sampling, double line_share, Job& job) {
-    if (tissue.threshold_hu) {  // as the user has set it, whatever the noise
-        const Mask bright = above(evidence.rise, *tissue.threshold_hu, liver);
-        return grown_from(bright, bright, job);
-    }
-    const FloatVolume bright = clipped(tissue, evidence.deviation, line_sigma_mm, job);
-    FloatVolume standing_out = clipped(tissue, evidence.deviation, surroundings_sigma_mm, job);
+// The rise of the tissue becomes that of the lines.
+MeasuredLines lines_of(const TissueContrast& tissue, const Mask& liver, LineEvidence evidence,
+                       const Sampling& sampling, double line_share, Job& job) {
+    const double deviation = evidence.deviation_hu;
+    const FloatVolume bright = clipped(tissue, deviation, line_sigma_mm, job);
+    FloatVolume standing_out = clipped(tissue, deviation, surroundings_sigma_mm, job);
     for_each_voxel(bright.voxels.size(), job, [&](std::size_t i) {
         standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
     });
     job.advance(0.2);
-    const double threshold_hu = false_line_threshold(
-        standing_out, evidence.deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
+    evidence.false_line_hu = false_line_threshold(
+        standing_out, deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
     job.advance(0.4);
-    evidence.false_line_hu = threshold_hu;
-    const double believed_hu = line_share * threshold_hu;
-    const double weak_hu = share_of(weak_share, coarse_weak_share, sampling) * believed_hu;
+    MeasuredLines lines;
+    lines.strong_share = share_of(strong_share, coarse_strong_share, sampling);
+    lines.weak_share = share_of(weak_share, coarse_weak_share, sampling);
+    const double weak_hu = lines.weak_share * line_share * evidence.false_line_hu;
     const Mask candidates =
-        above(evidence.rise, std::min(candidate_deviations * evidence.deviation, weak_hu), liver);
-    const FloatVolume lines = line_coherence(bright, candidates, LineOptions{}, job);
-    job.advance(0.6);
-    return grown_from(
-        above(lines, share_of(strong_share, coarse_strong_share, sampling) * believed_hu, liver),
-        above(evidence.rise, weak_hu, liver), job);
+        above(evidence.rise, std::min(candidate_deviations * deviation, weak_hu), liver);
+    lines.strength = line_coherence(bright, candidates, LineOptions{}, job);
+    lines.evidence = std::move(evidence);
+    lines.liver = liver;
+    return lines;
 }
 
-Mask tubular(const TissueContrast& tissue, const Mask& liver, const Evidence& evidence,
+// As the user has set it, whatever the noise.
+Mask within_window(const FloatVolume& rise, double threshold_hu, const Mask& liver, Job& job) {
+    const Mask bright = above(rise, threshold_hu, liver);
+    return grown_from(bright, bright, job);
+}
+
+Mask tubular(const TissueContrast& tissue, const Mask& liver, const LineEvidence& evidence,
              const Sampling& sampling, Job& job) {
     const double weak_hu =
-        tissue.threshold_hu.value_or((weak_deviations - sampling.thick) * evidence.deviation);
+        tissue.threshold_hu.value_or((weak_deviations - sampling.thick) * evidence.deviation_hu);
     const Mask tubes =
-        above(vesselness(clipped(tissue, evidence.deviation, 0.0, job), tube_sigmas_mm, job),
-              tubular_deviations * evidence.deviation, liver);
+        above(vesselness(clipped(tissue, evidence.deviation_hu, 0.0, job), tube_sigmas_mm, job),
+              tubular_deviations * evidence.deviation_hu, liver);
     job.advance(0.6);
     return grown_from(tubes, above(evidence.rise, weak_hu, liver), job);
 }
@@ -216,32 +215,55 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
     }
 }
 
+MeasuredLines measure_lines(const TissueContrast& tissue, const Mask& liver,
+                            const Vec3& ct_spacing_mm, double line_share, Job& job) {
+    const Sampling sampling = sampling_of(ct_spacing_mm);
+    LineEvidence evidence = smoothed(tissue, job);
+    job.advance(0.1);
+    const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+    return lines_of(tissue, inner, std::move(evidence), sampling, line_share, job);
+}
+
+Mask believed_lines(const MeasuredLines& lines, double line_share, Job& job) {
+    const double believed_hu = line_share * lines.evidence.false_line_hu;
+    return grown_from(above(lines.strength, lines.strong_share * believed_hu, lines.liver),
+                      above(lines.evidence.rise, lines.weak_share * believed_hu, lines.liver), job);
+}
+
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          const DetectionOptions& options, Job& job) {
     if (options.method == SegmentationMethod::multi_layer)
         return detect_by_layers(tissue, liver, job);
     const Sampling sampling = sampling_of(ct_spacing_mm);
-    Evidence evidence = smoothed(tissue, job);
-    job.advance(0.1);
-    const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
-    const Mask vessels = options.method == SegmentationMethod::coherent
-                             ? coherent(tissue, inner, evidence, sampling, options.line_share, job)
-                             : tubular(tissue, inner, evidence, sampling, job);
+    LineEvidence evidence;
+    Mask vessels;
+    if (options.method == SegmentationMethod::coherent && !tissue.threshold_hu) {
+        MeasuredLines lines = measure_lines(tissue, liver, ct_spacing_mm, options.line_share, job);
+        job.advance(0.6);
+        vessels = believed_lines(lines, options.line_share, job);
+        evidence = std::move(lines.evidence);
+    } else {
+        evidence = smoothed(tissue, job);
+        job.advance(0.1);
+        const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+        vessels = options.method == SegmentationMethod::coherent
+                      ? within_window(evidence.rise, *tissue.threshold_hu, inner, job)
+                      : tubular(tissue, inner, evidence, sampling, job);
+    }
     job.advance(0.75);
     job.throw_if_cancelled();
     FloatVolume wall = copied_image(tissue.excess, job);
     gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
     job.advance(0.8);
     job.throw_if_cancelled();
-    Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation,
+    Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation_hu,
                               surface_for(sampling), job);
     job.advance(0.9);
     const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
     job.throw_if_cancelled();
     rejoin(skeleton, kept_branch_mm, fitted, job);
     Detection found{std::move(fitted), Mask(), std::nullopt};
-    if (evidence.false_line_hu > 0.0)
-        found.evidence = {std::move(evidence.rise), evidence.deviation, evidence.false_line_hu};
+    if (evidence.false_line_hu > 0.0) found.evidence = std::move(evidence);
     return found;
 }
 

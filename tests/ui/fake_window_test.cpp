@@ -8,10 +8,20 @@
 
 namespace hepatica::testing {
 
-FakeWindowTest::FakeWindowTest()
-    : WindowTest(
-          {[this](const OpenRequest& request, Job& job) { return load(request, job); },
-           [this](const std::filesystem::path& path, const PatientCase&) { saved_ = path; }}) {}
+FakeWindowTest::FakeWindowTest() : WindowTest(patients()) {}
+
+MainWindow::Patients FakeWindowTest::patients() {
+    MainWindow::Patients patients;
+    patients.load = [this](const OpenRequest& request, Job& job) { return load(request, job); };
+    patients.save = [this](const std::filesystem::path& path, const PatientCase&) {
+        saved_ = path;
+    };
+    patients.archive = [this](const PatientCase&, const std::filesystem::path& ct,
+                              const std::filesystem::path& file, Job&) {
+        archived_ = {ct, file};
+    };
+    return patients;
+}
 
 LoadedPatient FakeWindowTest::load(const OpenRequest& request, Job& job) {
     if (request.built_in) return fake_patient(&simulation_);

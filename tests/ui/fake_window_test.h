@@ -2,6 +2,7 @@
 // A test of the whole window with a fake simulation behind it, which keeps every command.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <vector>
@@ -15,6 +16,7 @@ class FakeWindowTest : public WindowTest {
   protected:
     FakeWindowTest();
 
+    MainWindow::Patients patients();
     // The built-in patient is the fake one; a path ending in "endless" loads until it is cancelled;
     // every other path is refused.
     LoadedPatient load(const OpenRequest& request, Job& job);
@@ -35,6 +37,7 @@ class FakeWindowTest : public WindowTest {
 
     FakeSimulation* simulation_ = nullptr;
     std::filesystem::path saved_;
+    std::array<std::filesystem::path, 2> archived_;  // the CT's folder, the file
     std::atomic<bool> endless_job_runs_ = false;
 };
 

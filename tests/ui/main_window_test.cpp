@@ -4,15 +4,20 @@
 
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 #include <filesystem>
 #include <stdexcept>
 
 #include "core/base/error.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/message_bar.h"
+#include "ui/paths.h"
 
 namespace hepatica {
 namespace {
@@ -132,6 +137,29 @@ TEST_F(Window, saves_the_picture_it_shows_under_any_name_and_names_the_folder_it
     const QImage saved(file);
     EXPECT_EQ(saved.size(), pixel_size(window_.view().size(), window_.view().devicePixelRatioF()));
     EXPECT_THROW(window_.save_picture("/proc/hepatica/a.png"), InputError);
+}
+
+// Where the CT lies is asked where nobody knows; a file in its folder is enough.
+TEST_F(Window, exports_a_segmentation_of_the_ct_whose_place_it_asks_for) {
+    open_built_in();
+    const QString slice = folder_.filePath("slice.dcm");
+    QFile(slice).open(QIODevice::WriteOnly);
+    QStringList answers{slice, folder_.filePath("vessels")};
+    QTimer answering;
+    QObject::connect(&answering, &QTimer::timeout, [&answers] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr || answers.isEmpty()) return;
+        dialog->findChild<QLineEdit*>()->setText(answers.takeFirst());
+        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+    });
+    answering.start(20);
+    QAction& action = window_.actions()[ActionId::archive_case];
+    EXPECT_TRUE(action.isEnabled());
+    action.trigger();
+    ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+    EXPECT_TRUE(answers.isEmpty());
+    EXPECT_EQ(archived_[0], to_path(folder_.path()));
+    EXPECT_EQ(archived_[1], to_path(folder_.filePath("vessels.dcm")));
 }
 
 TEST_F(Window, saves_the_case_beside_its_work) {

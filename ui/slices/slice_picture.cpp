@@ -58,8 +58,9 @@ SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int s
         lay_segments(picture.image, segments);
         picture.segment_numbers = segment_numbers(segments, slices.columns(), least_numbered);
     }
-    if (scene.opacity() > 0.0 && !scene.systems().voxels.empty())
-        lay_systems(picture.image, label_slice(scene.systems(), slices, slice), scene.opacity());
+    if (scene.opacity() > 0.0 && !scene.shown_systems().voxels.empty())
+        lay_systems(picture.image, label_slice(scene.shown_systems(), slices, slice),
+                    scene.opacity());
     return picture;
 }
 

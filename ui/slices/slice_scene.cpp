@@ -35,6 +35,7 @@ SliceScene::SliceScene() {
 void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
     ct_ = std::move(ct);
     systems_ = std::move(systems);
+    preview_ = {};
     forget_strokes();
     tree_ = tree;
     centrelines_ = centrelines_of(tree);
@@ -61,6 +62,7 @@ void SliceScene::set_systems(Mask systems) {
     const Mask& before = brush_.strokes().empty() ? systems_ : unpainted_;
     if (systems.voxels == before.voxels) return;
     systems_ = std::move(systems);
+    preview_ = {};
     forget_strokes();
     tell_of_voxels();
 }
@@ -90,6 +92,7 @@ void SliceScene::follow_brush() {
     }
     shown_strokes_ = strokes.size();
     shown_points_ = points;
+    preview_ = {};  // of the voxels before this stroke
     tell_of_voxels();
 }
 
@@ -101,8 +104,14 @@ std::string SliceScene::why_not_painted(const Vec3& position_mm) const {
     return {};
 }
 
+void SliceScene::set_preview(Mask systems) {
+    if (systems.voxels.empty() && preview_.voxels.empty()) return;
+    preview_ = std::move(systems);
+    tell_of_voxels();
+}
+
 Mask SliceScene::vessels() const {
-    Mask vessels = systems_;
+    Mask vessels = shown_systems();
     std::ranges::replace(vessels.voxels, painted_label,
                          static_cast<std::uint8_t>(number_of(VascularSystem::unknown)));
     return vessels;
@@ -111,6 +120,7 @@ Mask SliceScene::vessels() const {
 void SliceScene::clear() {
     ct_.reset();
     systems_ = {};
+    preview_ = {};
     forget_strokes();
     brush_.set_mode(BrushMode::away);
     segments_ = {};

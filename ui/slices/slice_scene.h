@@ -47,7 +47,12 @@ class SliceScene {
     const Mask& systems() const { return systems_; }
     // Why a brush leaves nothing at this place; empty: it does.
     std::string why_not_painted(const Vec3& position_mm) const;
-    // The same with what is painted as vessels of an unknown system.
+    // What the slices show instead while a choice is tried out, and which becomes the vessels where
+    // the person says so; empty: nothing is tried.
+    void set_preview(Mask systems);
+    const Mask& preview() const { return preview_; }
+    const Mask& shown_systems() const { return preview_.voxels.empty() ? systems_ : preview_; }
+    // What is shown, with what is painted or found anew as vessels of an unknown system.
     Mask vessels() const;
     // Others, of the same patient; what was painted on those before is dropped. Nothing changes
     // where they are those before.
@@ -98,6 +103,7 @@ class SliceScene {
 
     std::shared_ptr<const Volume> ct_;
     Mask systems_;
+    Mask preview_;
     Mask unpainted_;  // systems_ before the first stroke; empty: there is none
     // Of the strokes that systems_ shows: how many, and points of the last.
     std::size_t shown_strokes_ = 0, shown_points_ = 0;

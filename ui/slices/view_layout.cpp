@@ -7,9 +7,11 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/opening/patient_image.h"
 #include "ui/core_words.h"
 #include "ui/slices/slice_bar.h"
 #include "ui/slices/slice_view.h"
+#include "ui/slices/threshold_dialog.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -46,6 +48,18 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                  }}),
       view_(view) {
     build(view);
+    threshold_ =
+        new ThresholdDialog(scene_,
+                            {[this] {
+                                 return [patient = patient_, folder = folder_] {
+                                     return organ_voxels(*patient, folder);
+                                 };
+                             },
+                             [this](std::shared_ptr<const Volume> ct, Mask vessels) {
+                                 callbacks_.remake(std::move(ct), std::move(vessels));
+                             },
+                             [this](const Failure& failure) { callbacks_.failed(failure); }},
+                            this);
     scene_.on_change([this] { mark_crosshair(); });
     scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
@@ -105,6 +119,7 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
                               const std::filesystem::path& image) {
     clear();
     patient_ = patient;
+    folder_ = folder;
     segments_.show(patient, folder);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
@@ -119,6 +134,12 @@ void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);
     want_segments();
+}
+
+void ViewLayout::choose_threshold() {
+    threshold_->show();
+    threshold_->raise();
+    threshold_->activateWindow();
 }
 
 void ViewLayout::want_segments() {

@@ -21,6 +21,7 @@ class QPushButton;
 namespace hepatica {
 
 class SliceBar;
+class ThresholdDialog;
 class SliceView;
 
 class ViewLayout : public QWidget {
@@ -55,6 +56,9 @@ class ViewLayout : public QWidget {
     // The CT is read when slices are to be seen, and not before.
     void set_slices_visible(bool visible);
     bool slices_visible() const { return slices_visible_; }
+    // Opens the dialog of more or fewer vessels, for the slices that are or will be shown.
+    void choose_threshold();
+    ThresholdDialog& threshold() { return *threshold_; }
     SliceScene& slices() { return scene_; }
     SliceView& slice_view(SliceDirection direction) {
         return *views_[static_cast<std::size_t>(direction)];
@@ -74,9 +78,11 @@ class ViewLayout : public QWidget {
     CtKeeper keeper_;
     SegmentKeeper segments_;
     std::shared_ptr<const PatientCase> patient_;
+    std::filesystem::path folder_;  // his case
     QWidget* view_;
     std::array<SliceView*, 3> views_{};
     SliceBar* bar_ = nullptr;
+    ThresholdDialog* threshold_ = nullptr;
     QWidget* notice_ = nullptr;  // in the place of the slices
     QLabel* notice_text_ = nullptr;
     QPushButton* choose_ = nullptr;

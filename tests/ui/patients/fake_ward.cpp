@@ -159,6 +159,14 @@ PatientKeeper::Ways FakeWard::ways() {
                       [](const TreeEdit& edit) { return edit.at_mm.x() >= 100; });
         return made;
     };
+    ways.archive = [this](const PatientCase& patient, const std::filesystem::path& ct,
+                          const std::filesystem::path& file, Job& job) {
+        hold(hold_archiving, job);
+        if (disk_full) throw InputError("the disk is full", file.string(), "");
+        const std::lock_guard lock(mutex_);
+        archived.push_back(ct.string() + " to " + file.string() + " with " +
+                           std::to_string(patient.corrections.edits.size()));
+    };
     ways.check = [](const PatientCase&, const std::vector<TreeEdit>& edits) {
         for (const int number : numbers_of(edits))
             if (number < 0) throw InputError("cannot be made", std::to_string(number), "");

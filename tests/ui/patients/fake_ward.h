@@ -49,6 +49,7 @@ class FakeWard {
     std::atomic<bool> hold_remakings{false};
     std::atomic<bool> hold_saves{false};
     std::atomic<bool> hold_openings{false};
+    std::atomic<bool> hold_archiving{false};
     std::atomic<bool> disk_full{false};
     std::atomic<int> slowness_us{0};  // of every job
 
@@ -57,6 +58,7 @@ class FakeWard {
     std::optional<std::string> place;
     std::optional<int> series;
     bool left = false;
+    std::vector<std::string> archived;  // "CT to FILE with corrections"
     int questions = 0;
     int places_asked = 0;
     int series_asked = 0;

@@ -372,6 +372,32 @@ TEST_F(Keeper, a_case_saved_over_while_it_was_opened_is_read_again) {
     EXPECT_EQ(numbers_of(ward.workspace().edits()), ward.on_disk("c.hep"));
 }
 
+// As he is corrected when its turn comes; what fails or is cancelled says so and remembers nothing.
+TEST_F(Keeper, archives_the_patient_who_is_shown) {
+    int written = 0;
+    const auto archive = [&] {
+        ward.keeper().archive("/ct", "/archive/a.dcm", [&written] { ++written; });
+    };
+    add(1);
+    archive();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.archived, std::vector<std::string>{"/ct to /archive/a.dcm with 1"});
+    EXPECT_EQ(written, 1);
+    EXPECT_EQ(ward.said.back(), "Saved /archive/a.dcm");
+    ward.disk_full = true;
+    archive();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.failures, std::vector<std::string>{"Writing a.dcm: the disk is full"});
+    ward.disk_full = false;
+    ward.hold_archiving = true;
+    archive();
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.said.back(), "Not saved");
+    EXPECT_EQ(written, 1);
+    EXPECT_TRUE(ward.workspace().dirty()) << "the case itself is not saved by it";
+}
+
 TEST_F(Keeper, paths_are_made_absolute) {
     OpenRequest request;
     request.reconstruct.ct = "some/../ct9";

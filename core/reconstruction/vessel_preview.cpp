@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/vessel_preview.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
+#include "core/patient/patient_case.h"
+#include "core/segmentation/gaussian_refinement.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int most_recursions = 10;
+constexpr double wall_mm = 1.3;  // fitted walls lie at most so far outside of the voxels believed
+
+Mask liver_of(const Mask& organs) {
+    Mask liver = organs;
+    for (std::uint8_t& voxel : liver.voxels)
+        voxel = voxel == organ_label::liver || voxel >= organ_label::first_tumour;
+    return liver;
+}
+
+void require_possible(const ThresholdChoice& choice) {
+    if (!(choice.line_share >= least_line_share && choice.line_share <= most_line_share))
+        throw InputError(number_text(choice.line_share) + " is no share of the usual threshold",
+                         "threshold",
+                         "Give a number from " + number_text(least_line_share) + " to " +
+                             number_text(most_line_share));
+    if (choice.refinement_recursions < 0 || choice.refinement_recursions > most_recursions)
+        throw InputError(
+            std::to_string(choice.refinement_recursions) + " recursions cannot be made",
+            "smoothing", "Give a whole number from 0 to " + std::to_string(most_recursions));
+}
+
+// Voxels of `a` that `b` lacks.
+Mask without(const Mask& a, const Mask& b, const Job& job) {
+    Mask left = a;
+    for_each_voxel(left.voxels.size(), job, [&](std::size_t i) {
+        if (b.voxels[i]) left.voxels[i] = 0;
+    });
+    return left;
+}
+
+// The voxels of a mask by the offsets of another grid in the same frame.
+class SeenFrom {
+  public:
+    SeenFrom(const Grid& grid, const Mask& mask)
+        : grid_(grid), mask_(mask), same_(same_grid(grid, mask.grid)) {}
+
+    std::uint8_t operator()(std::size_t offset) const {
+        if (same_) return mask_.voxels[offset];
+        const Index3 at = grid_.index_of(offset);
+        return value_at(mask_, grid_.to_mm(at[0], at[1], at[2]));
+    }
+
+  private:
+    const Grid& grid_;
+    const Mask& mask_;
+    bool same_;
+};
+
+}  // namespace
+
+VesselPreview::VesselPreview(const Volume& ct, const Mask& organs, Job& job) {
+    SegmentationOptions options;
+    Mask liver = liver_of(organs);
+    if (std::ranges::find(liver.voxels, 1) != liver.voxels.end()) options.liver = std::move(liver);
+    liver_ = measure_liver(ct, options, job);
+    job.begin_stage("Segmenting the vessels");
+    lines_ =
+        measure_lines(liver_.tissue, liver_.frame.liver, ct.grid.spacing_mm, least_line_share, job);
+    liver_.frame = {};
+    liver_.tissue.excess = {};
+    usual_ = believed(1.0, job);
+}
+
+Mask VesselPreview::believed(double line_share, Job& job) const {
+    return without_others(liver_, believed_lines(lines_, line_share, job), job);
+}
+
+Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
+                            Job& job) const {
+    require_possible(choice);
+    Mask vessels = with_threshold(present, choice.line_share, gained, job);
+    return choice.refinement_recursions > 0 ? refine(vessels, choice.refinement_recursions, job)
+                                            : vessels;
+}
+
+// More is believed at a lower threshold and less at a higher one, never both.
+Mask VesselPreview::with_threshold(const Mask& present, double line_share, std::uint8_t gained,
+                                   Job& job) const {
+    Mask vessels = present;
+    if (line_share == 1.0) return vessels;
+    const Mask now = believed(line_share, job);
+    if (line_share < 1.0) {
+        const Mask more = without(now, usual_, job);
+        const SeenFrom is_more(present.grid, more);
+        for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
+            if (vessels.voxels[i] == 0 && is_more(i)) vessels.voxels[i] = gained;
+        });
+        return vessels;
+    }
+    const Mask less =
+        without(dilate(without(usual_, now, job), wall_mm, job), dilate(now, wall_mm, job), job);
+    const SeenFrom is_less(present.grid, less);
+    for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
+        if (vessels.voxels[i] != 0 && is_less(i)) vessels.voxels[i] = 0;
+    });
+    return vessels;
+}
+
+}  // namespace hepatica

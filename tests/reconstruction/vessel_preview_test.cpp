@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reconstruction/vessel_preview.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/image/morphology.h"
+#include "core/patient/patient_case.h"
+#include "core/phantom/phantom.h"
+#include "core/segmentation/gaussian_refinement.h"
+
+namespace hepatica {
+namespace {
+
+constexpr std::uint8_t gained = 200;
+
+// A noisy patient, in whom the faintest vessels are not believed.
+class Preview : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Job job;
+        PhantomOptions options;
+        options.dims = {128, 128, 80};
+        options.spacing_mm = Vec3(1.4, 1.4, 1.6);
+        options.generations = 5;
+        options.noise_hu = 14.0;
+        phantom_ = std::make_unique<Phantom>(make_phantom(options, job));
+        SegmentationOptions search;
+        search.liver = phantom_->liver;
+        present_ = segment_vessels(phantom_->ct, search, job).mask;
+        Mask organs = phantom_->liver;
+        for (std::uint8_t& voxel : organs.voxels) voxel = voxel ? organ_label::liver : 0;
+        preview_ = std::make_unique<VesselPreview>(phantom_->ct, organs, job);
+    }
+    static void TearDownTestSuite() {
+        preview_.reset();
+        phantom_.reset();
+        present_ = {};
+    }
+
+    static Mask vessels(const ThresholdChoice& choice, const Mask& present = present_) {
+        Job job;
+        return preview_->vessels(present, choice, gained, job);
+    }
+    static std::size_t count(const Mask& mask) {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(mask.voxels, [](auto voxel) { return voxel != 0; }));
+    }
+
+    static inline std::unique_ptr<Phantom> phantom_;
+    static inline std::unique_ptr<VesselPreview> preview_;
+    static inline Mask present_;
+};
+
+TEST_F(Preview, ChangesNothingAtTheUsualThreshold) {
+    EXPECT_EQ(vessels({}).voxels, present_.voxels);
+}
+
+TEST_F(Preview, BringsMoreBelowTheUsualAndMarksIt) {
+    std::size_t before = count(present_);
+    Mask smaller = present_;
+    for (const double share : {0.8, 0.6, 0.4}) {
+        const Mask found = vessels({share, 0});
+        for (std::size_t i = 0; i < found.voxels.size(); ++i) {
+            ASSERT_EQ(found.voxels[i], present_.voxels[i] ? present_.voxels[i] : found.voxels[i]);
+            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == gained || present_.voxels[i]);
+            ASSERT_TRUE(found.voxels[i] || !smaller.voxels[i]) << "less than at a higher share";
+        }
+        EXPECT_GT(count(found), before) << share;
+        before = count(found);
+        smaller = found;
+    }
+}
+
+TEST_F(Preview, DropsTheFaintestAboveTheUsual) {
+    std::size_t before = count(present_);
+    for (const double share : {1.3, 1.7, 2.0}) {
+        const Mask found = vessels({share, 0});
+        for (std::size_t i = 0; i < found.voxels.size(); ++i)
+            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == present_.voxels[i]);
+        EXPECT_LT(count(found), before) << share;
+        EXPECT_GT(count(found), 0u);
+        before = count(found);
+    }
+}
+
+// Judged by the truth: the share of the centrelines that lie in vessels rises.
+TEST_F(Preview, WhatComesInAreVessels) {
+    const auto covered = [](const Mask& mask) {
+        std::size_t inside = 0, all = 0;
+        for (const VesselSegment& vessel : phantom_->tree.segments)
+            for (const Vec3& place : vessel.points_mm) {
+                ++all;
+                inside += value_at(mask, place) != 0;
+            }
+        return static_cast<double>(inside) / static_cast<double>(all);
+    };
+    const double usual = covered(present_);
+    EXPECT_GT(covered(vessels({0.7, 0})), usual + 0.02);
+    EXPECT_LT(covered(vessels({1.6, 0})), usual - 0.02);
+}
+
+TEST_F(Preview, SmoothsAsTheReconstructionDoes) {
+    Job job;
+    EXPECT_EQ(vessels({1.0, 2}).voxels, refine(present_, 2, job).voxels);
+}
+
+// A person's voxels may lie on another grid, and hold what no search finds.
+TEST_F(Preview, KeepsWhatSomebodyPaintedOnAnyGrid) {
+    Grid coarse = present_.grid;
+    coarse.spacing_mm *= 2.0;
+    for (int& dim : coarse.dims) dim = (dim + 1) / 2;
+    const Mask painted(coarse, 3);
+    EXPECT_EQ(vessels({0.6, 0}, painted).voxels, painted.voxels);
+    const Mask found = vessels({0.6, 0}, Mask(coarse));
+    EXPECT_GT(count(found), 0u);
+    const Mask fine = vessels({0.6, 0}, Mask(present_.grid));
+    for (std::size_t i = 0; i < found.voxels.size(); ++i) {
+        const Index3 at = coarse.index_of(i);
+        ASSERT_EQ(found.voxels[i], fine.at(2 * at[0], 2 * at[1], 2 * at[2]));
+    }
+}
+
+TEST_F(Preview, RefusesWhatNoThresholdCanBe) {
+    for (const double share : {0.39, 2.01, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_THROW(vessels({share, 0}), InputError) << share;
+    for (const int recursions : {-1, 11}) EXPECT_THROW(vessels({1.0, recursions}), InputError);
+}
+
+TEST_F(Preview, HearsACancel) {
+    Job job;
+    job.cancel();
+    EXPECT_THROW(preview_->vessels(present_, {0.7, 0}, gained, job), Cancelled);
+    EXPECT_THROW(VesselPreview(phantom_->ct, Mask(), job), Cancelled);
+}
+
+}  // namespace
+}  // namespace hepatica

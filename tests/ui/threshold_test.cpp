@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// More or fewer vessels by a slider, over the slices of a synthetic patient.
+#include "ui/slices/threshold_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <algorithm>
+
+#include "core/phantom/phantom.h"
+#include "tests/ui/slices_test.h"
+
+namespace hepatica {
+namespace {
+
+class Threshold : public ::testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Job job;
+        PhantomOptions options;
+        options.dims = {96, 96, 64};
+        options.spacing_mm = Vec3(1.8, 1.8, 2.0);
+        options.generations = 4;
+        options.noise_hu = 14.0;
+        phantom_ = std::make_unique<Phantom>(make_phantom(options, job));
+        ct_ = std::make_shared<const Volume>(phantom_->ct);
+        SegmentationOptions search;
+        search.liver = phantom_->liver;
+        found_ = segment_vessels(*ct_, search, job).mask;
+    }
+    static void TearDownTestSuite() {
+        phantom_.reset();
+        ct_.reset();
+    }
+
+    Threshold()
+        : dialog_(scene_, {[this] { return [organs = organs_] { return organs; }; },
+                           [this](std::shared_ptr<const Volume> ct, Mask vessels) {
+                               remade_ct_ = std::move(ct);
+                               remade_ = std::move(vessels);
+                           },
+                           [this](const Failure& failure) { failed_ = failure.problem; }}) {
+        organs_ = phantom_->liver;
+        for (std::uint8_t& voxel : organs_.voxels) voxel = voxel ? organ_label::liver : 0;
+    }
+
+    void open() {
+        scene_.show(ct_, found_, phantom_->tree);
+        dialog_.show();
+        ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    }
+    void choose(int percent) {
+        dialog_.findChild<QSlider*>("lineShare")->setValue(percent);
+        ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    }
+    QPushButton& rebuild() { return *dialog_.findChild<QPushButton*>("rebuildByThreshold"); }
+    QString state() { return dialog_.findChild<QLabel*>("thresholdState")->text(); }
+    static auto count(const Mask& mask, std::uint8_t label) {
+        return std::ranges::count(mask.voxels, label);
+    }
+
+    static inline std::unique_ptr<Phantom> phantom_;
+    static inline std::shared_ptr<const Volume> ct_;
+    static inline Mask found_;
+
+    Mask organs_;
+    SliceScene scene_;
+    std::shared_ptr<const Volume> remade_ct_;
+    Mask remade_;
+    std::string failed_;
+    ThresholdDialog dialog_;
+};
+
+TEST_F(Threshold, ShowsInTheSlicesWhatItWouldFind) {
+    open();
+    EXPECT_TRUE(dialog_.measured());
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    EXPECT_FALSE(rebuild().isEnabled());
+    choose(60);
+    EXPECT_GT(count(scene_.shown_systems(), painted_label), 0);
+    EXPECT_EQ(count(scene_.systems(), painted_label), 0) << "nothing has changed yet";
+    EXPECT_TRUE(rebuild().isEnabled());
+    EXPECT_TRUE(state().contains("mL of vessels")) << state().toStdString();
+    choose(180);
+    EXPECT_EQ(count(scene_.shown_systems(), painted_label), 0);
+    EXPECT_GT(count(scene_.shown_systems(), 0), count(scene_.systems(), 0));
+    choose(100);
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    EXPECT_FALSE(rebuild().isEnabled());
+}
+
+TEST_F(Threshold, RebuildsWhatTheSlicesShow) {
+    open();
+    choose(60);
+    const Mask shown = scene_.shown_systems();
+    rebuild().click();
+    EXPECT_EQ(remade_ct_, ct_);
+    const auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+    for (std::size_t i = 0; i < shown.voxels.size(); ++i)
+        ASSERT_EQ(remade_.voxels[i], shown.voxels[i] == painted_label ? unknown : shown.voxels[i]);
+    // Once they are there, the slider stands for them.
+    scene_.set_systems(remade_);
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_FALSE(rebuild().isEnabled());
+}
+
+// However often it is moved while one choice is being made.
+TEST_F(Threshold, EndsWithTheLastChoice) {
+    open();
+    choose(60);
+    const Mask expected = scene_.shown_systems();
+    for (const int percent : {150, 45, 90, 120}) dialog_.findChild<QSlider*>()->setValue(percent);
+    choose(60);
+    EXPECT_EQ(scene_.shown_systems().voxels, expected.voxels);
+    dialog_.findChild<QSpinBox*>("refinement")->setValue(2);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_NE(scene_.shown_systems().voxels, expected.voxels);
+}
+
+TEST_F(Threshold, LeavesTheSlicesToABrush) {
+    open();
+    choose(60);
+    scene_.brush().set_mode(BrushMode::erases);
+    scene_.brush().begin(scene_.crosshair_mm());
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+    EXPECT_EQ(count(scene_.shown_systems(), painted_label), 0);
+    // And is tried on what is left of the vessels.
+    choose(60);
+    EXPECT_EQ(value_at(scene_.shown_systems(), scene_.crosshair_mm()), 0);
+}
+
+TEST_F(Threshold, ForgetsItsLinesWhenItIsClosed) {
+    open();
+    choose(60);
+    dialog_.hide();
+    EXPECT_FALSE(dialog_.measured());
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+}
+
+TEST_F(Threshold, WaitsForTheCtAndSaysWhatIsMissing) {
+    dialog_.show();
+    EXPECT_FALSE(dialog_.working());
+    EXPECT_EQ(state(), "Waiting for the CT");
+    scene_.show(ct_, {}, phantom_->tree);
+    EXPECT_FALSE(dialog_.working());
+    EXPECT_EQ(state(), "This case knows no voxels of its vessels");
+    scene_.clear();
+    organs_ = {};
+    const auto air = std::make_shared<const Volume>(ct_->grid, std::int16_t{-1000});
+    scene_.show(air, found_, phantom_->tree);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_FALSE(failed_.empty());
+    EXPECT_EQ(state().toStdString(), failed_);
+    EXPECT_FALSE(rebuild().isEnabled());
+}
+
+class ThresholdInWindow : public testing::SlicesTest {};
+
+TEST_F(ThresholdInWindow, OpensWithTheSlices) {
+    views().show_patient(patient_, {}, file_);
+    QTest::keyClick(&window_, Qt::Key_F4);
+    EXPECT_TRUE(views().slices_visible());
+    EXPECT_TRUE(views().threshold().isVisible());
+    ASSERT_TRUE(
+        testing::wait_for([this] { return !scene().empty() && !views().threshold().working(); }));
+    EXPECT_FALSE(views().threshold().measured()) << "there is no liver in that CT";
+}
+
+}  // namespace
+}  // namespace hepatica

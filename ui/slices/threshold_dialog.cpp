@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/threshold_dialog.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/core_words.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+namespace {
+
+constexpr int usual_percent = 100;
+constexpr int progress_steps = 1000;
+
+double millilitres(const Mask& vessels) {
+    const auto count =
+        std::ranges::count_if(vessels.voxels, [](std::uint8_t voxel) { return voxel != 0; });
+    return static_cast<double>(count) * vessels.grid.spacing_mm.prod() / 1000.0;
+}
+
+}  // namespace
+
+ThresholdDialog::ThresholdDialog(SliceScene& scene, Ways ways, QWidget* parent)
+    : QDialog(parent), scene_(scene), ways_(std::move(ways)) {
+    setWindowTitle(Words::tr("More or fewer vessels"));
+    build();
+    scene_.on_change([this] { follow_scene(); });
+}
+
+ThresholdDialog::~ThresholdDialog() = default;
+
+void ThresholdDialog::build() {
+    auto* column = new QVBoxLayout(this);
+    auto* form = new QFormLayout;
+    auto* row = new QHBoxLayout;
+    share_ = new QSlider(Qt::Horizontal);
+    share_->setObjectName("lineShare");
+    share_->setAccessibleName(Words::tr("Threshold from which a line is believed to be a vessel"));
+    share_->setRange(static_cast<int>(100 * least_line_share),
+                     static_cast<int>(100 * most_line_share));
+    share_->setMinimumWidth(220);
+    share_->setToolTip(
+        Words::tr("To the left more and fainter vessels come in, and more of what is none; to the "
+                  "right the faintest go"));
+    share_text_ = new QLabel;
+    share_text_->setMinimumWidth(
+        share_text_->fontMetrics().horizontalAdvance(Words::tr("%1 % of the usual").arg(200)));
+    row->addWidget(share_, 1);
+    row->addWidget(share_text_);
+    form->addRow(Words::tr("Threshold"), row);
+    refinement_ = new QSpinBox;
+    refinement_->setObjectName("refinement");
+    refinement_->setRange(0, 10);
+    refinement_->setToolTip(Words::tr("How often the surface is smoothed on top of what was done"));
+    form->addRow(Words::tr("Smoothing"), refinement_);
+    column->addLayout(form);
+    state_ = new QLabel;
+    state_->setObjectName("thresholdState");
+    state_->setWordWrap(true);
+    column->addWidget(state_);
+    progress_ = new QProgressBar;
+    progress_->setRange(0, progress_steps);
+    progress_->setTextVisible(false);
+    column->addWidget(progress_);
+    auto* buttons = new QHBoxLayout;
+    usual_ = new QPushButton(Words::tr("The &usual"));
+    remake_ = new QPushButton(Words::tr("&Rebuild"));
+    remake_->setObjectName("rebuildByThreshold");
+    remake_->setToolTip(
+        Words::tr("The vessels are made anew of what the slices show; an undo takes it back"));
+    auto* close = new QPushButton(Words::tr("&Close"));
+    buttons->addStretch();
+    for (QPushButton* button : {usual_, remake_, close}) {
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+    }
+    column->addLayout(buttons);
+    connect(share_, &QSlider::valueChanged, this, [this] { preview(); });
+    connect(refinement_, &QSpinBox::valueChanged, this, [this] { preview(); });
+    connect(usual_, &QPushButton::clicked, this, [this] { back_to_usual(); });
+    connect(remake_, &QPushButton::clicked, this,
+            [this] { ways_.remake(scene_.shared_ct(), scene_.vessels()); });
+    connect(close, &QPushButton::clicked, this, &QDialog::hide);
+    back_to_usual();
+}
+
+ThresholdChoice ThresholdDialog::choice() const {
+    return {share_->value() / 100.0, refinement_->value()};
+}
+
+void ThresholdDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    follow_scene();
+}
+
+void ThresholdDialog::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    forget();
+    back_to_usual();
+}
+
+void ThresholdDialog::forget() {
+    job_.reset();
+    lines_.reset();
+    ct_.reset();
+    stale_ = false;
+    previewing_ = false;
+    scene_.set_preview({});
+}
+
+// The lines are those of one CT; what is previewed is of the vessels as they are now, which other
+// hands may change.
+void ThresholdDialog::follow_scene() {
+    if (!isVisible()) return;
+    if (scene_.empty()) {
+        if (ct_) forget();
+        return state_->setText(Words::tr("Waiting for the CT"));
+    }
+    if (ct_ != scene_.shared_ct()) return measure();
+    if (!previewing_ || !scene_.preview().voxels.empty()) return;
+    previewing_ = false;
+    back_to_usual();
+}
+
+void ThresholdDialog::measure() {
+    forget();
+    ct_ = scene_.shared_ct();
+    if (scene_.systems().voxels.empty()) {
+        state_->setText(Words::tr("This case knows no voxels of its vessels"));
+        return back_to_usual();
+    }
+    state_->setText(Words::tr("The lines of the CT are being measured…"));
+    start(
+        [this, ct = ct_, read_organs = ways_.organs()](Job& job) -> std::function<void()> {
+            job.expect_stages(1 + preview_stages);
+            job.begin_stage(Words::id("Reading the voxels"));
+            auto lines = std::make_shared<const VesselPreview>(*ct, read_organs(), job);
+            return [this, lines] {
+                lines_ = lines;
+                stale_ = true;
+            };
+        },
+        true);
+}
+
+void ThresholdDialog::preview() {
+    share_text_->setText(Words::tr("%1 % of the usual").arg(share_->value()));
+    stale_ = true;
+    if (!lines_ || job_) return;
+    stale_ = false;
+    start(
+        [this, lines = lines_, choice = choice(),
+         present =
+             std::make_shared<const Mask>(scene_.systems())](Job& job) -> std::function<void()> {
+            auto vessels =
+                std::make_shared<Mask>(lines->vessels(*present, choice, painted_label, job));
+            return [this, vessels] { show_found(std::move(*vessels)); };
+        },
+        false);
+}
+
+void ThresholdDialog::show_found(Mask vessels) {
+    const bool same = vessels.voxels == scene_.systems().voxels;
+    state_->setText(Words::tr("%L1 mL of vessels, %L2 mL now")
+                        .arg(millilitres(vessels), 0, 'f', 1)
+                        .arg(millilitres(scene_.systems()), 0, 'f', 1));
+    scene_.set_preview(same ? Mask() : std::move(vessels));
+    previewing_ = !same;
+    remake_->setEnabled(previewing_);
+}
+
+void ThresholdDialog::back_to_usual() {
+    const QSignalBlocker no_share(share_), no_refinement(refinement_);
+    share_->setValue(usual_percent);
+    refinement_->setValue(0);
+    remake_->setEnabled(false);
+    preview();
+}
+
+// One at a time: what is chosen meanwhile is made afterwards.
+void ThresholdDialog::start(BackgroundJob::Work work, bool with_progress) {
+    BackgroundJob::Callbacks callbacks;
+    progress_->setVisible(with_progress);
+    callbacks.progress = [this](const JobProgress& now) {
+        if (now.stage_count > 0)
+            progress_->setValue(static_cast<int>(
+                progress_steps * (now.stage_number - 1 + now.fraction) / now.stage_count));
+    };
+    callbacks.failed = [this](const Failure& failure) {
+        state_->setText(translated(failure.problem));
+        ways_.failed(failure);
+    };
+    callbacks.ended = [this] {
+        progress_->hide();
+        job_.reset();
+        if (stale_ && lines_) preview();
+    };
+    job_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
+}
+
+}  // namespace hepatica
