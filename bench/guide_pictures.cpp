@@ -8,6 +8,8 @@
 #include <QComboBox>
 #include <QDir>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 #include <clocale>
@@ -21,6 +23,7 @@
 #include "ui/opengl_probe.h"
 #include "ui/pixel_mapping.h"
 #include "ui/slices/slice_view.h"
+#include "ui/slices/threshold_dialog.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
@@ -78,6 +81,7 @@ class Photographer {
         save("draw");
         QTest::keyClick(&axial, Qt::Key_Escape);
         paint(axial, begin);
+        try_threshold();
     }
 
     // A branch that is painted, while the mouse still leads the brush.
@@ -96,6 +100,18 @@ class Photographer {
         settle();
         save("paint");
         QTest::mouseRelease(&axial, Qt::LeftButton, {}, place(12));
+        for (int k = 0; k < 2; ++k) QTest::keyClick(&axial, Qt::Key_Escape);  // stroke, then brush
+    }
+
+    // Another threshold that is tried.
+    void try_threshold() {
+        window_.actions()[ActionId::choose_threshold].trigger();
+        ThresholdDialog& dialog = window_.view_layout().threshold();
+        until([&] { return dialog.measured() && !dialog.working(); });
+        dialog.findChild<QSlider*>("lineShare")->setValue(75);
+        settle();
+        save("threshold", &dialog);
+        dialog.hide();
     }
 
     // Along the branch that is longest.
@@ -117,9 +133,16 @@ class Photographer {
     }
     void settle() { QTest::qWait(2500); }  // until the picture is smoothed and panels follow
 
-    void save(const QString& name) {
+    // With the dialog in front, in the middle of the view.
+    void save(const QString& name, QWidget* dialog = nullptr) {
+        QPixmap shown = window_.grab();
+        if (dialog != nullptr)
+            QPainter(&shown).drawPixmap(
+                window_.view().mapTo(&window_, window_.view().rect().center()) -
+                    dialog->rect().center(),
+                dialog->grab());
         const QImage picture =
-            window_.grab().toImage().scaledToWidth(picture_width, Qt::SmoothTransformation);
+            shown.toImage().scaledToWidth(picture_width, Qt::SmoothTransformation);
         const QString file = folder_ + "/" + name + ".png";
         if (!picture.save(file)) throw std::runtime_error("cannot write " + file.toStdString());
         std::printf("%s\n", file.toStdString().c_str());
