@@ -7101,7 +7101,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Try another threshold in the slices, and make the vessels anew of it</source>
-        <translation>Eine andere Schwelle in den Schnitten ausprobieren und die Gefäße daraus neu aufbauen</translation>
+        <translation>Eine andere Schwelle in den Schichten ausprobieren und die Gefäße daraus neu bauen</translation>
     </message>
     <message>
         <source>More or fewer vessels</source>
@@ -7137,11 +7137,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>&amp;Rebuild</source>
-        <translation>&amp;Neu aufbauen</translation>
+        <translation>&amp;Neu bauen</translation>
     </message>
     <message>
         <source>The vessels are made anew of what the slices show; an undo takes it back</source>
-        <translation>Die Gefäße werden aus dem neu aufgebaut, was die Schnitte zeigen; Rückgängig nimmt es zurück</translation>
+        <translation>Die Gefäße werden aus dem neu gebaut, was die Schichten zeigen; Rückgängig nimmt es zurück</translation>
     </message>
     <message>
         <source>Waiting for the CT</source>

@@ -2,12 +2,15 @@
 #include "ui/guide.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPushButton>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <filesystem>
+#include <system_error>
 
 #include "core/base/program_files.h"
 #include "ui/paths.h"
@@ -15,10 +18,22 @@
 
 namespace hepatica {
 
+namespace {
+
+// Of the window's language where there are pages in it, else English.
+QString folder_of_pages() {
+    const std::filesystem::path english = asset("guide/index.md").parent_path();
+    const std::filesystem::path translated =
+        english / QLocale::languageToCode(QLocale().language()).toStdString();
+    std::error_code ignored;
+    return to_text(std::filesystem::exists(translated / "index.md", ignored) ? translated
+                                                                             : english);
+}
+
+}  // namespace
+
 Guide::Guide(QWidget* parent)
-    : QDialog(parent),
-      browser_(new QTextBrowser(this)),
-      folder_(to_text(asset("guide/index.md").parent_path())) {
+    : QDialog(parent), browser_(new QTextBrowser(this)), folder_(folder_of_pages()) {
     setWindowTitle(Words::tr("Guide"));
     setObjectName("guide");
     resize(860, 740);

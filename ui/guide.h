@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user guide: the pages of assets/guide, read inside the program.
+// The user guide: the pages of assets/guide, read inside the program, in the window's language.
 #pragma once
 
 #include <QDialog>

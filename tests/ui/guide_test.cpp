@@ -14,20 +14,24 @@
 
 #include "core/base/program_files.h"
 #include "tests/ui/fake_window_test.h"
+#include "tests/ui/speaks.h"
 #include "ui/paths.h"
 
 namespace hepatica {
 namespace {
 
-std::set<QString> pages() {
+constexpr const char* english = "guide";
+constexpr const char* german = "guide/de";
+
+std::set<QString> pages(const char* folder) {
     std::set<QString> names;
-    for (const auto& entry : std::filesystem::directory_iterator(asset("guide")))
+    for (const auto& entry : std::filesystem::directory_iterator(asset(folder)))
         if (entry.path().extension() == ".md") names.insert(to_text(entry.path().filename()));
     return names;
 }
 
-QString text_of(const QString& page) {
-    QFile file(to_text(asset("guide") / page.toStdString()));
+QString text_of(const char* folder, const QString& page) {
+    QFile file(to_text(asset(folder) / page.toStdString()));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << page.toStdString();
     return QString::fromUtf8(file.readAll());
 }
@@ -39,12 +43,31 @@ std::vector<QString> all_matches(const QString& pattern, const QString& text) {
     return found;
 }
 
+int count_of(const QString& pattern, const QString& text) {
+    return static_cast<int>(all_matches("(" + pattern + ")", text).size());
+}
+
 class GuidePages : public testing::FakeWindowTest {
   protected:
+    void expect_menu_entries_of(const char* folder) {
+        const std::set<QString> entries = menu_entries();
+        int named = 0;
+        for (const QString& page : pages(folder))
+            for (const QString& entry :
+                 all_matches(R"(\*(\p{Lu}\p{Ll}+ > [^*]+)\*)", text_of(folder, page))) {
+                ++named;
+                EXPECT_TRUE(entries.contains(entry))
+                    << page.toStdString() << " names " << entry.toStdString();
+            }
+        EXPECT_GT(named, 8);
+    }
+
     // As a person reads them, "Menu > Entry".
     std::set<QString> menu_entries() {
         std::set<QString> entries;
-        const auto plain = [](QString text) { return text.remove('&').remove(QChar(0x2026)); };
+        const auto plain = [](QString text) {
+            return text.remove('&').remove(QChar(0x2026)).trimmed();
+        };
         for (const QAction* menu : window_.menuBar()->actions())
             for (const QAction* entry : menu->menu()->actions())
                 entries.insert(plain(menu->text()) + " > " + plain(entry->text()));
@@ -52,30 +75,50 @@ class GuidePages : public testing::FakeWindowTest {
     }
 };
 
+class GermanGuide : testing::Speaks, public GuidePages {
+  protected:
+    GermanGuide() : Speaks("de") {}
+};
+
 TEST(GuideFiles, EveryLinkAndPictureIsThereAndEveryPageIsReached) {
-    std::set<QString> reached{"index.md"};
-    for (const QString& page : pages()) {
-        const QString text = text_of(page);
-        for (const QString& link : all_matches(R"(\]\(([^)]+)\))", text)) {
-            EXPECT_TRUE(std::filesystem::exists(asset("guide") / link.toStdString()))
-                << page.toStdString() << " leads to " << link.toStdString();
-            reached.insert(link);
-        }
+    for (const char* folder : {english, german}) {
+        std::set<QString> reached{"index.md"};
+        for (const QString& page : pages(folder))
+            for (const QString& link : all_matches(R"(\]\(([^)]+)\))", text_of(folder, page))) {
+                EXPECT_TRUE(std::filesystem::exists(asset(folder) / link.toStdString()))
+                    << page.toStdString() << " leads to " << link.toStdString();
+                reached.insert(link);
+            }
+        for (const QString& page : pages(folder))
+            EXPECT_TRUE(reached.contains(page)) << page.toStdString() << " is reached by no link";
     }
-    for (const QString& page : pages())
-        EXPECT_TRUE(reached.contains(page)) << page.toStdString() << " is reached by no link";
+}
+
+// A page that is changed in one language is changed in the other.
+TEST(GuideFiles, TranslatedPagesHaveWhatTheEnglishOnesHave) {
+    ASSERT_EQ(pages(german), pages(english));
+    for (const QString& page : pages(english)) {
+        const QString there = text_of(english, page), here = text_of(german, page);
+        for (const char* part : {"\n\n", "\n#", "\n\\|", "\n\\* ", "\n\\d\\. ", "!\\[", "\\]\\(",
+                                 "\\*\\p{Lu}\\p{Ll}+ > "})
+            EXPECT_EQ(count_of(part, here), count_of(part, there))
+                << page.toStdString() << ": " << part;
+    }
 }
 
 TEST_F(GuidePages, NameNoMenuEntryThatIsNotThere) {
-    const std::set<QString> entries = menu_entries();
-    int named = 0;
-    for (const QString& page : pages())
-        for (const QString& entry : all_matches(R"(\*([A-Z][a-z]+ > [^*]+)\*)", text_of(page))) {
-            ++named;
-            EXPECT_TRUE(entries.contains(entry))
-                << page.toStdString() << " names " << entry.toStdString();
-        }
-    EXPECT_GT(named, 8);
+    expect_menu_entries_of(english);
+}
+
+TEST_F(GermanGuide, NamesNoMenuEntryThatIsNotThere) {
+    expect_menu_entries_of(german);
+}
+
+TEST_F(GermanGuide, OpensInGerman) {
+    window_.actions()[ActionId::guide].trigger();
+    auto* guide = static_cast<Guide*>(window_.findChild<QDialog*>("guide"));
+    ASSERT_NE(guide, nullptr);
+    EXPECT_TRUE(guide->browser().toPlainText().startsWith("Anleitung"));
 }
 
 TEST_F(GuidePages, OpenFromTheMenuAndLeadToEachOtherAndBack) {
@@ -85,9 +128,9 @@ TEST_F(GuidePages, OpenFromTheMenuAndLeadToEachOtherAndBack) {
     QTextBrowser& browser = static_cast<Guide*>(guide)->browser();
     ASSERT_TRUE(testing::wait_for([&] { return guide->isVisible(); }));
     EXPECT_TRUE(browser.toPlainText().startsWith("Guide"));
-    for (const QString& page : pages()) {
+    for (const QString& page : pages(english)) {
         static_cast<Guide*>(guide)->show_page(page);
-        const QString title = text_of(page).section('\n', 0, 0).mid(2);
+        const QString title = text_of(english, page).section('\n', 0, 0).mid(2);
         EXPECT_TRUE(browser.toPlainText().startsWith(title)) << page.toStdString();
     }
     static_cast<Guide*>(guide)->show_page("index.md");

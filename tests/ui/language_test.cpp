@@ -16,6 +16,7 @@
 
 #include "core/lesson/lesson_gaps.h"
 #include "tests/ui/fake_window_test.h"
+#include "tests/ui/speaks.h"
 #include "tests/ui/translations.h"
 #include "ui/actions.h"
 #include "ui/decimal_spin_box.h"
@@ -24,15 +25,6 @@
 
 namespace hepatica::testing {
 namespace {
-
-// For as long as it lives; before the window of a test is made, and after it is gone.
-class Speaks {
-  public:
-    explicit Speaks(const QString& language) { use_language(language); }
-    ~Speaks() { use_language("en"); }
-    Speaks(const Speaks&) = delete;
-    Speaks& operator=(const Speaks&) = delete;
-};
 
 class GermanWindow : Speaks, public FakeWindowTest {
   protected:
