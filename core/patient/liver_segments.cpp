@@ -28,6 +28,8 @@ void label_segments(PatientCase& patient, Job& job) {
     if (patient.organs.voxels.empty()) return;
     patient.couinaud = {};
     if (patient.doubts) patient.doubts->segments.reset();
+    if (std::ranges::find(patient.organs.voxels, organ_label::liver) == patient.organs.voxels.end())
+        return;
     auto found = couinaud_segments(patient.tree, liver_of(patient.organs), job);
     if (!found) return;
     patient.couinaud = std::move(found->labels);
