@@ -15,10 +15,6 @@ namespace {
 constexpr double room_mm = 30.0;
 static_assert(organ_label::first_tumour + most_tumours - 1 == 255);
 
-std::uint8_t label_of(int tumour) {
-    return static_cast<std::uint8_t>(organ_label::first_tumour + tumour - 1);
-}
-
 // The first and the last index that the grid may be grown to: by room_mm, within the CT.
 std::array<Index3, 2> grown_range(const Grid& grid, const Grid& ct) {
     Vec3 least = Vec3::Constant(-HUGE_VAL), most = Vec3::Constant(HUGE_VAL);
@@ -88,6 +84,17 @@ int tumour_of(std::uint8_t label) {
     return std::max(0, label - organ_label::first_tumour + 1);
 }
 
+std::uint8_t label_of_tumour(int number) {
+    return static_cast<std::uint8_t>(organ_label::first_tumour + number - 1);
+}
+
+std::string numbers_of(const std::vector<Tumour>& tumours) {
+    std::string text;
+    for (const Tumour& tumour : tumours)
+        text += (text.empty() ? "" : ", ") + std::to_string(tumour.number);
+    return text.empty() ? "none" : text;
+}
+
 int number_for_new(const std::vector<Tumour>& tumours) {
     const int above = tumours.empty() ? 1 : tumours.back().number + 1;
     if (above <= most_tumours) return above;
@@ -155,7 +162,7 @@ std::size_t paint_tumour(const TreeEdit& stroke, const Mask& canvas, Mask& organ
             voxel = tumour_of(before) > 0 ? organ_label::liver : before;
         } else {
             if (here != 0 || voxel == organ_label::cava) return;
-            voxel = label_of(stroke.tumour);
+            voxel = label_of_tumour(stroke.tumour);
         }
         ++changes;
     });

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/image/brush.h"
@@ -21,8 +22,11 @@ struct Tumour {
 
 // By their numbers.
 std::vector<Tumour> tumours_in(const Mask& organs);
-// The number of the tumour that a voxel of organs belongs to; 0: none.
+// "1, 3" of tumours 1 and 3, for messages; "none".
+std::string numbers_of(const std::vector<Tumour>& tumours);
+// The number of the tumour that a voxel of organs belongs to (0: none), and back.
 int tumour_of(std::uint8_t label);
+std::uint8_t label_of_tumour(int number);
 // A number for one more, above those that are there, or else free between them; 0 where there are
 // most_tumours.
 int number_for_new(const std::vector<Tumour>& tumours);
