@@ -88,6 +88,12 @@ std::uint8_t label_of_tumour(int number) {
     return static_cast<std::uint8_t>(organ_label::first_tumour + number - 1);
 }
 
+Mask tumour_voxels(const Mask& organs) {
+    Mask tumours = organs;
+    for (std::uint8_t& voxel : tumours.voxels) voxel = static_cast<std::uint8_t>(tumour_of(voxel));
+    return tumours;
+}
+
 std::string numbers_of(const std::vector<Tumour>& tumours) {
     std::string text;
     for (const Tumour& tumour : tumours)

@@ -22,6 +22,8 @@ struct Tumour {
 
 // By their numbers.
 std::vector<Tumour> tumours_in(const Mask& organs);
+// The numbers of tumours by voxel, and 0 elsewhere.
+Mask tumour_voxels(const Mask& organs);
 // "1, 3" of tumours 1 and 3, for messages; "none".
 std::string numbers_of(const std::vector<Tumour>& tumours);
 // The number of the tumour that a voxel of organs belongs to (0: none), and back.
