@@ -76,14 +76,14 @@ Json run_feeders(const FeedersChoices& options, Job& job) {
     job.expect_stages(2);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
-    if (std::ranges::find(patient.organs.voxels, organ_label::liver) == patient.organs.voxels.end())
+    const Mask liver = liver_of(patient.organs);
+    if (liver.voxels.empty())
         throw InputError("the case holds no liver", options.patient.string(),
                          "Reconstruct with --liver-mask FILE");
     const std::vector<std::uint8_t> wanted = options.at_mm.empty()
                                                  ? wanted_tumours(options, patient.organs)
                                                  : mark_ball(options, patient.organs);
     job.begin_stage("Following the vessels");
-    const Mask liver = liver_of(patient.organs);
     const auto feeders = feeders_of(patient.tree, liver, patient.organs, wanted, job);
     const auto portal = label_portal_vein(patient.tree, liver);
     Json list = Json::array();

@@ -9,7 +9,8 @@
 
 namespace hepatica {
 
-// What of the organs is liver: all but the vena cava, tumours included.
+// What of the organs is liver: all but the vena cava, tumours included. Empty where nothing is but
+// tumours.
 Mask liver_of(const Mask& organs);
 
 // Makes `couinaud` anew from organs and tree, and says in `doubts`, where the patient has any, how
