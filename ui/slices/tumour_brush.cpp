@@ -92,10 +92,7 @@ std::string TumourBrush::lift() {
                     : Words::tr("Nothing painted: that is another tumour or the vena cava"))
             .toStdString();
     // The next stroke goes on with a tumour that was new.
-    if (mode_ == BrushMode::paints) {
-        tumours_ = tumours_in(organs_);
-        chosen_ = stroke->tumour;
-    }
+    if (mode_ == BrushMode::paints) chosen_ = stroke->tumour;
     hand_.add(*stroke);
     return {};
 }
