@@ -31,6 +31,8 @@ class EditTumours : public testing::Test {
         patient.organs = Mask(grid, organ_label::liver);
         patient.mask = Mask(grid);
         patient.mask.at(20, 20, 30) = 1;
+        for (VesselSegment& segment : patient.tree.segments)
+            segment.system = VascularSystem::portal;
         write_case(case_, patient);
     }
     void TearDown() override { fs::remove_all(case_); }
@@ -120,7 +122,8 @@ TEST_F(EditTumours, WhatCannotBePaintedIsRefusedInWords) {
             "Give a radius above 0");
     refused({"--edits", from(R"({"edit": "erase_tumour", "path_mm": [], "radius_mm": 4})")},
             "led nowhere");
-    refused({"--edits", from(R"({"edit": "paint_tumour", "tumour": 1, "at_mm": [1e9, 0, 0],
+    refused({"--edits",
+             from(R"({"edit": "paint_tumour", "tumour": 1, "path_mm": [[1, 2, 3], [1e9, 0, 0]],
                                  "radius_mm": 4})")},
             "a brush");
 }

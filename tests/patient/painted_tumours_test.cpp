@@ -20,7 +20,7 @@ constexpr int z_middle = 20;
 
 // In a CT of 80 mm a side a liver of 40 x 40 x 40 voxels of 1 mm, with a vena cava along one edge
 // and tumour 1 of two voxels in a corner.
-PatientCase patient_with_liver() {
+PatientCase patient_to_paint() {
     PatientCase patient = test::patient_with_bridges();
     Grid liver;
     liver.dims = {40, 40, 40};
@@ -57,7 +57,7 @@ std::vector<int> numbers(const PatientCase& patient) {
 }
 
 TEST(PaintedTumours, AreBallsOfTheirVolumeWhereTheyWerePainted) {
-    const PatientCase after = with(patient_with_liver(), {painted(inside, 8.0, 2)});
+    const PatientCase after = with(patient_to_paint(), {painted(inside, 8.0, 2)});
     const std::vector<Tumour> tumours = tumours_in(after.organs);
     ASSERT_EQ(tumours.size(), 2u);
     EXPECT_EQ(tumours[0].number, 1);
@@ -69,7 +69,7 @@ TEST(PaintedTumours, AreBallsOfTheirVolumeWhereTheyWerePainted) {
 }
 
 TEST(PaintedTumours, ChangeNoVesselAndAreUndoneToTheBit) {
-    const PatientCase before = patient_with_liver();
+    const PatientCase before = patient_to_paint();
     const TreeEdit stroke = painted(inside, 8.0, 2);
     const PatientCase after = with(before, {stroke});
     EXPECT_EQ(hash_of(after), hash_of(before));
@@ -85,7 +85,7 @@ TEST(PaintedTumours, ChangeNoVesselAndAreUndoneToTheBit) {
 
 // A vessel may run through a tumour, which keeps to itself what another tumour or the cava is.
 TEST(PaintedTumours, EncloseVesselsAndSpareTheCavaAndOtherTumours) {
-    const PatientCase before = patient_with_liver();
+    const PatientCase before = patient_to_paint();
     const Grid& grid = before.organs.grid;
     const Vec3 cava = grid.to_mm(39, 39, z_middle), first = grid.to_mm(0, 0, 0);
     const PatientCase after =
@@ -99,7 +99,7 @@ TEST(PaintedTumours, EncloseVesselsAndSpareTheCavaAndOtherTumours) {
 }
 
 TEST(PaintedTumours, StickOutOfTheLiverAsFarAsThereIsACt) {
-    const PatientCase before = patient_with_liver();
+    const PatientCase before = patient_to_paint();
     const Grid& grid = before.organs.grid;
     const Vec3 outside = grid.to_mm(-6, 20, 20), beyond = grid.to_mm(-21, 20, 20);
     ASSERT_FALSE(holds(grid, outside));
@@ -116,7 +116,7 @@ TEST(PaintedTumours, StickOutOfTheLiverAsFarAsThereIsACt) {
 TEST(PaintedTumours, KeepTheirNumbersWhenOneIsErased) {
     const Vec3 left = inside - Vec3(12, 0, 0), right = inside + Vec3(12, 0, 0);
     const std::vector<TreeEdit> edits{painted(left, 3.0, 2), painted(right, 3.0, 3)};
-    PatientCase patient = with(patient_with_liver(), edits);
+    PatientCase patient = with(patient_to_paint(), edits);
     EXPECT_EQ(numbers(patient), (std::vector{1, 2, 3}));
     EXPECT_EQ(number_for_new(tumours_in(patient.organs)), 4);
     EXPECT_EQ(numbers_of(tumours_in(patient.organs)), "1, 2, 3");
@@ -137,7 +137,7 @@ TEST(PaintedTumours, KeepTheirNumbersWhenOneIsErased) {
 TEST(PaintedTumours, AreKeptWithTheCaseAndCanBeTakenBackThere) {
     const fs::path folder = fs::path(testing::TempDir()) / "painted.hep";
     fs::remove_all(folder);
-    const PatientCase before = patient_with_liver();
+    const PatientCase before = patient_to_paint();
     const std::vector<TreeEdit> edits{painted(inside, 8.0, 2), erased(inside, 4.0, 2)};
     const PatientCase after = with(before, edits);
     write_case(folder, after);
@@ -156,7 +156,7 @@ TEST(PaintedTumours, AreKeptWithTheCaseAndCanBeTakenBackThere) {
 TEST(PaintedTumours, OfACaseWithoutALiverLieOnTheGridOfItsVessels) {
     const fs::path folder = fs::path(testing::TempDir()) / "no liver.hep";
     fs::remove_all(folder);
-    PatientCase before = patient_with_liver();
+    PatientCase before = patient_to_paint();
     before.organs = {};
     const TreeEdit stroke = painted(inside, 5.0, 1);
     write_case(folder, with(before, {stroke}));
@@ -173,7 +173,7 @@ TEST(PaintedTumours, OfACaseWithoutALiverLieOnTheGridOfItsVessels) {
 TEST(PaintedTumours, AStrokeThatTouchesNothingIsRefusedByItsNumber) {
     const auto refused = [](const std::vector<TreeEdit>& edits, const std::string& words) {
         try {
-            with(patient_with_liver(), edits);
+            with(patient_to_paint(), edits);
             ADD_FAILURE() << words;
         } catch (const InputError& error) {
             EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -188,7 +188,7 @@ TEST(PaintedTumours, AStrokeThatTouchesNothingIsRefusedByItsNumber) {
 }
 
 TEST(PaintedTumours, StandAmongEditsOfTheTree) {
-    const PatientCase before = patient_with_liver();
+    const PatientCase before = patient_to_paint();
     const TreeEdit link = acceptance_of(before.corrections.bridges[0]);
     const TreeEdit stroke = painted(inside, 5.0, 2);
     const PatientCase both = with(before, {stroke, link});

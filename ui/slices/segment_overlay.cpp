@@ -25,8 +25,12 @@ QRgb mixed(QRgb below, const Colour& tint, double opacity) {
                 channel(qBlue(below), tint[2]));
 }
 
+struct Opacity {
+    double inside = 0.0, border = 0.0;
+};
+
 // Labels to which `tint` gives a colour, with a border against every other label.
-void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels,
+void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels, const Opacity& opacity,
                 const std::function<std::optional<Colour>(int label)>& tint) {
     const int columns = picture.width(), rows = picture.height();
     const auto label = [&](int column, int row) {
@@ -41,8 +45,7 @@ void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels,
             if (!colour) continue;
             const bool border = label(column - 1, row) != here || label(column + 1, row) != here ||
                                 label(column, row - 1) != here || label(column, row + 1) != here;
-            line[column] =
-                mixed(line[column], *colour, border ? segment_border_opacity : segment_opacity);
+            line[column] = mixed(line[column], *colour, border ? opacity.border : opacity.inside);
         }
     }
 }
@@ -50,13 +53,14 @@ void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels,
 }  // namespace
 
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
-    lay_labels(picture, labels, [](int label) {
+    lay_labels(picture, labels, {segment_opacity, segment_border_opacity}, [](int label) {
         return is_segment(label) ? std::optional(palette::liver_segment(label)) : std::nullopt;
     });
 }
 
 void lay_tumours(QImage& picture, const std::vector<std::uint8_t>& numbers) {
-    lay_labels(picture, numbers, [](int) { return std::optional(palette::tumour); });
+    lay_labels(picture, numbers, {tumour_opacity, tumour_border_opacity},
+               [](int) { return std::optional(palette::tumour); });
 }
 
 std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labels, int columns,

@@ -15,6 +15,7 @@ namespace hepatica {
 // would else run together.
 inline constexpr double segment_opacity = 0.25;
 inline constexpr double segment_border_opacity = 0.6;
+inline constexpr double tumour_opacity = 0.4, tumour_border_opacity = 0.85;
 
 // Tints the picture where a label is 1 to 8; one label a pixel, row by row.
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels);
