@@ -80,27 +80,22 @@ class Photographer {
         settle();
         save("draw");
         QTest::keyClick(&axial, Qt::Key_Escape);
-        paint(axial, begin);
+        paint(axial, [&](int step) {
+            return Vec3(begin + Vec3(-10.0 - 2.0 * step, 6.0 + 1.5 * step, 0));
+        });
+        for (int k = 0; k < 2; ++k) QTest::keyClick(&axial, Qt::Key_Escape);  // stroke, then brush
         try_threshold();
+        tumour(axial, begin + Vec3(-28.0, 18.0, 0));
     }
 
     // A branch that is painted, while the mouse still leads the brush.
-    void paint(SliceView& axial, const Vec3& begin) {
+    void paint(SliceView& axial, const std::function<Vec3(int step)>& place) {
         emit window_.findChild<QComboBox*>("measure")->activated(6);
-        const auto place = [&](int step) {
-            return axial.place_of(begin + Vec3(-10.0 - 2.0 * step, 6.0 + 1.5 * step, 0)).toPoint();
-        };
-        QTest::mousePress(&axial, Qt::LeftButton, {}, place(0));
-        for (int step = 1; step <= 12; ++step) {
-            const QPointF at(place(step));
-            QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton,
-                             Qt::LeftButton, Qt::NoModifier);
-            QApplication::sendEvent(&axial, &move);
-        }
+        QTest::mousePress(&axial, Qt::LeftButton, {}, axial.place_of(place(0)).toPoint());
+        for (int step = 1; step <= 12; ++step) lead(axial, place(step));
         settle();
         save("paint");
-        QTest::mouseRelease(&axial, Qt::LeftButton, {}, place(12));
-        for (int k = 0; k < 2; ++k) QTest::keyClick(&axial, Qt::Key_Escape);  // stroke, then brush
+        QTest::mouseRelease(&axial, Qt::LeftButton, {}, axial.place_of(place(12)).toPoint());
     }
 
     // Another threshold that is tried.
@@ -112,6 +107,25 @@ class Photographer {
         settle();
         save("threshold", &dialog);
         dialog.hide();
+    }
+
+    // As wide as a small metastasis.
+    void tumour(SliceView& axial, const Vec3& middle) {
+        emit window_.findChild<QComboBox*>("measure")->activated(8);
+        window_.view_layout().slices().brush().set_radius(7.0);
+        QTest::mousePress(&axial, Qt::LeftButton, {}, axial.place_of(middle).toPoint());
+        for (const Vec3& off : {Vec3(-4, 1, 0), Vec3(-6, 5, 0), Vec3(-1, 6, 0)})
+            lead(axial, middle + off);
+        QTest::mouseRelease(&axial, Qt::LeftButton, {}, axial.place_of(middle).toPoint());
+        settle();
+        save("tumour");
+    }
+
+    static void lead(SliceView& axial, const Vec3& place) {
+        const QPointF at = axial.place_of(place).toPoint();
+        QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&axial, &move);
     }
 
     // Along the branch that is longest.

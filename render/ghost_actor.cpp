@@ -13,8 +13,10 @@
 #include <vtkShaderProperty.h>
 
 #include <cstddef>
+#include <locale>
+#include <sstream>
+#include <string>
 
-#include "render/palette.h"
 #include "render/surface_geometry.h"
 
 namespace hepatica {
@@ -22,25 +24,31 @@ namespace {
 
 // Opacity rises towards the silhouette: the outline shows the shape, and the vessels inside stay
 // visible.
-const char* const ghost = R"(//VTK::Light::Impl
+std::string shader_of(const GhostLook& look) {
+    std::ostringstream code;
+    code.imbue(std::locale::classic());
+    code << std::fixed << R"(//VTK::Light::Impl
   {
     float facing = abs(dot(normalVCVSOutput, normalize(-vertexVC.xyz)));
-    gl_FragData[0] = vec4(diffuseColor, 0.03 + 0.30 * pow(1.0 - facing, 2.5));
+    gl_FragData[0] = vec4(diffuseColor, )"
+         << look.facing << " + " << look.rim << R"( * pow(1.0 - facing, 2.5));
   }
 )";
+    return code.str();
+}
 
 }  // namespace
 
-GhostActor::GhostActor()
+GhostActor::GhostActor(const GhostLook& ghost)
     : mapper_(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New()),
       actor_(vtkSmartPointer<vtkActor>::New()) {
     actor_->SetMapper(mapper_);
     vtkProperty& look = *actor_->GetProperty();
-    look.SetColor(palette::liver[0], palette::liver[1], palette::liver[2]);
+    look.SetColor(ghost.colour[0], ghost.colour[1], ghost.colour[2]);
     look.SetOpacity(0.5);  // below 1, so that VTK draws it in the pass for translucent surfaces
     look.BackfaceCullingOn();
-    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, ghost,
-                                                              false);
+    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                              shader_of(ghost), false);
     actor_->SetVisibility(false);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The liver around its vessels: a translucent surface that does not move, opaque at its outline and
-// nearly clear where it faces the eye, so that it hides nothing.
+// An organ around its vessels, or a tumour among them: a translucent surface that does not move,
+// more opaque at its outline than where it faces the eye, so that it hides nothing.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
 #include "core/mesh/tet_mesh.h"
+#include "render/palette.h"
 
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
@@ -13,9 +14,18 @@ class vtkPlane;
 
 namespace hepatica {
 
+struct GhostLook {
+    Colour colour{};
+    double facing = 0.0;  // opacity where the surface faces the eye
+    double rim = 0.0;     // so much more at the outline
+};
+
+inline constexpr GhostLook liver_ghost{palette::liver, 0.03, 0.30};
+inline constexpr GhostLook tumour_ghost{palette::tumour, 0.35, 0.45};
+
 class GhostActor {
   public:
-    GhostActor();
+    explicit GhostActor(const GhostLook& look);
 
     void set_surface(const TriangleMesh& surface);  // an empty one shows nothing
     void set_visible(bool visible);

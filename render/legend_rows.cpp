@@ -116,6 +116,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     const auto swatch = [&](const std::string& text, const Colour& colour) {
         rows.push_back({text, {}, {colour}, {}, {}, false});
     };
+    if (content.tumours) swatch("Tumour", palette::tumour);
     if (content.touched) swatch("Touch and force", palette::touch);
     if (content.places) swatch("A place of the lesson", palette::torn_circle);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);

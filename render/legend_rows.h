@@ -28,6 +28,7 @@ struct LegendContent {
     bool torn = false;
     bool gaps = false;    // that might be bridged
     bool places = false;  // of a lesson
+    bool tumours = false;
     bool operator==(const LegendContent&) const = default;
 };
 

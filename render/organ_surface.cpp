@@ -10,30 +10,29 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/image/filters.h"
+#include "core/image/morphology.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double smoothing_mm = 2.0;
-constexpr double spacing_mm = 2.0;
-constexpr double margin_mm = 8.0;  // four times the smoothing: nothing of the surface is cut off
+struct Coarseness {
+    double smoothing_mm = 0.0, spacing_mm = 0.0;
+};
 
-// 1 in the organ and 0 elsewhere, smoothed.
-FloatVolume share_inside(const Mask& organs, std::uint8_t label, Job& job) {
-    Mask organ(organs.grid);
-    std::ranges::transform(organs.voxels, organ.voxels.begin(),
-                           [&](std::uint8_t value) { return value == label ? 1 : 0; });
-    const IndexBox box = bounding_box(organ);
-    if (box.empty()) return {};
-    const Mask part = crop(organ, grow_box(box, organs.grid, margin_mm));
+constexpr Coarseness of_organ{2.0, 2.0}, of_tumour{0.8, 1.0};
+constexpr double reach = 4.0;  // of the smoothing: nothing of the surface is cut off
+
+// 1 in the object and 0 elsewhere, smoothed.
+FloatVolume share_inside(const Mask& part, const Coarseness& coarse, Job& job) {
     FloatVolume share(part.grid);
     std::ranges::copy(part.voxels, share.voxels.begin());
-    gaussian_smooth(share, Vec3::Constant(smoothing_mm), job);
-    const Grid coarse =
-        respaced(share.grid, share.grid.spacing_mm.cwiseMax(Vec3::Constant(spacing_mm)));
-    return resample(share, coarse, Interpolation::linear, job);
+    gaussian_smooth(share, Vec3::Constant(coarse.smoothing_mm), job);
+    const Grid grid =
+        respaced(share.grid, share.grid.spacing_mm.cwiseMax(Vec3::Constant(coarse.spacing_mm)));
+    return resample(share, grid, Interpolation::linear, job);
 }
 
 // The same with a layer of zeros around it, so that every surface is closed.
@@ -55,11 +54,44 @@ double signed_volume(const TriangleMesh& mesh) {
     return six_volumes / 6.0;
 }
 
-}  // namespace
+// Each piece that hangs together, 1 in its own grid, with so much around it.
+std::vector<Mask> pieces_of(const Mask& mask, double margin_mm, const Job& job) {
+    const Components found = connected_components(mask, Connectivity::all26, job);
+    const Grid& grid = mask.grid;
+    std::vector<IndexBox> boxes(found.sizes.size(), {grid.dims, {0, 0, 0}});
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+        if (found.labels.voxels[i] == 0) continue;
+        const Index3 here = grid.index_of(i);
+        IndexBox& box = boxes[found.labels.voxels[i] - 1];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.begin[axis] = std::min(box.begin[axis], here[axis]);
+            box.end[axis] = std::max(box.end[axis], here[axis] + 1);
+        }
+    }
+    std::vector<Mask> pieces;
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+        const IndexBox box = grow_box(boxes[p], grid, margin_mm);
+        Mask piece(crop(grid, box));
+        for (std::size_t i = 0; i < piece.voxels.size(); ++i) {
+            const auto [x, y, z] = piece.grid.index_of(i);
+            const std::uint32_t label =
+                found.labels.at(x + box.begin[0], y + box.begin[1], z + box.begin[2]);
+            piece.voxels[i] = label == p + 1 ? 1 : 0;
+        }
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
 
-TriangleMesh organ_surface(const Mask& organs, std::uint8_t label, Job& job) {
-    const FloatVolume inner = share_inside(organs, label, job);
-    if (inner.voxels.empty()) return {};
+void append(const TriangleMesh& more, TriangleMesh& all) {
+    const auto first = static_cast<int>(all.vertices_mm.size());
+    all.vertices_mm.insert(all.vertices_mm.end(), more.vertices_mm.begin(), more.vertices_mm.end());
+    for (const auto& [a, b, c] : more.triangles)
+        all.triangles.push_back({a + first, b + first, c + first});
+}
+
+// Where the share of the object is a half, triangles counter-clockwise from outside.
+TriangleMesh closed_surface(const FloatVolume& inner) {
     const FloatVolume share = with_border(inner);
     const Index3& dims = share.grid.dims;
     vtkNew<vtkImageImport> image;
@@ -90,6 +122,32 @@ TriangleMesh organ_surface(const Mask& organs, std::uint8_t label, Job& job) {
     if (signed_volume(mesh) < 0.0)
         for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     return mesh;
+}
+
+}  // namespace
+
+TriangleMesh organ_surface(const Mask& organs, std::uint8_t label, Job& job) {
+    Mask organ(organs.grid);
+    std::ranges::transform(organs.voxels, organ.voxels.begin(),
+                           [&](std::uint8_t value) { return value == label ? 1 : 0; });
+    const IndexBox box = bounding_box(organ);
+    if (box.empty()) return {};
+    const Mask part = crop(organ, grow_box(box, organ.grid, reach * of_organ.smoothing_mm));
+    return closed_surface(share_inside(part, of_organ, job));
+}
+
+TriangleMesh tumour_surface(const Mask& tumours, Job& job) {
+    TriangleMesh all;
+    for (const Mask& piece : pieces_of(tumours, reach * of_tumour.smoothing_mm, job)) {
+        TriangleMesh surface = closed_surface(share_inside(piece, of_tumour, job));
+        if (surface.triangles.empty()) {  // too small to be smoothed
+            FloatVolume plain(piece.grid);
+            std::ranges::copy(piece.voxels, plain.voxels.begin());
+            surface = closed_surface(plain);
+        }
+        append(surface, all);
+    }
+    return all;
 }
 
 }  // namespace hepatica

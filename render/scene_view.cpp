@@ -92,7 +92,8 @@ struct SceneView::Parts {
     vtkNew<vtkRenderer> renderer;
     vtkSmartPointer<vtkLight> light_from_below;
     TreeActor tree;
-    GhostActor liver;
+    GhostActor liver{liver_ghost};
+    GhostActor tumours{tumour_ghost};
     GrabActor grab;
     GrabActor stroke;
     CrosshairActor crosshair;
@@ -131,6 +132,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     for (vtkActor* actor : parts_->tree.actors()) renderer.AddActor(actor);
     renderer.AddActor(parts_->tree.halo().actor());
     renderer.AddActor(parts_->liver.actor());
+    renderer.AddActor(parts_->tumours.actor());
     renderer.AddActor(parts_->grab.line());
     renderer.AddActor(parts_->grab.point());
     renderer.AddActor(parts_->stroke.line());
@@ -255,6 +257,10 @@ void SceneView::set_liver(const TriangleMesh& surface) {
 void SceneView::set_liver_visible(bool visible) {
     parts_->liver.set_visible(visible);
 }
+void SceneView::set_tumours(const TriangleMesh& surface) {
+    parts_->legend.tumours = !surface.triangles.empty();
+    parts_->tumours.set_surface(surface);
+}
 
 void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     parts_->clip = plane;
@@ -266,6 +272,7 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     vtkPlane* drawn = plane ? parts_->clip_plane.Get() : nullptr;
     parts_->tree.set_clip(drawn);
     parts_->liver.set_clip(drawn);
+    parts_->tumours.set_clip(drawn);
 }
 
 void SceneView::set_look(const ViewLook& look) {

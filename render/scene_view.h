@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The three-dimensional picture of a Frame in any VTK render window: vessels with the drug in them,
-// the liver's ghost, the line of the pull, the tool and its force, legend, scale and orientation;
-// and the way back from a pixel to the point of the patient under it.
+// the liver's ghost, tumours, the line of the pull, the tool and its force, legend, scale and
+// orientation; and the way back from a pixel to the point of the patient under it.
 #pragma once
 
 #include <memory>
@@ -86,7 +86,9 @@ class SceneView {
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
     void set_liver_visible(bool visible);
-    // Cuts vessels and liver open; none shows them whole.
+    // All of them as one surface, at rest; an empty one removes them.
+    void set_tumours(const TriangleMesh& surface);
+    // Cuts vessels, tumours and liver open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
     void set_look(const ViewLook& look);  // dark at first
     // What is drawn in words from now on, but for the caption; English at first.

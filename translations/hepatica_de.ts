@@ -2767,10 +2767,6 @@
         <translation>Gefäße radieren</translation>
     </message>
     <message>
-        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete takes the last away, Escape ends it. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them</source>
-        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf nimmt den letzten weg, Esc beendet es. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu</translation>
-    </message>
-    <message>
         <source>Click where the distance begins, then where it ends</source>
         <translation>Klicken Sie auf Anfang und Ende</translation>
     </message>
@@ -7166,6 +7162,134 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Give a whole number from 0 to %1</source>
         <translation>Geben Sie eine ganze Zahl von 0 bis %1 an</translation>
+    </message>
+    <message>
+        <source>Tumour %1 painted</source>
+        <translation>Tumor %1 gemalt</translation>
+    </message>
+    <message>
+        <source>Tumours erased</source>
+        <translation>Tumoren radiert</translation>
+    </message>
+    <message>
+        <source>Tumour %1 erased</source>
+        <translation>Tumor %1 radiert</translation>
+    </message>
+    <message>
+        <source>there is no such tumour to be erased</source>
+        <translation>dort ist kein solcher Tumor, der zu radieren wäre</translation>
+    </message>
+    <message>
+        <source>there is nothing that could become tumour</source>
+        <translation>dort ist nichts, was Tumor werden könnte</translation>
+    </message>
+    <message>
+        <source>Lead the brush elsewhere, or take the edit out</source>
+        <translation>Führen Sie den Pinsel anderswohin, oder nehmen Sie die Korrektur heraus</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>a brush</source>
+        <translation>ein Pinsel</translation>
+    </message>
+    <message>
+        <source>a brush is led nowhere</source>
+        <translation>ein Pinsel wird nirgendwohin geführt</translation>
+    </message>
+    <message>
+        <source>Give one point or more in path_mm</source>
+        <translation>Geben Sie in path_mm mindestens einen Punkt an</translation>
+    </message>
+    <message>
+        <source>a brush has a radius of %1 mm</source>
+        <translation>ein Pinsel hat einen Radius von %1 mm</translation>
+    </message>
+    <message>
+        <source>Give a radius above 0 and up to 50 mm</source>
+        <translation>Geben Sie einen Radius über 0 und bis 50 mm an</translation>
+    </message>
+    <message>
+        <source>there can be no tumour %1</source>
+        <translation>es kann keinen Tumor %1 geben</translation>
+    </message>
+    <message>
+        <source>Number tumours from 1 to %1</source>
+        <translation>Nummerieren Sie Tumoren von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>Paint tumour</source>
+        <translation>Tumor malen</translation>
+    </message>
+    <message>
+        <source>Erase tumour</source>
+        <translation>Tumor radieren</translation>
+    </message>
+    <message>
+        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete takes the last away, Escape ends it. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
+        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf nimmt den letzten weg, Esc beendet es. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
+    </message>
+    <message>
+        <source>Drag over what is tumour (+ and - size the brush)</source>
+        <translation>Ziehen Sie über Tumor (+, -: Größe)</translation>
+    </message>
+    <message>
+        <source>Drag over what is no tumour (+ and - size the brush)</source>
+        <translation>Ziehen Sie über Falsches (+, -: Größe)</translation>
+    </message>
+    <message>
+        <source>Which tumour is painted or erased</source>
+        <translation>Welcher Tumor gemalt oder radiert wird</translation>
+    </message>
+    <message>
+        <source>Tumours keep their numbers; one that is wholly erased is gone</source>
+        <translation>Tumoren behalten ihre Nummern; einer, der ganz ausradiert ist, ist fort</translation>
+    </message>
+    <message>
+        <source>Any tumour</source>
+        <translation>Jeder Tumor</translation>
+    </message>
+    <message>
+        <source>New tumour</source>
+        <translation>Neuer Tumor</translation>
+    </message>
+    <message>
+        <source>Tumour %1</source>
+        <translation>Tumor %1</translation>
+    </message>
+    <message>
+        <source>tumour %1</source>
+        <translation>Tumor %1</translation>
+    </message>
+    <message>
+        <source>The voxels are being read</source>
+        <translation>Die Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>Too far from the liver for a tumour of it</source>
+        <translation>Zu weit von der Leber für einen Tumor in ihr</translation>
+    </message>
+    <message>
+        <source>There are %1 tumours, and no more can be told apart</source>
+        <translation>Es gibt %1 Tumoren; mehr lassen sich nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>Nothing erased: there is no such tumour</source>
+        <translation>Nichts radiert: Dort ist kein solcher Tumor</translation>
+    </message>
+    <message>
+        <source>Nothing painted: that is another tumour or the vena cava</source>
+        <translation>Nichts gemalt: Das ist ein anderer Tumor oder die Vena cava</translation>
+    </message>
+    <message>
+        <source>This case knows no voxels that could be tumour</source>
+        <translation>Dieser Fall kennt keine Voxel, die Tumor sein könnten</translation>
+    </message>
+    <message>
+        <source>The tumours cannot be read: %1</source>
+        <translation>Die Tumoren können nicht gelesen werden: %1</translation>
     </message>
 </context>
 </TS>

@@ -50,9 +50,9 @@ QTableWidgetItem* segment(int couinaud) {
 // The labels of the portal vein's branches; none where no liver or no portal vein is known.
 std::vector<BranchLabel> labels_of(const PatientCase& patient,
                                    const std::filesystem::path& folder) {
-    const Mask organs = organ_voxels(patient, folder);
-    if (organs.voxels.empty()) return {};
-    const auto portal = label_portal_vein(patient.tree, liver_of(organs));
+    const Mask liver = liver_of(organ_voxels(patient, folder));
+    if (liver.voxels.empty()) return {};
+    const auto portal = label_portal_vein(patient.tree, liver);
     return portal ? portal->branches : std::vector<BranchLabel>{};
 }
 

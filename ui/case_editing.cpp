@@ -33,6 +33,11 @@ QString name_of(const TreeEdit& edit) {
             return Words::tr("Vessel drawn");
         case TreeEditKind::seed_system:
             return Words::tr("Seed: %1").arg(translated(title_of(edit.system)));
+        case TreeEditKind::paint_tumour:
+            return Words::tr("Tumour %1 painted").arg(edit.tumour);
+        case TreeEditKind::erase_tumour:
+            return edit.tumour == 0 ? Words::tr("Tumours erased")
+                                    : Words::tr("Tumour %1 erased").arg(edit.tumour);
         case TreeEditKind::reassign_system:
             break;
     }

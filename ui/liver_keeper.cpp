@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/opening/patient_image.h"
+#include "core/patient/liver_segments.h"
 #include "render/organ_surface.h"
 
 namespace hepatica {
@@ -31,7 +32,7 @@ void LiverKeeper::make() {
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_](Job& job) -> std::function<void()> {
-            const Mask organs = organ_voxels(*patient, folder);
+            const Mask organs = liver_of(organ_voxels(*patient, folder));
             auto liver = std::make_shared<const TriangleMesh>(
                 organ_surface(organs, organ_label::liver, job));
             return [this, liver] {

@@ -129,6 +129,7 @@ void MainWindow::show_workspace() {
     view_->scene().set_caption(translated(workspace.title()).toStdString());
     recovery_->follow(workspace);
     editing_->update_panel();
+    view_layout_->show_tumours(workspace.edits());
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());
 }

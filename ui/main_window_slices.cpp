@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slices of the CT and the correcting of a patient's vessels in the window, and their ways to the
-// rest.
+// Slices of the CT and the correcting of a patient's vessels and tumours in the window, and their
+// ways to the rest.
 #include <QDockWidget>
 #include <QStatusBar>
 #include <utility>
@@ -45,6 +45,22 @@ void MainWindow::build_slices(QWidget* parent) {
                 Words::tr("Nothing is rebuilt during a review: end it first"));
         messages_->dismiss();
         keeper_->remake(std::move(ct), std::move(vessels));
+    };
+    callbacks.paint_tumour = [this](const TreeEdit& stroke) {
+        if (review_->reviewing()) {
+            messages_->show_notice(Words::tr("Nothing is corrected during a review: end it first"));
+            return false;
+        }
+        messages_->dismiss();
+        keeper_->add(stroke);
+        return true;
+    };
+    callbacks.take_strokes_back = [this](std::size_t strokes) {
+        for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_stroke();
+    };
+    callbacks.tumours = [this](const TriangleMesh& surface) {
+        view_->scene().set_tumours(surface);
+        view_->draw_again();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);

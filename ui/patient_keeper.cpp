@@ -115,7 +115,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
 void PatientKeeper::add(const TreeEdit& edit) {
     if (!workspace_.has_patient()) return;
     workspace_.add(edit);
-    correct();
+    changes_tree(edit.kind) ? correct() : screen_.changed();
 }
 
 // Going back and forth means nothing while the patient is being exchanged.
@@ -129,14 +129,17 @@ bool PatientKeeper::waits_for_remaking() const {
 void PatientKeeper::undo() {
     if (!workspace_.can_undo() || waits_for_remaking()) return;
     if (workspace_.before_remaking() != nullptr) return take_back_remaking();
-    workspace_.undo();
-    correct();
+    workspace_.undo() ? correct() : screen_.changed();
+}
+
+void PatientKeeper::undo_stroke() {
+    const Workspace::Edits& edits = workspace_.edits();
+    if (!edits.empty() && !changes_tree(edits.back().kind)) undo();
 }
 
 void PatientKeeper::redo() {
     if (!workspace_.can_redo() || waits_for_remaking()) return;
-    workspace_.redo();
-    correct();
+    workspace_.redo() ? correct() : screen_.changed();
 }
 
 void PatientKeeper::correct() {
@@ -178,11 +181,13 @@ void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
 BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
                                             std::shared_ptr<const Mask> vessels) {
     return [this, ct = std::move(ct), vessels = std::move(vessels), patient = workspace_.patient(),
+            edits = workspace_.made_edits(),
             folder = workspace_.folder()](Job& job) -> std::function<void()> {
         constexpr int reading_and_preparing = 3;
         job.expect_stages(reading_and_preparing + remade_stages);
         job.begin_stage(Words::id("Reading the voxels"));
-        const auto before = std::make_shared<const PatientCase>(whole_case(*patient, folder, job));
+        const auto before =
+            std::make_shared<const PatientCase>(whole_case(*patient, folder, edits, job));
         RemadeCase made = ways_.remake(*before, *vessels, *ct, job);
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
@@ -303,10 +308,10 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
 }
 
 BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
-    return [this, folder, patient = workspace_.patient(),
+    return [this, folder, patient = workspace_.patient(), edits = workspace_.made_edits(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
-        const PatientCase whole = whole_case(*patient, voxels, job);
+        const PatientCase whole = whole_case(*patient, voxels, edits, job);
         ways_.save(folder, whole);
         return [this, folder, edits = whole.corrections.edits] {
             workspace_.saved(folder, edits);
@@ -325,17 +330,18 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
     job.kind = JobKind::archive;
     job.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
     job.begin = [this, ct, file, written = std::move(written)]() -> BackgroundJob::Work {
-        return [this, ct, file, written, patient = workspace_.patient(),
-                voxels = workspace_.folder()](Job& job) -> std::function<void()> {
-            constexpr int comparing_and_writing = 2;
-            job.expect_stages(1 + comparing_and_writing);
-            job.begin_stage(Words::id("Reading the voxels"));
-            ways_.archive(whole_case(*patient, voxels, job), ct, file, job);
-            return [this, file, written] {
-                written();
-                screen_.say(Words::tr("Saved %1").arg(to_text(file)).toStdString());
+        return
+            [this, ct, file, written, patient = workspace_.patient(), voxels = workspace_.folder(),
+             edits = workspace_.edits()](Job& job) -> std::function<void()> {
+                constexpr int comparing_and_writing = 2;
+                job.expect_stages(1 + comparing_and_writing);
+                job.begin_stage(Words::id("Reading the voxels"));
+                ways_.archive(whole_case(*patient, voxels, edits, job), ct, file, job);
+                return [this, file, written] {
+                    written();
+                    screen_.say(Words::tr("Saved %1").arg(to_text(file)).toStdString());
+                };
             };
-        };
     };
     job.failed = [this, title = job.title](const Failure& failure) {
         screen_.failed(title, failure);

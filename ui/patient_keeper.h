@@ -81,6 +81,8 @@ class PatientKeeper {
     void add(const TreeEdit& edit);
     void undo();
     void redo();
+    // The last correction back, where it is a stroke at a tumour.
+    void undo_stroke();
     // The vessels anew from these voxels of theirs, which lie in the frame of the patient's CT; an
     // undo takes it back. What was asked before and is not begun is given up.
     void remake(std::shared_ptr<const Volume> ct, Mask vessels);

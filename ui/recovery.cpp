@@ -69,8 +69,8 @@ void Recovery::follow(const Workspace& workspace) {
     }
     // Called again as soon as the correction has its body.
     if (workspace.awaits_body() || workspace.version() == kept_version_) return;
-    wanted_ = {workspace.patient(), workspace.title(), workspace.folder(), workspace.kept_copy(),
-               workspace.version()};
+    wanted_ = {workspace.patient(), workspace.made_edits(), workspace.title(),
+               workspace.folder(),  workspace.kept_copy(),  workspace.version()};
     needless_ = false;
     delay_.start();
 }
@@ -97,7 +97,7 @@ void Recovery::write() {
     const fs::path place = own_ / std::to_string(copy.version) / case_name(copy.title);
     job_ = std::make_unique<BackgroundJob>(
         [this, copy, place, write = write_](Job& job) -> std::function<void()> {
-            const PatientCase whole = whole_case(*copy.patient, copy.voxels, job);
+            const PatientCase whole = whole_case(*copy.patient, copy.voxels, copy.edits, job);
             fs::create_directories(place.parent_path());
             write(place, whole);
             return [this, copy, place] { written(copy, place); };

@@ -43,6 +43,7 @@ class Recovery {
     // A case, and where its voxels and the copy that it was opened from lie.
     struct Copy {
         std::shared_ptr<const PatientCase> patient;
+        Workspace::Edits edits;
         std::string title;
         std::filesystem::path voxels, opened_from;
         std::uint64_t version = 0;

@@ -217,6 +217,7 @@ constexpr std::array sentences_play{
     Words::id("Liver segment"),
     Words::id("Liver segment %1"),
     Words::id("Load (% of what tears)"),
+    Words::id("Tumour"),
     Words::id("Touch and force"),
     Words::id("A place of the lesson"),
     Words::id("A gap, and how sure"),

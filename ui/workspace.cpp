@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/patient/painted_tumours.h"
+
 namespace hepatica {
 
 void Workspace::open(const OpenedPatient& opened) {
@@ -31,25 +33,48 @@ void Workspace::add(const TreeEdit& edit) {
     want(std::move(edits));
 }
 
-void Workspace::undo() {
-    if (edits_.empty() || before_remaking() != nullptr) return;
+bool Workspace::undo() {
+    if (edits_.empty() || before_remaking() != nullptr) return false;
     Edits edits = edits_;
     undone_.push_back(edits.back());
     edits.pop_back();
     want(std::move(edits));
+    return changes_tree(undone_.back().kind);
 }
 
-void Workspace::redo() {
-    if (!can_redo()) return;
+bool Workspace::redo() {
+    if (!can_redo()) return false;
     Edits edits = edits_;
     edits.push_back(undone_.back());
     undone_.pop_back();
     want(std::move(edits));
+    return changes_tree(edits_.back().kind);
+}
+
+bool Workspace::awaits_body() const {
+    return has_patient() && tree_edits(edits_) != tree_edits(patient_->corrections.edits);
+}
+
+Workspace::Edits Workspace::made_edits() const {
+    if (!awaits_body()) return edits_;
+    const Edits body = tree_edits(patient_->corrections.edits);
+    Edits made;
+    auto next = body.begin();
+    for (const TreeEdit& edit : edits_) {
+        if (!changes_tree(edit.kind)) {
+            made.push_back(edit);
+        } else if (const auto found = std::find(next, body.end(), edit); found != body.end()) {
+            made.insert(made.end(), next, found + 1);
+            next = found + 1;
+        }
+    }
+    made.insert(made.end(), next, body.end());
+    return made;
 }
 
 void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
-    if (awaits_body()) want(patient_->corrections.edits);
+    if (awaits_body()) want(made_edits());
 }
 
 void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
@@ -85,7 +110,7 @@ void Workspace::take_back_remaking() {
 void Workspace::give_up_edits() {
     if (!awaits_body()) return;
     undone_.clear();
-    want(patient_->corrections.edits);
+    want(made_edits());
 }
 
 void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {

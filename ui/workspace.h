@@ -37,13 +37,17 @@ class Workspace {
     // --- corrections: of an open patient only
     // -----------------------------------------------------
     const Edits& edits() const { return edits_; }  // that are wanted
-    // They have no body yet.
-    bool awaits_body() const { return has_patient() && edits_ != patient_->corrections.edits; }
+    // They have no body yet. Strokes at tumours need none.
+    bool awaits_body() const;
+    // Those that the body has, and the strokes at tumours that are wanted: what can be written.
+    Edits made_edits() const;
     bool can_undo() const { return !edits_.empty() || !remade_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     void add(const TreeEdit& edit);
-    void undo();  // nothing where there is nothing to undo, or where the last was a remaking
-    void redo();  // likewise
+    // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
+    // changes the tree.
+    bool undo();
+    bool redo();  // likewise
     // This body is there, and what is not among its corrections was refused.
     void show_body(std::shared_ptr<const PatientCase> patient);
     // The patient was made anew from other voxels of his vessels: `before`, with all his voxels,

@@ -7,12 +7,14 @@
 #include <optional>
 
 #include "app/output_place.h"
+#include "app/verbs/brush_dab.h"
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
+#include "core/patient/painted_tumours.h"
 #include "core/tree/editing/vessel_tracing.h"
 
 namespace hepatica {
@@ -31,6 +33,8 @@ struct EditChoices {
     double accept = std::numeric_limits<double>::infinity();
     double refuse_below = -1.0;
     std::vector<int> accepted, refused, offered;  // numbers of bridges, from 1
+    std::vector<std::string> painted, erased;     // of tumours, X,Y,Z,RADIUS
+    int tumour = 0;                               // that these are of; 0: a new one, or any
     int undo = 0;
     bool list = false;
 };
@@ -118,7 +122,32 @@ TreeEdit seed_in(const std::string& text) {
     return edit;
 }
 
-// What the case's edits become: some of the last taken back, then the file's, then bridges.
+// Balls at tumours, on top of the edits so far: what is painted, then what is erased.
+void add_tumour_strokes(const EditChoices& options, const PatientCase& patient,
+                        std::vector<TreeEdit>& edits) {
+    if (options.tumour != 0 && options.painted.empty() && options.erased.empty())
+        throw UsageError("tumour " + std::to_string(options.tumour) + " is given nothing to do",
+                         "--tumour", "Give --paint-tumour or --erase-tumour X,Y,Z,RADIUS, too");
+    int painted = options.tumour;
+    if (painted == 0 && !options.painted.empty()) {
+        PatientCase now = patient;
+        set_tumour_strokes(now, edits);
+        painted = number_for_new(tumours_in(now.organs));
+        if (painted == 0)
+            throw UsageError("there is no room for another tumour", "--paint-tumour",
+                             "Name one that is there: --tumour N");
+    }
+    for (const std::string& text : options.painted)
+        edits.push_back(tumour_edit(dab("--paint-tumour", text, false), painted));
+    for (const std::string& text : options.erased)
+        edits.push_back(tumour_edit(dab("--erase-tumour", text, true), options.tumour));
+    if (!tumour_strokes(edits).empty() && tumour_canvas(patient).voxels.empty())
+        throw InputError("holds no voxels that could be tumour", options.patient.string(),
+                         "Reconstruct the case from its CT");
+}
+
+// What the case's edits become: some of the last taken back, then the file's, then vessels, tumours
+// and bridges.
 PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
     std::vector<TreeEdit> edits = patient.corrections.edits;
     if (options.undo > static_cast<int>(edits.size()))
@@ -134,6 +163,7 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
         edits.push_back(drawn_vessel(options, now, job));
     }
     for (const std::string& seed : options.seeds) edits.push_back(seed_in(seed));
+    add_tumour_strokes(options, patient, edits);
     decide_bridges(options, patient, edits);
     if (options.accept <= 1.0) {
         const std::vector<TreeEdit> links =
@@ -150,6 +180,17 @@ Json bridges_of(const PatientCase& patient) {
         list[i].erase("built");
         list[i]["number"] = i + 1;
         list[i]["state"] = name_of(state_of_bridge(patient, i));
+    }
+    return list;
+}
+
+Json tumours_of(const PatientCase& patient) {
+    Json list = Json::array();
+    for (const Tumour& tumour : tumours_in(patient.organs)) {
+        const Vec3& middle = tumour.middle_mm;
+        list.push_back({{"tumour", tumour.number},
+                        {"volume_ml", tumour.volume_ml},
+                        {"middle_mm", {middle.x(), middle.y(), middle.z()}}});
     }
     return list;
 }
@@ -172,6 +213,7 @@ Json run_edit(const EditChoices& options, Job& job) {
     answer["warnings"] = sentences(std::nullopt, patient.tree);
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
+    answer["tumours"] = tumours_of(patient);
     answer["bridges"] = bridges_of(patient);
     answer["open_bridges"] = to_json(open_bridges(patient));
     return answer;
@@ -181,9 +223,9 @@ Json run_edit(const EditChoices& options, Job& job) {
 
 void add_edit(CommandLine& line) {
     auto options = std::make_shared<EditChoices>();
-    CLI::App& verb =
-        line.add_verb("edit", "Correct a case's tree: links, cuts, branches, roots, systems",
-                      [options](Job& job) { return run_edit(*options, job); });
+    CLI::App& verb = line.add_verb(
+        "edit", "Correct a case: its tree's links, branches, roots, systems; its tumours",
+        [options](Job& job) { return run_edit(*options, job); });
     verb.add_option("case", options->patient, "Case to correct")->required();
     verb.add_option("--edits", options->edits, "JSON array of edits, made after those it holds");
     CLI::Option* draw =
@@ -196,6 +238,14 @@ void add_edit(CommandLine& line) {
     verb.add_option("--seed", options->seeds,
                     "X,Y,Z,SYSTEM: the vessel at this place is of SYSTEM, with all that goes with "
                     "it; once for each");
+    verb.add_option("--paint-tumour", options->painted,
+                    "X,Y,Z,RADIUS: this ball of voxels is tumour; once for each ball");
+    verb.add_option("--erase-tumour", options->erased,
+                    "X,Y,Z,RADIUS: this ball is no tumour; once for each, after what is painted");
+    verb.add_option("--tumour", options->tumour,
+                    "Which tumour that is, as --list numbers them; else a new one is painted, and "
+                    "any erased")
+        ->check(CLI::Range(1, most_tumours));
     verb.add_option("--undo", options->undo, "Take back so many of the last edits first")
         ->check(CLI::NonNegativeNumber);
     verb.add_option("--accept-bridges", options->accept,
@@ -214,7 +264,7 @@ void add_edit(CommandLine& line) {
         ->delimiter(',');
     verb.add_option("--out", options->out,
                     "Write another case, NAME.hep or NAME.hepz, instead of changing this one");
-    verb.add_flag("--list", options->list, "Change nothing: print edits and bridges");
+    verb.add_flag("--list", options->list, "Change nothing: print edits, tumours and bridges");
 }
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/tree/territories/couinaud_segments.h"
 #include "core/tree/territories/feeders.h"
 
@@ -22,28 +23,21 @@ struct FeedersChoices {
     double radius_mm = 10.0;
 };
 
-// Labels of the tumours in organs, ascending.
-std::vector<std::uint8_t> tumours_in(const Mask& organs) {
-    std::vector<bool> found(256, false);
-    for (const std::uint8_t voxel : organs.voxels) found[voxel] = true;
-    std::vector<std::uint8_t> labels;
-    for (int label = organ_label::first_tumour; label < 256; ++label)
-        if (found[static_cast<std::size_t>(label)])
-            labels.push_back(static_cast<std::uint8_t>(label));
-    return labels;
-}
-
+// Labels in organs of the tumour that is asked for, or of all.
 std::vector<std::uint8_t> wanted_tumours(const FeedersChoices& options, const Mask& organs) {
-    const std::vector<std::uint8_t> all = tumours_in(organs);
+    const std::vector<Tumour> all = tumours_in(organs);
     if (all.empty())
         throw InputError("the case holds no tumour", options.patient.string(),
-                         "Reconstruct with --tumour-mask FILE, or name a place: --at-mm X,Y,Z");
-    if (options.tumour == 0) return all;
-    const auto label = static_cast<std::uint8_t>(organ_label::first_tumour + options.tumour - 1);
-    if (!std::ranges::binary_search(all, label))
+                         "Reconstruct with --tumour-mask FILE, paint one (edit --paint-tumour), or "
+                         "name a place: --at-mm X,Y,Z");
+    std::vector<std::uint8_t> labels;
+    for (const Tumour& tumour : all)
+        if (options.tumour == 0 || options.tumour == tumour.number)
+            labels.push_back(label_of_tumour(tumour.number));
+    if (labels.empty())
         throw UsageError("there is no tumour " + std::to_string(options.tumour), "--tumour",
-                         "The case holds " + std::to_string(all.size()) + ", numbered from 1");
-    return {label};
+                         "The case holds " + numbers_of(all));
+    return labels;
 }
 
 // What of the liver lies about a place counts as the tumour.
@@ -82,21 +76,21 @@ Json run_feeders(const FeedersChoices& options, Job& job) {
     job.expect_stages(2);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);
-    if (patient.organs.voxels.empty())
+    const Mask liver = liver_of(patient.organs);
+    if (liver.voxels.empty())
         throw InputError("the case holds no liver", options.patient.string(),
                          "Reconstruct with --liver-mask FILE");
     const std::vector<std::uint8_t> wanted = options.at_mm.empty()
                                                  ? wanted_tumours(options, patient.organs)
                                                  : mark_ball(options, patient.organs);
     job.begin_stage("Following the vessels");
-    const Mask liver = liver_of(patient.organs);
     const auto feeders = feeders_of(patient.tree, liver, patient.organs, wanted, job);
     const auto portal = label_portal_vein(patient.tree, liver);
     Json list = Json::array();
     for (std::size_t w = 0; w < wanted.size(); ++w)
         for (const Feeder& feeder : feeders[w]) {
             Json one = to_json(feeder, patient.tree, portal);
-            if (options.at_mm.empty()) one["tumour"] = wanted[w] - organ_label::first_tumour + 1;
+            if (options.at_mm.empty()) one["tumour"] = tumour_of(wanted[w]);
             list.push_back(std::move(one));
         }
     if (list.empty())
@@ -113,8 +107,8 @@ void add_feeders(CommandLine& line) {
                                    [options](Job& job) { return run_feeders(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
     auto* tumour =
-        verb.add_option("--tumour", options->tumour, "Only this one, from 1 (the largest)")
-            ->check(CLI::Range(1, 246));
+        verb.add_option("--tumour", options->tumour, "Only this one, as edit --list numbers them")
+            ->check(CLI::Range(1, most_tumours));
     auto* at = verb.add_option("--at-mm", options->at_mm,
                                "Instead of a tumour: what of the liver lies about X,Y,Z [LPS mm]");
     verb.add_option("--radius-mm", options->radius_mm, "How far about it")

@@ -2,11 +2,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 
 #include "app/output_place.h"
+#include "app/verbs/brush_dab.h"
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double most_radius_mm = 50.0;  // of a ball
-
 struct RemakeChoices {
     fs::path patient;
     fs::path vessels;
@@ -34,19 +32,6 @@ struct RemakeChoices {
     std::vector<std::string> painted, erased;  // X,Y,Z,RADIUS
     ThresholdChoice threshold;
 };
-
-BrushStroke dab(const std::string& option, const std::string& text, bool erases) {
-    const auto comma = std::min(text.find_last_of(','), text.size());
-    const auto numbers = parse_triple(option, text.substr(0, comma));
-    const char* const end = text.data() + text.size();
-    double radius_mm = 0.0;
-    const auto [rest, error] =
-        std::from_chars(std::min(text.data() + comma + 1, end), end, radius_mm);
-    if (error != std::errc{} || rest != end || !(radius_mm > 0.0 && radius_mm <= most_radius_mm))
-        throw UsageError("\"" + text + "\" is no ball", option,
-                         "Write X,Y,Z,RADIUS in mm, the radius above 0 and up to 50");
-    return {{Vec3(numbers[0], numbers[1], numbers[2])}, radius_mm, erases};
-}
 
 // In the order in which they act: what is painted, then what is erased.
 std::vector<BrushStroke> dabs(const RemakeChoices& options) {

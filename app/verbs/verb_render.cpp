@@ -11,6 +11,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/corrections.h"
+#include "core/patient/liver_segments.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
@@ -111,7 +112,7 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
 }
 
 TriangleMesh liver_of_case(const RenderChoices& options, const PatientCase& patient, Job& job) {
-    TriangleMesh liver = organ_surface(patient.organs, organ_label::liver, job);
+    TriangleMesh liver = organ_surface(liver_of(patient.organs), organ_label::liver, job);
     if (liver.triangles.empty())
         throw InputError("the case knows no liver", options.patient.string(),
                          "leave --liver out, or reconstruct with --liver-mask");

@@ -2,7 +2,9 @@
 // A ball that is led through a mask by hand, and leaves voxels or takes them away.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/image/volume.h"
@@ -15,10 +17,16 @@ struct BrushStroke {
     bool erases = false;
 };
 
-// Voxels whose centre lies within the radius of the path: an erasing stroke makes them 0, a
-// painting one gives `label` to those that are 0 and leaves the others as they are. What lies
-// outside of the grid is left out; a ball between all centres takes the voxel that its own centre
-// lies in. The work is that of the boxes around the path's pieces.
+// Calls touch(offset) for every voxel whose centre lies within the radius of the path, some of them
+// more than once. The radius counts a fifth of a micrometre more, so that a grid that a file keeps
+// in single precision gives the same voxels. What lies outside of the grid is left out; a ball
+// between all centres takes the voxel that its own centre lies in. The work is that of the boxes
+// around the path's pieces.
+void sweep(const BrushStroke& stroke, const Grid& grid,
+           const std::function<void(std::size_t offset)>& touch);
+
+// To these voxels: an erasing stroke makes them 0, a painting one gives `label` to those that are 0
+// and leaves the others as they are.
 void apply(const BrushStroke& stroke, std::uint8_t label, Mask& mask);
 
 }  // namespace hepatica

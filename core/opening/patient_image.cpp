@@ -10,6 +10,7 @@
 #include "core/image/volume_reader.h"
 #include "core/patient/image_digest.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/reconstruction/built_in_patient.h"
 
 namespace hepatica {
@@ -79,6 +80,11 @@ Mask organ_voxels(const PatientCase& patient, const fs::path& folder) {
     return std::move(voxels_of(patient, folder).organs);
 }
 
+Mask canvas_voxels(const PatientCase& patient, const fs::path& folder) {
+    const bool has_voxels = !patient.mask.voxels.empty() || !patient.organs.voxels.empty();
+    return tumour_canvas(has_voxels || folder.empty() ? patient : voxels_of(patient, folder));
+}
+
 Mask segment_voxels(const PatientCase& patient, const fs::path& folder, bool corrected, Job& job) {
     // With his organs in memory he has the segments of his tree, if there are any.
     if (!patient.couinaud.voxels.empty() || !patient.organs.voxels.empty() || folder.empty())
@@ -91,10 +97,13 @@ Mask segment_voxels(const PatientCase& patient, const fs::path& folder, bool cor
     return std::move(voxels.couinaud);
 }
 
-PatientCase whole_case(const PatientCase& patient, const fs::path& folder, Job& job) {
+PatientCase whole_case(const PatientCase& patient, const fs::path& folder,
+                       const std::vector<TreeEdit>& edits, Job& job) {
     PatientCase whole = patient;
-    if (folder.empty() || !whole.mask.voxels.empty()) return whole;
-    add_voxels(folder, whole);
+    const bool reads = !folder.empty() && whole.mask.voxels.empty();
+    if (reads) add_voxels(folder, whole);
+    if (!reads && edits == patient.corrections.edits) return whole;
+    set_tumour_strokes(whole, edits);  // the case on disk may have others
     label_segments(whole, job);
     return whole;
 }

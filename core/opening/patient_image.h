@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
@@ -32,15 +33,21 @@ Mask system_voxels(const PatientCase& patient, const std::filesystem::path& fold
 // Likewise the labels of organs, see organ_label.
 Mask organ_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
+// Likewise what tumours can be painted on: the organs without the strokes of a brush, with room
+// about them (tumour_canvas()).
+Mask canvas_voxels(const PatientCase& patient, const std::filesystem::path& folder);
+
 // Likewise the labels of Couinaud's segments that belong to his present tree. `corrected`: his tree
 // is not that of the case in `folder` any more, so that they are made anew from the organs there.
 // Begins one stage where they are; throws Cancelled.
 Mask segment_voxels(const PatientCase& patient, const std::filesystem::path& folder, bool corrected,
                     Job& job);
 
-// The patient with his voxels, those of the case in `folder` where he was read without them, and
-// with the segments of the liver that belong to his present tree. Throws InputError as read_case()
-// does, Cancelled.
-PatientCase whole_case(const PatientCase& patient, const std::filesystem::path& folder, Job& job);
+// The patient with his voxels, those of the case in `folder` where he was read without them, with
+// the tumours as the strokes among `edits` leave them, and with the segments of the liver that
+// belong to his present tree. Of the tree the edits are those that he has. Throws InputError as
+// read_case() does, Cancelled.
+PatientCase whole_case(const PatientCase& patient, const std::filesystem::path& folder,
+                       const std::vector<TreeEdit>& edits, Job& job);
 
 }  // namespace hepatica

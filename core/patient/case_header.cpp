@@ -130,8 +130,8 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
     json["tree"] = to_json(patient.tree);
     if (!patient.couinaud.voxels.empty()) json["segments_ml"] = segments_ml_json(patient.couinaud);
     if (patient.doubts) json["doubts"] = json_of(*patient.doubts);
-    for (const char* name :
-         {mask, skeleton, organs, couinaud, tree, swc, surface, mesh, corrections, extracted})
+    for (const char* name : {mask, skeleton, organs, unpainted, couinaud, tree, swc, surface, mesh,
+                             corrections, extracted})
         if (fs::exists(folder / name)) json["sha256"][name] = sha256_of_file(folder / name);
     write_text_atomically(folder / case_file::header, json.dump(2) + "\n");
 }

@@ -18,6 +18,7 @@ inline constexpr const char* header = "case.json";
 inline constexpr const char* mask = "mask.nii.gz";
 inline constexpr const char* skeleton = "skeleton.nii.gz";
 inline constexpr const char* organs = "organs.nii.gz";
+inline constexpr const char* unpainted = "organs_unpainted.nii.gz";
 inline constexpr const char* couinaud = "couinaud.nii.gz";
 inline constexpr const char* tree = "tree.vtp";
 inline constexpr const char* swc = "tree.swc";
@@ -26,7 +27,7 @@ inline constexpr const char* mesh = "mesh.vtu";
 inline constexpr const char* corrections = "corrections.json";
 inline constexpr const char* extracted = "tree_extracted.vtp";
 inline constexpr const char* dial = "dial.json";
-inline constexpr std::array all{header, mask,    skeleton, organs,      couinaud,  tree,
+inline constexpr std::array all{header, mask,    skeleton, organs,      unpainted, couinaud, tree,
                                 swc,    surface, mesh,     corrections, extracted, dial};
 }  // namespace case_file
 

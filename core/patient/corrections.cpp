@@ -6,9 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/base/json_number.h"
+#include "core/base/patient_space.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 
 namespace hepatica {
 
@@ -104,8 +106,12 @@ std::vector<Bridge> open_bridges(const PatientCase& patient) {
 }
 
 TreeEdit acceptance_of(const Bridge& bridge) {
-    return {TreeEditKind::add_link, bridge.path_mm.front(),  bridge.path_mm.back(),
-            bridge.path_mm,         VascularSystem::unknown, {}};
+    TreeEdit link;
+    link.kind = TreeEditKind::add_link;
+    link.at_mm = bridge.path_mm.front();
+    link.to_mm = bridge.path_mm.back();
+    link.path_mm = bridge.path_mm;
+    return link;
 }
 
 TreeEdit refusal_of(const Bridge& bridge) {
@@ -136,14 +142,34 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
     return result;
 }
 
+namespace {
+
+// With the strokes at tumours among the edits.
+PatientCase edited_without_body(const PatientCase& patient, const std::vector<TreeEdit>& edits) {
+    PatientCase result = with_edited_tree(patient, edits);
+    if (tumour_strokes(edits) == tumour_strokes(patient.corrections.edits)) return result;
+    if (const auto idle = paint_tumours(result, edits))
+        throw InputError(
+            edits[*idle].kind == TreeEditKind::erase_tumour
+                ? "there is no such tumour to be erased"
+                : "there is nothing that could become tumour",
+            "edit " + std::to_string(*idle + 1) + " at " + place_text(edits[*idle].at_mm),
+            "Lead the brush elsewhere, or take the edit out");
+    return result;
+}
+
+}  // namespace
+
 PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job) {
-    const bool same = edits == patient.corrections.edits;
     job.begin_stage("Editing the tree");
-    PatientCase result = same ? patient : with_edited_tree(patient, edits);
+    const bool same = edits == patient.corrections.edits;
+    PatientCase result = same ? patient : edited_without_body(patient, edits);
     job.begin_stage("Meshing the vessels");
     if (same) return result;
-    result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
-    result.surface = surface_of(result.mesh).mesh;
+    if (tree_edits(edits) != tree_edits(patient.corrections.edits)) {
+        result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
+        result.surface = surface_of(result.mesh).mesh;
+    }
     label_segments(result, job);
     return result;
 }

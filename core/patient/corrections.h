@@ -47,9 +47,10 @@ MeshOptions mesh_options_of(const PatientCase& patient);
 PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeEdit>& edits);
 
 // The case with these edits, and no others, made on the tree as it was extracted; mesh and surface
-// are made anew, as `source.parameters_json` says, and so are the liver's segments where `patient`
-// holds its organs. An unchanged list changes nothing.
-// Throws InputError that names the edit which cannot be done, or where nothing of the tree is left;
+// are made anew, as `source.parameters_json` says, unless only strokes at tumours differ. Where
+// `patient` holds voxels his organs are as the strokes leave them, and the liver's segments are
+// made anew. An unchanged list changes nothing. Throws InputError that names the edit which cannot
+// be done (a stroke that touches nothing is one, too), or where nothing of the tree is left;
 // Cancelled. `patient` itself stays as it is.
 PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job);
 

@@ -18,6 +18,7 @@ bool liver_was_found(const CaseSource& source) {
 }  // namespace
 
 Mask liver_of(const Mask& organs) {
+    if (std::ranges::find(organs.voxels, organ_label::liver) == organs.voxels.end()) return {};
     Mask liver = organs;
     for (std::uint8_t& voxel : liver.voxels)
         voxel = voxel == organ_label::liver || voxel >= organ_label::first_tumour ? 1 : 0;
@@ -28,7 +29,9 @@ void label_segments(PatientCase& patient, Job& job) {
     if (patient.organs.voxels.empty()) return;
     patient.couinaud = {};
     if (patient.doubts) patient.doubts->segments.reset();
-    auto found = couinaud_segments(patient.tree, liver_of(patient.organs), job);
+    const Mask liver = liver_of(patient.organs);
+    if (liver.voxels.empty()) return;
+    auto found = couinaud_segments(patient.tree, liver, job);
     if (!found) return;
     patient.couinaud = std::move(found->labels);
     if (!patient.doubts) return;

@@ -9,13 +9,14 @@
 
 namespace hepatica {
 
-// What of the organs is liver: all but the vena cava, tumours included.
+// What of the organs is liver: all but the vena cava, tumours included. Empty where nothing is but
+// tumours.
 Mask liver_of(const Mask& organs);
 
 // Makes `couinaud` anew from organs and tree, and says in `doubts`, where the patient has any, how
-// sure it is; both without segments where there is no portal vein. Nothing changes where the
-// patient holds no organs (read without voxels). Reports progress in the present stage; throws
-// Cancelled.
+// sure it is; both without segments where there is no portal vein, or no liver about tumours.
+// Nothing changes where the patient holds no organs (read without voxels). Reports progress in the
+// present stage; throws Cancelled.
 void label_segments(PatientCase& patient, Job& job);
 
 // {"1": millilitres, ..., "8": ...} of a label map.

@@ -73,6 +73,7 @@ void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCa
         if (header.mask_grid && same_grid(voxels->grid, *header.mask_grid))
             voxels->grid = *header.mask_grid;
     patient.organs = read_voxels(folder, header, case_file::organs);
+    patient.corrections.unpainted = read_voxels(folder, header, case_file::unpainted);
     patient.couinaud = read_voxels(folder, header, case_file::couinaud);
     if (header.version > 1) return;
     const VesselTree extracted = extracted_tree(folder, header);
@@ -136,6 +137,7 @@ void write_files(const fs::path& folder, const PatientCase& patient) {
     write_voxels(folder / case_file::mask, patient.mask);
     write_voxels(folder / case_file::skeleton, patient.skeleton);
     write_voxels(folder / case_file::organs, patient.organs);
+    write_voxels(folder / case_file::unpainted, patient.corrections.unpainted);
     write_voxels(folder / case_file::couinaud, patient.couinaud);
     write_tree_vtp(folder / case_file::tree, patient.tree);
     write_tree_swc(folder / case_file::swc, patient.tree);

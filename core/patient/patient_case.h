@@ -3,8 +3,9 @@
 // (case_archive.h), which is unpacked among the temporary files whenever it is read.
 //   case.json (version, digest of the CT, parameters, the tree in numbers, SHA-256 of the rest),
 //   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, couinaud.nii.gz, tree.vtp,
-//   tree.swc, surface.vtp, mesh.vtu, and where the tree was corrected by hand corrections.json
-//   (bridges offered, edits) and tree_extracted.vtp (the tree before the edits)
+//   tree.swc, surface.vtp, mesh.vtu, and where it was corrected by hand corrections.json (bridges
+//   offered, edits), tree_extracted.vtp (the tree before the edits) and, where tumours were
+//   painted, organs_unpainted.nii.gz (the organs before that)
 // The CT is not copied, and no path of it or of a mask is kept: folders are often called after the
 // patient. This is format 2; format 1 is read, too (format_1.h).
 #pragma once
@@ -37,6 +38,9 @@ struct Corrections {
     std::vector<Bridge> bridges;  // gaps found: bridged by the reconstruction, or only offered
     std::vector<TreeEdit> edits;  // in order; they made `tree` out of `extracted`
     VesselTree extracted;         // the tree before the first edit; empty where there are none
+    // The organs before the first stroke at a tumour (painted_tumours.h), all 0 where there were
+    // none; empty without strokes, and where the patient was read without voxels.
+    Mask unpainted;
 };
 
 // Labels of organs.nii.gz.
@@ -50,7 +54,7 @@ struct PatientCase {
     CaseSource source;
     Mask mask;      // numbers of vascular systems, on the grid they were segmented on; may be empty
     Mask skeleton;  // its unit-width skeleton, same grid; may be empty
-    Mask organs;    // organ_label, on a grid of its own; empty where none was given or found
+    Mask organs;    // organ_label, on a grid of its own; empty where there are none
     // Couinaud's segments 1 to 8 of the liver, on the grid of `organs`, by the portal vein of
     // `tree`; empty where either is missing. See liver_segments.h.
     Mask couinaud;

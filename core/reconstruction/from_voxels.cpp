@@ -67,7 +67,8 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
         extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
     warn_of_left_out(extraction, tree_options, warnings);
     patient.tree = std::move(extraction.tree);
-    patient.corrections = {.bridges = std::move(extraction.bridges), .edits = {}, .extracted = {}};
+    patient.corrections = {};
+    patient.corrections.bridges = std::move(extraction.bridges);
     patient.doubts = doubts_of(patient.tree);
     patient.doubts->opened_loops = extraction.opened_loops;
     patient.doubts->contrast_hu = options.of_image.contrast_hu;

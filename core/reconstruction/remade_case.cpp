@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/patient/corrections.h"
+#include "core/patient/painted_tumours.h"
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/segmentation/vessel_systems.h"
@@ -78,7 +79,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;
-    made.organs = patient.organs;
+    made.organs = unpainted_organs(patient);  // tumours that were painted change no vessel
     made.mask = std::move(vessels);
     made.dial_json.clear();  // it was measured on another body
     make_tree(options, ct, made, result.warnings, job);
@@ -88,6 +89,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     const std::vector<TreeEdit> edits =
         possible_edits(made, patient.corrections.edits, result.warnings);
     if (!edits.empty()) made = with_edited_tree(made, edits);
+    paint_tumours(made, edits);
     make_body(mesh_options_of(made), made, result.warnings, job);
     return result;
 }

@@ -10,12 +10,6 @@
 
 namespace hepatica {
 
-namespace {
-
-constexpr int most_tumours = 255 - organ_label::first_tumour + 1;
-
-}  // namespace
-
 Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid, Job& job) {
     Mask any(ct_grid);
     for (const std::filesystem::path& file : files) {

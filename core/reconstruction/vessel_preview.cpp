@@ -8,7 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/image/morphology.h"
 #include "core/image/voxel_loop.h"
-#include "core/patient/patient_case.h"
+#include "core/patient/liver_segments.h"
 #include "core/segmentation/gaussian_refinement.h"
 
 namespace hepatica {
@@ -17,13 +17,6 @@ namespace {
 
 constexpr int most_recursions = 10;
 constexpr double wall_mm = 1.3;  // fitted walls lie at most so far outside of the voxels believed
-
-Mask liver_of(const Mask& organs) {
-    Mask liver = organs;
-    for (std::uint8_t& voxel : liver.voxels)
-        voxel = voxel == organ_label::liver || voxel >= organ_label::first_tumour;
-    return liver;
-}
 
 void require_possible(const ThresholdChoice& choice) {
     if (!(choice.line_share >= least_line_share && choice.line_share <= most_line_share))
@@ -69,7 +62,7 @@ class SeenFrom {
 VesselPreview::VesselPreview(const Volume& ct, const Mask& organs, Job& job) {
     SegmentationOptions options;
     Mask liver = liver_of(organs);
-    if (std::ranges::find(liver.voxels, 1) != liver.voxels.end()) options.liver = std::move(liver);
+    if (!liver.voxels.empty()) options.liver = std::move(liver);
     liver_ = measure_liver(ct, options, job);
     job.begin_stage("Segmenting the vessels");
     lines_ =

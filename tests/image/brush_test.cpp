@@ -154,5 +154,24 @@ TEST(Brush, ABallBetweenTheCentresTakesItsOwnVoxel) {
     EXPECT_EQ(mask.at(10, 10, 10), 1);
 }
 
+// A file keeps a grid in single precision: strokes that are led again over what was read leave the
+// same, also where voxels lie just at the radius.
+TEST(Brush, LeavesTheSameOnAGridThatWasReadAgain) {
+    Grid grid;
+    grid.dims = {41, 41, 41};
+    grid.spacing_mm = Vec3(0.7, 0.7, 0.8);
+    grid.origin_mm = Vec3(-14.1, 23.3, -1030.7);
+    Grid read = grid;
+    read.spacing_mm = grid.spacing_mm.cast<float>().cast<double>();
+    read.origin_mm = grid.origin_mm.cast<float>().cast<double>();
+    for (const double radius : {0.7, 2.8, 3.5, 7.0, 8.0}) {
+        Mask made(grid), again(read);
+        const BrushStroke dab{{grid.to_mm(20, 20, 20)}, radius, false};
+        apply(dab, 1, made);
+        apply(dab, 1, again);
+        EXPECT_EQ(made.voxels, again.voxels) << radius;
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -11,6 +11,7 @@
 #include "core/patient/corrections.h"
 #include "core/patient/image_digest.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/tree/territories/textbook_portal.h"
@@ -100,6 +101,31 @@ TEST_F(PatientImage, SegmentsAreThoseOfThePresentTree) {
     ASSERT_NE(patient.couinaud.voxels, before.voxels);
     EXPECT_EQ(segment_voxels(opened, folder, true, job_).voxels, patient.couinaud.voxels);
     EXPECT_EQ(segment_voxels(opened, folder, false, job_).voxels, before.voxels);
+}
+
+// What is written of a patient who was read without his voxels has the strokes that are wanted, and
+// not those that the case on disk had.
+TEST_F(PatientImage, TumoursOfTheWholeCaseAreThoseOfTheStrokesThatAreWanted) {
+    PatientCase patient = test::patient_with_bridges();
+    patient.organs = Mask(Grid{{40, 40, 40}}, organ_label::liver);
+    patient.mask = Mask(patient.organs.grid, 1);
+    const TreeEdit first = tumour_edit({{Vec3(10, 10, 10)}, 4.0, false}, 1);
+    const TreeEdit second = tumour_edit({{Vec3(25, 25, 25)}, 5.0, false}, 2);
+    PatientCase on_disk = patient, wanted = patient;
+    set_tumour_strokes(on_disk, {first});
+    set_tumour_strokes(wanted, {first, second});
+    const fs::path folder = folder_ / "strokes.hep";
+    write_case(folder, on_disk);
+    const PatientCase opened = read_case_without_voxels(folder);
+    const PatientCase whole = whole_case(opened, folder, {first, second}, job_);
+    EXPECT_EQ(whole.organs.voxels, wanted.organs.voxels);
+    EXPECT_EQ(whole.corrections.edits, wanted.corrections.edits);
+    EXPECT_EQ(whole_case(opened, folder, {}, job_).organs.voxels, patient.organs.voxels);
+    EXPECT_EQ(whole_case(on_disk, {}, {first, second}, job_).organs.voxels, wanted.organs.voxels)
+        << "of one with his voxels in memory, too";
+    const Mask canvas = canvas_voxels(opened, folder);
+    EXPECT_TRUE(tumours_in(canvas).empty());
+    EXPECT_EQ(canvas.voxels, tumour_canvas(patient).voxels);
 }
 
 }  // namespace

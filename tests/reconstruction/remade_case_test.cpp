@@ -11,6 +11,7 @@
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/patient/corrections.h"
+#include "core/patient/painted_tumours.h"
 #include "core/phantom/phantom.h"
 #include "core/reconstruction/reconstruct.h"
 #include "core/reconstruction/reconstruct_parameters.h"
@@ -178,6 +179,22 @@ TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
 }
 
 // Its neighbour must not be taken for the vessel that a person named.
+// Also where it sticks out of the liver, whose box tells anatomy where to look.
+TEST_F(RemadeCaseTest, TumoursThatWerePaintedStayAndChangeNoVessel) {
+    const Grid& grid = patient_->organs.grid;
+    const Vec3 border = grid.to_mm(0, grid.dims[1] / 2, grid.dims[2] / 2);
+    PatientCase patient = *patient_;
+    set_tumour_strokes(patient, {tumour_edit({{border}, 12.0, false}, 1)});
+    ASSERT_FALSE(tumours_in(patient.organs).empty());
+    const PatientCase made = remade_of(patient.mask, patient).patient;
+    EXPECT_EQ(made.organs.voxels, patient.organs.voxels);
+    EXPECT_EQ(made.corrections.edits, patient.corrections.edits);
+    EXPECT_TRUE(same_points(made.tree, remade_of(patient_->mask).patient.tree));
+    PatientCase back = made;
+    set_tumour_strokes(back, {});
+    EXPECT_EQ(back.organs.voxels, patient_->organs.voxels);
+}
+
 TEST_F(RemadeCaseTest, ASeedWhoseVesselIsErasedIsLeftOut) {
     const Station at = twig();
     PatientCase seeded = *patient_;

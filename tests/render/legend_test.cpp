@@ -43,6 +43,17 @@ TEST(LegendRows, NameTheSystemsThatThePatientHas) {
     EXPECT_EQ(texts_of(content), std::vector<std::string>{"Artery"});
 }
 
+TEST(LegendRows, NameTumoursWhereThereAreAny) {
+    LegendContent content;
+    set_colours_shown(content, {VascularSystem::portal}, {});
+    content.tumours = true;
+    EXPECT_EQ(texts_of(content), (std::vector<std::string>{"Tumour", "Portal vein"}));
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::tumour});
+    content.injected = true;
+    content.drug_end_s = 1.0;
+    EXPECT_EQ(texts_of(content)[0], "Tumour") << "also while a drug is shown";
+}
+
 // A vessel in the colour of its segment is not in that of its system.
 TEST(LegendRows, NumberTheLiversSegmentsInTheirColours) {
     LegendContent content;

@@ -66,6 +66,24 @@ TEST(OrganSurface, OfABallIsTheBall) {
     }
 }
 
+// Of two tumours one is a single voxel, which no smoothing would leave.
+TEST(OrganSurface, OfTumoursShowsEachPieceHoweverSmall) {
+    const Vec3 centre(2.0, -3.0, 1.0);
+    const double radius = 12.0, smoothing = 0.8;
+    Mask tumours = ball(centre, radius);
+    tumours.at(4, 4, 4) = 2;
+    Job job;
+    const TriangleMesh surface = tumour_surface(tumours, job);
+    EXPECT_TRUE(is_closed(surface));
+    const double drawn = radius - smoothing * smoothing / radius;
+    const double ml = 4.0 / 3.0 * std::numbers::pi * std::pow(drawn, 3) / 1000.0;
+    EXPECT_NEAR(volume_ml(surface), ml, 0.02 * ml);
+    const Vec3 alone = tumours.grid.to_mm(4, 4, 4);
+    EXPECT_TRUE(std::ranges::any_of(
+        surface.vertices_mm, [&](const Vec3& vertex) { return (vertex - alone).norm() < 2.0; }));
+    EXPECT_TRUE(tumour_surface(Mask(tumours.grid), job).triangles.empty());
+}
+
 TEST(OrganSurface, IsClosedWhereTheOrganLeavesTheImage) {
     Job job;
     const TriangleMesh surface = organ_surface(ball(Vec3(30.0, 0.0, 0.0), 25.0), organ, job);

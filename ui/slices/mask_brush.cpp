@@ -5,6 +5,10 @@
 
 namespace hepatica {
 
+bool is_worth_a_step(const BrushStroke& stroke, const Vec3& place_mm) {
+    return (stroke.path_mm.back() - place_mm).norm() >= 0.2 * stroke.radius_mm;
+}
+
 void MaskBrush::set_mode(BrushMode mode) {
     mode_ = mode;
     lift();
@@ -24,11 +28,8 @@ void MaskBrush::begin(const Vec3& place_mm) {
 }
 
 void MaskBrush::lead_to(const Vec3& place_mm) {
-    if (!down_) return;
-    std::vector<Vec3>& path = strokes_.back().path_mm;
-    // The ball sweeps what lies between: nearer points would add nothing.
-    if ((path.back() - place_mm).norm() < 0.2 * strokes_.back().radius_mm) return;
-    path.push_back(place_mm);
+    if (!down_ || !is_worth_a_step(strokes_.back(), place_mm)) return;
+    strokes_.back().path_mm.push_back(place_mm);
     tell();
 }
 

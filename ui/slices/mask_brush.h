@@ -17,6 +17,10 @@ inline constexpr std::uint8_t painted_label = 254;
 
 enum class BrushMode { away, paints, erases };
 
+// Whether a stroke that is led on to this place gets any longer by it: the ball sweeps what lies
+// between, and nearer points would add nothing.
+bool is_worth_a_step(const BrushStroke& stroke, const Vec3& place_mm);
+
 // UI thread.
 class MaskBrush {
   public:

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <optional>
 
 #include "render/palette.h"
 
@@ -23,9 +25,13 @@ QRgb mixed(QRgb below, const Colour& tint, double opacity) {
                 channel(qBlue(below), tint[2]));
 }
 
-}  // namespace
+struct Opacity {
+    double inside = 0.0, border = 0.0;
+};
 
-void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
+// Labels to which `tint` gives a colour, with a border against every other label.
+void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels, const Opacity& opacity,
+                const std::function<std::optional<Colour>(int label)>& tint) {
     const int columns = picture.width(), rows = picture.height();
     const auto label = [&](int column, int row) {
         const bool inside = column >= 0 && column < columns && row >= 0 && row < rows;
@@ -35,13 +41,26 @@ void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
         for (int column = 0; column < columns; ++column) {
             const int here = label(column, row);
-            if (!is_segment(here)) continue;
+            const std::optional<Colour> colour = here == 0 ? std::nullopt : tint(here);
+            if (!colour) continue;
             const bool border = label(column - 1, row) != here || label(column + 1, row) != here ||
                                 label(column, row - 1) != here || label(column, row + 1) != here;
-            line[column] = mixed(line[column], palette::liver_segment(here),
-                                 border ? segment_border_opacity : segment_opacity);
+            line[column] = mixed(line[column], *colour, border ? opacity.border : opacity.inside);
         }
     }
+}
+
+}  // namespace
+
+void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
+    lay_labels(picture, labels, {segment_opacity, segment_border_opacity}, [](int label) {
+        return is_segment(label) ? std::optional(palette::liver_segment(label)) : std::nullopt;
+    });
+}
+
+void lay_tumours(QImage& picture, const std::vector<std::uint8_t>& numbers) {
+    lay_labels(picture, numbers, {tumour_opacity, tumour_border_opacity},
+               [](int) { return std::optional(palette::tumour); });
 }
 
 std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labels, int columns,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Couinaud's segments over a slice: each in the colour that its branches have in the
-// three-dimensional view, thin enough for the CT to be read through it, with a firm border and its
-// number.
+// Couinaud's segments and tumours over a slice: each in the colour that its branches, or its
+// surface, have in the three-dimensional view, thin enough for the CT to be read through it, with a
+// firm border; segments with their number.
 #pragma once
 
 #include <QImage>
@@ -15,9 +15,13 @@ namespace hepatica {
 // would else run together.
 inline constexpr double segment_opacity = 0.25;
 inline constexpr double segment_border_opacity = 0.6;
+inline constexpr double tumour_opacity = 0.4, tumour_border_opacity = 0.85;
 
 // Tints the picture where a label is 1 to 8; one label a pixel, row by row.
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels);
+
+// Tints it where a label is not 0, in the colour of tumours.
+void lay_tumours(QImage& picture, const std::vector<std::uint8_t>& numbers);
 
 struct SegmentNumber {
     int segment = 0;

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -30,7 +31,14 @@ constexpr std::array presets{
 };
 
 // What a click is for; the three measurements stand between them.
-constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5, paints = 6, erases = 7;
+constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5, paints = 6, erases = 7,
+              paints_tumour = 8, erases_tumour = 9;
+
+BrushMode mode_of(int click, int painting, int erasing) {
+    return click == painting  ? BrushMode::paints
+           : click == erasing ? BrushMode::erases
+                              : BrushMode::away;
+}
 
 bool same(const GreyWindow& a, const GreyWindow& b) {
     return a.level_hu == b.level_hu && a.width_hu == b.width_hu;
@@ -133,7 +141,8 @@ QWidget* SliceBar::click_choice() {
     click_->setAccessibleName(Words::tr("What a click in a slice does"));
     click_->addItems({Words::tr("Crosshair"), Words::tr("Distance"), Words::tr("Angle"),
                       Words::tr("Diameter"), Words::tr("Draw a vessel"), Words::tr("Correct"),
-                      Words::tr("Paint vessels"), Words::tr("Erase vessels")});
+                      Words::tr("Paint vessels"), Words::tr("Erase vessels"),
+                      Words::tr("Paint tumour"), Words::tr("Erase tumour")});
     click_->setToolTip(Words::tr(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
@@ -141,7 +150,7 @@ QWidget* SliceBar::click_choice() {
         "comes in; Enter draws it. Delete takes the last away, Escape ends it. "
         "Correct: a click on a vessel does what the panel of corrections says. "
         "Paint, erase: a drag leads a ball through the vessels' voxels; Rebuild makes the vessels "
-        "anew of them"));
+        "anew of them. A tumour changes no vessel: it needs no Rebuild"));
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
@@ -152,9 +161,8 @@ void SliceBar::choose_click(int index) {
     const bool measures = index > moves_crosshair && index < draws_vessel;
     scene_.set_corrects(index == corrects);
     scene_.pen().set_taken(index == draws_vessel);
-    scene_.brush().set_mode(index == paints   ? BrushMode::paints
-                            : index == erases ? BrushMode::erases
-                                              : BrushMode::away);
+    scene_.brush().set_mode(mode_of(index, paints, erases));
+    scene_.tumours().set_mode(mode_of(index, paints_tumour, erases_tumour));
     scene_.measurements().choose(measures ? std::optional(static_cast<MeasurementKind>(index - 1))
                                           : std::nullopt);
     follow_click();
@@ -162,12 +170,14 @@ void SliceBar::choose_click(int index) {
 
 int SliceBar::chosen_click() const {
     const auto kind = scene_.measurements().chosen();
-    return scene_.pen().taken()                         ? draws_vessel
-           : scene_.corrects()                          ? corrects
-           : scene_.brush().mode() == BrushMode::paints ? paints
-           : scene_.brush().mode() == BrushMode::erases ? erases
-           : kind                                       ? 1 + static_cast<int>(*kind)
-                                                        : moves_crosshair;
+    return scene_.pen().taken()                           ? draws_vessel
+           : scene_.corrects()                            ? corrects
+           : scene_.brush().mode() == BrushMode::paints   ? paints
+           : scene_.brush().mode() == BrushMode::erases   ? erases
+           : scene_.tumours().mode() == BrushMode::paints ? paints_tumour
+           : scene_.tumours().mode() == BrushMode::erases ? erases_tumour
+           : kind                                         ? 1 + static_cast<int>(*kind)
+                                                          : moves_crosshair;
 }
 
 // What to do next; empty where a click only moves the crosshair.
@@ -188,6 +198,10 @@ QString SliceBar::guidance() const {
             return Words::tr("Drag over what is vessel (+ and - size the brush), then Rebuild");
         case erases:
             return Words::tr("Drag over what is no vessel (+ and - size the brush), then Rebuild");
+        case paints_tumour:
+            return Words::tr("Drag over what is tumour (+ and - size the brush)");
+        case erases_tumour:
+            return Words::tr("Drag over what is no tumour (+ and - size the brush)");
         default:
             return {};
     }
@@ -220,22 +234,51 @@ void SliceBar::add_brush(QHBoxLayout& row) {
     remake_->setToolTip(Words::tr(
         "Makes the vessels anew of their voxels as they are painted now. Corrections are made "
         "again where they still can be"));
+    row.addWidget(tumour_choice());
     row.addWidget(radius_);
     row.addWidget(remake_);
     connect(radius_, &QDoubleSpinBox::valueChanged, this,
             [this](double mm) { scene_.brush().set_radius(mm); });
     connect(remake_, &QPushButton::clicked, this, [this] { scene_.brush().remake(); });
-    const auto follow = [this] {
-        const MaskBrush& brush = scene_.brush();
-        const bool taken = brush.mode() != BrushMode::away;
-        radius_->setVisible(taken);
-        radius_->setValue(brush.radius_mm());
-        remake_->setVisible(taken || !brush.strokes().empty());
-        remake_->setEnabled(!brush.strokes().empty());
-        follow_click();
-    };
-    scene_.brush().on_change(follow);
-    follow();
+    scene_.brush().on_change([this] { follow_brush(); });
+    scene_.tumours().on_change([this] {
+        follow_tumours();
+        follow_brush();
+    });
+    follow_tumours();
+    follow_brush();
+}
+
+void SliceBar::follow_brush() {
+    const MaskBrush& brush = scene_.brush();
+    radius_->setVisible(scene_.brushing());
+    radius_->setValue(brush.radius_mm());
+    remake_->setVisible(brush.mode() != BrushMode::away || !brush.strokes().empty());
+    remake_->setEnabled(!brush.strokes().empty());
+    follow_click();
+}
+
+QWidget* SliceBar::tumour_choice() {
+    tumour_ = new QComboBox;
+    tumour_->setObjectName("tumour");
+    tumour_->setAccessibleName(Words::tr("Which tumour is painted or erased"));
+    tumour_->setToolTip(Words::tr("Tumours keep their numbers; one that is wholly erased is gone"));
+    tumour_->setFocusPolicy(Qt::TabFocus);  // keys after it are the slice's
+    connect(tumour_, &QComboBox::activated, this,
+            [this](int index) { scene_.tumours().choose(tumour_->itemData(index).toInt()); });
+    return tumour_;
+}
+
+// The tumours that there are, after a new one or all of them.
+void SliceBar::follow_tumours() {
+    const TumourBrush& brush = scene_.tumours();
+    tumour_->setVisible(brush.mode() != BrushMode::away);
+    tumour_->clear();
+    tumour_->addItem(
+        brush.mode() == BrushMode::erases ? Words::tr("Any tumour") : Words::tr("New tumour"), 0);
+    for (const Tumour& tumour : brush.tumours())
+        tumour_->addItem(Words::tr("Tumour %1").arg(tumour.number), tumour.number);
+    tumour_->setCurrentIndex(std::max(0, tumour_->findData(brush.chosen())));
 }
 
 void SliceBar::follow_click() {

@@ -32,6 +32,9 @@ class SliceBar : public QWidget {
     QWidget* click_choice();
     QWidget* draw_button();
     void add_brush(QHBoxLayout& row);
+    QWidget* tumour_choice();
+    void follow_tumours();
+    void follow_brush();
     void choose_click(int index);
     int chosen_click() const;
     QString guidance() const;
@@ -47,6 +50,7 @@ class SliceBar : public QWidget {
     QPushButton* draw_ = nullptr;
     QDoubleSpinBox* radius_ = nullptr;  // of the brush
     QPushButton* remake_ = nullptr;
+    QComboBox* tumour_ = nullptr;  // which one is painted or erased
 };
 
 }  // namespace hepatica

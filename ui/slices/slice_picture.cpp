@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slices/slice_picture.h"
 
+#include <algorithm>
 #include <array>
 
 namespace hepatica {
@@ -61,6 +62,13 @@ SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int s
     if (scene.opacity() > 0.0 && !scene.shown_systems().voxels.empty())
         lay_systems(picture.image, label_slice(scene.shown_systems(), slices, slice),
                     scene.opacity());
+    if (!scene.tumours().tumours().empty()) {
+        auto numbers = label_slice(scene.tumours().organs(), slices, slice);
+        std::ranges::transform(numbers, numbers.begin(), [](std::uint8_t label) {
+            return static_cast<std::uint8_t>(tumour_of(label));
+        });
+        lay_tumours(picture.image, numbers);
+    }
     return picture;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is painted of a slice below crosshair, marks and letters, one pixel a voxel: the CT in grey,
-// and over it Couinaud's segments, the vessels' voxels and what is painted by hand.
+// and over it Couinaud's segments, the vessels' voxels, tumours and what is painted by hand.
 #pragma once
 
 #include <QColor>

@@ -30,6 +30,7 @@ std::string along(double mm, char positive, char negative) {
 
 SliceScene::SliceScene() {
     brush_.on_change([this] { follow_brush(); });
+    tumours_.on_change([this] { tell_of_voxels(); });
 }
 
 void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
@@ -110,6 +111,51 @@ void SliceScene::set_preview(Mask systems) {
     tell_of_voxels();
 }
 
+bool SliceScene::brushing() const {
+    return brush_.mode() != BrushMode::away || brushing_tumours();
+}
+
+bool SliceScene::brush_erases() const {
+    return (brushing_tumours() ? tumours_.mode() : brush_.mode()) == BrushMode::erases;
+}
+
+std::string SliceScene::put_brush_down(const Vec3& position_mm) {
+    std::string why_not =
+        brushing_tumours() ? tumours_.why_not_painted(position_mm) : why_not_painted(position_mm);
+    if (!why_not.empty()) return why_not;
+    if (brushing_tumours())
+        tumours_.begin(position_mm, brush_.radius_mm());
+    else
+        brush_.begin(position_mm);
+    return {};
+}
+
+void SliceScene::lead_brush_to(const Vec3& position_mm) {
+    if (brushing_tumours())
+        tumours_.lead_to(position_mm);
+    else
+        brush_.lead_to(position_mm);
+}
+
+std::string SliceScene::lift_brush() {
+    brush_.lift();
+    return tumours_.lift();
+}
+
+void SliceScene::take_last_stroke_back() {
+    if (brushing_tumours())
+        tumours_.remove_last();
+    else
+        brush_.remove_last();
+}
+
+void SliceScene::give_up_brush() {
+    if (brushing_tumours())
+        tumours_.strokes_made() == 0 ? tumours_.set_mode(BrushMode::away) : tumours_.remove_all();
+    else
+        brush_.strokes().empty() ? brush_.set_mode(BrushMode::away) : brush_.remove_all();
+}
+
 Mask SliceScene::vessels() const {
     Mask vessels = shown_systems();
     std::ranges::replace(vessels.voxels, painted_label,
@@ -123,6 +169,8 @@ void SliceScene::clear() {
     preview_ = {};
     forget_strokes();
     brush_.set_mode(BrushMode::away);
+    tumours_.set_mode(BrushMode::away);
+    tumours_.show_none({});
     segments_ = {};
     why_no_segments_.clear();
     tree_ = {};
@@ -186,6 +234,8 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
         text += "   " + Words::tr("segment %1").arg(segment).toStdString();
+    if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
+        text += "   " + Words::tr("tumour %1").arg(tumour).toStdString();
     const CentrelinePoint* vessel = nullptr;
     double nearest = 1.0;  // in radii
     for (const CentrelinePoint& point : centrelines_) {

@@ -13,6 +13,7 @@
 #include "core/tree/vessel_tree.h"
 #include "ui/slices/mask_brush.h"
 #include "ui/slices/measurements.h"
+#include "ui/slices/tumour_brush.h"
 #include "ui/slices/vessel_pen.h"
 
 namespace hepatica {
@@ -45,8 +46,6 @@ class SliceScene {
     const std::shared_ptr<const Volume>& shared_ct() const { return ct_; }
     // The vessels' voxels with what is erased by hand, and what is painted as painted_label.
     const Mask& systems() const { return systems_; }
-    // Why a brush leaves nothing at this place; empty: it does.
-    std::string why_not_painted(const Vec3& position_mm) const;
     // What the slices show instead while a choice is tried out, and which becomes the vessels where
     // the person says so; empty: nothing is tried.
     void set_preview(Mask systems);
@@ -68,6 +67,20 @@ class SliceScene {
     // Likewise.
     MaskBrush& brush() { return brush_; }
     const MaskBrush& brush() const { return brush_; }
+    // Likewise; its ball is as large as that of the other.
+    TumourBrush& tumours() { return tumours_; }
+    const TumourBrush& tumours() const { return tumours_; }
+
+    // Of whichever brush is in hand. Putting down and lifting say why nothing is left; empty: all
+    // is well.
+    bool brushing() const;
+    bool brush_erases() const;
+    std::string put_brush_down(const Vec3& position_mm);
+    void lead_brush_to(const Vec3& position_mm);
+    std::string lift_brush();
+    void take_last_stroke_back();
+    // Takes all strokes back; where there are none, puts the brush away.
+    void give_up_brush();
 
     // Whether a click in a slice corrects the vessel there, as the panel of corrections says.
     bool corrects() const { return corrects_; }
@@ -99,6 +112,9 @@ class SliceScene {
     // Brings the voxels up to the strokes: the last one's new piece, or all of them anew.
     void follow_brush();
     void forget_strokes();
+    bool brushing_tumours() const { return tumours_.mode() != BrushMode::away; }
+    // Why a brush leaves nothing of vessels at this place; empty: it does.
+    std::string why_not_painted(const Vec3& position_mm) const;
     int segment_at(const Vec3& position_mm) const;  // 0: none
 
     std::shared_ptr<const Volume> ct_;
@@ -114,6 +130,7 @@ class SliceScene {
     Measurements measurements_;
     VesselPen pen_;
     MaskBrush brush_;
+    TumourBrush tumours_;
     Vec3 crosshair_mm_ = Vec3::Zero();
     GreyWindow window_{};
     double opacity_ = 0.6;

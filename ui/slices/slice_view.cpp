@@ -189,8 +189,7 @@ void SliceView::paint_brush(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     for (const auto& [colour, width] :
          {std::pair{QColor(Qt::black), 3.0}, std::pair{colour_of_marks, 1.4}}) {
-        const bool erases = scene_.brush().mode() == BrushMode::erases;
-        painter.setPen(QPen(colour, width, erases ? Qt::DashLine : Qt::SolidLine));
+        painter.setPen(QPen(colour, width, scene_.brush_erases() ? Qt::DashLine : Qt::SolidLine));
         painter.drawEllipse(*mouse_, radius, radius);
     }
 }
@@ -258,7 +257,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     else if (drawing())
         set_place(to_mm(last_));
     else if (brushing())
-        put_brush_down(to_mm(last_));
+        say(scene_.put_brush_down(to_mm(last_)));
     else
         scene_.set_crosshair(to_mm(last_));
     if (scene_.corrects() && correct_) correct_(to_mm(last_));
@@ -291,7 +290,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
         update();
     }
     if (event->buttons() & Qt::LeftButton) {
-        if (brushing()) scene_.brush().lead_to(to_mm(at));
+        if (brushing()) scene_.lead_brush_to(to_mm(at));
         if (!works()) scene_.set_crosshair(to_mm(at));
     } else if (event->buttons() & Qt::RightButton) {
         const GreyWindow& window = scene_.window();
@@ -305,7 +304,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-    scene_.brush().lift();
+    say(scene_.lift_brush());
     QWidget::mouseReleaseEvent(event);
 }
 
@@ -414,21 +413,15 @@ void SliceView::correct_by_key(int key) {
 void SliceView::brush_by_key(int key) {
     MaskBrush& brush = scene_.brush();
     if (key == Qt::Key_Escape)
-        brush.strokes().empty() ? brush.set_mode(BrushMode::away) : brush.remove_all();
+        scene_.give_up_brush();
     else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
-        brush.remove_last();
+        scene_.take_last_stroke_back();
     else if (key == Qt::Key_Plus || key == Qt::Key_Minus)
         brush.set_radius(brush.radius_mm() + (key == Qt::Key_Plus ? 0.5 : -0.5));
     else {
-        put_brush_down(scene_.crosshair_mm());
-        brush.lift();
+        say(scene_.put_brush_down(scene_.crosshair_mm()));
+        say(scene_.lift_brush());
     }
-}
-
-void SliceView::put_brush_down(const Vec3& position_mm) {
-    const std::string why_not = scene_.why_not_painted(position_mm);
-    if (why_not.empty()) scene_.brush().begin(position_mm);
-    say(why_not);
 }
 
 void SliceView::draw_by_key(int key) {

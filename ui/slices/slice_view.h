@@ -6,8 +6,8 @@
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
 // While corrections are made a left click, or Enter at the crosshair, corrects the vessel there.
-// While the vessels' voxels are painted or erased a left drag leads the brush, Enter dabs at the
-// crosshair, + and - change its size, Delete takes the last stroke back, Escape all of them.
+// While voxels of vessels or tumours are painted or erased a left drag leads the brush, Enter dabs
+// at the crosshair, + and - change its size, Delete takes the last stroke back, Escape all of them.
 // While something is being measured a left click, or Enter at the crosshair, sets a point of it;
 // Delete takes the last one away, Escape ends measuring. While a vessel is drawn a left click takes
 // the crosshair there, too, and Enter where the last place is draws the vessel.
@@ -68,13 +68,12 @@ class SliceView : public QWidget {
     void draw_by_key(int key);
     void correct_by_key(int key);
     void brush_by_key(int key);
-    void put_brush_down(const Vec3& position_mm);
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
     // A click is for something else than the crosshair alone.
     bool works() const { return measuring() || drawing() || scene_.corrects() || brushing(); }
-    bool brushing() const { return scene_.brush().mode() != BrushMode::away; }
+    bool brushing() const { return scene_.brushing(); }
     void measure(const Vec3& position_mm);
     void say(const std::string& text) const;
     bool is_here(const Vec3& point_mm, double reach_mm) const;

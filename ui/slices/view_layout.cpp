@@ -23,6 +23,8 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
               {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                    scene_.show(std::move(ct), std::move(systems), patient_->tree);
                    want_segments();
+                   tumours_.want();
+                   tumours_.show_again();
                    arrange();
                },
                [this](const JobProgress& now) { say(translated(now.stage) + "…", false); },
@@ -46,6 +48,20 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                                                  .toStdString());
                      callbacks_.failed(failure);
                  }}),
+      tumours_({[this](std::shared_ptr<const Mask> canvas, Mask organs, std::size_t strokes) {
+                    scene_.tumours().show(std::move(canvas), std::move(organs), strokes);
+                },
+                [this] {
+                    scene_.tumours().show_none(
+                        Words::tr("This case knows no voxels that could be tumour").toStdString());
+                },
+                [this](const TriangleMesh& surface) { callbacks_.tumours(surface); },
+                [this](const Failure& failure) {
+                    scene_.tumours().show_none(Words::tr("The tumours cannot be read: %1")
+                                                   .arg(translated(failure.problem))
+                                                   .toStdString());
+                    callbacks_.failed(failure);
+                }}),
       view_(view) {
     build(view);
     threshold_ =
@@ -60,6 +76,11 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                              },
                              [this](const Failure& failure) { callbacks_.failed(failure); }},
                             this);
+    scene_.tumours().on_stroke(
+        {[this](const TreeEdit& stroke) {
+             if (!callbacks_.paint_tumour(stroke)) tumours_.show_again();
+         },
+         [this](std::size_t strokes) { callbacks_.take_strokes_back(strokes); }});
     scene_.on_change([this] { mark_crosshair(); });
     scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
@@ -121,6 +142,7 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
     patient_ = patient;
     folder_ = folder;
     segments_.show(patient, folder);
+    tumours_.show(patient, folder);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
 }
@@ -150,6 +172,7 @@ void ViewLayout::want_segments() {
 void ViewLayout::clear() {
     keeper_.show(nullptr, {}, {});
     segments_.show(nullptr, {});
+    tumours_.show(nullptr, {});
     patient_.reset();
     scene_.clear();
     enlarged_ = nullptr;

@@ -13,6 +13,7 @@
 #include "ui/slices/ct_keeper.h"
 #include "ui/slices/segment_keeper.h"
 #include "ui/slices/slice_scene.h"
+#include "ui/slices/tumour_keeper.h"
 
 class QGridLayout;
 class QLabel;
@@ -37,6 +38,11 @@ class ViewLayout : public QWidget {
         std::function<void()> stop_drawing;
         // The vessels shall be made anew of these voxels.
         std::function<void(std::shared_ptr<const Volume> ct, Mask vessels)> remake;
+        // A stroke at a tumour as a correction; false: not now. And so many of the last ones back.
+        std::function<bool(const TreeEdit&)> paint_tumour;
+        std::function<void(std::size_t)> take_strokes_back;
+        // The surface of all tumours, for the three-dimensional view.
+        std::function<void(const TriangleMesh&)> tumours;
         // A click on a place of the CT that is for a correction, and what that would be.
         std::function<void(const Vec3&)> correct;
         std::function<QString()> correction;
@@ -50,11 +56,15 @@ class ViewLayout : public QWidget {
                       const std::filesystem::path& folder, const std::filesystem::path& image);
     // The same patient with other corrections.
     void show_corrected(std::shared_ptr<const PatientCase> patient);
+    // The corrections that are wanted of him, for the tumours among them.
+    void show_tumours(const std::vector<TreeEdit>& edits) { tumours_.follow(edits); }
     // Forgets him; nothing is read any more.
     void clear();
 
     // The CT is read when slices are to be seen, and not before.
     void set_slices_visible(bool visible);
+    // No tumour is being read or drawn.
+    bool tumours_shown() const { return !tumours_.working(); }
     bool slices_visible() const { return slices_visible_; }
     // Opens the dialog of more or fewer vessels, for the slices that are or will be shown.
     void choose_threshold();
@@ -77,6 +87,7 @@ class ViewLayout : public QWidget {
     SliceScene scene_;
     CtKeeper keeper_;
     SegmentKeeper segments_;
+    TumourKeeper tumours_;
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;  // his case
     QWidget* view_;

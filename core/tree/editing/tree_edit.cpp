@@ -239,6 +239,7 @@ class Edit {
 }  // namespace
 
 VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
+    if (!changes_tree(edit.kind)) return tree;
     Edit work(tree);
     switch (edit.kind) {
         case TreeEditKind::cut_link:
@@ -265,6 +266,9 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
         case TreeEditKind::draw_vessel:
             work.draw(edit);
             break;
+        case TreeEditKind::paint_tumour:
+        case TreeEditKind::erase_tumour:
+            break;  // not of the tree
     }
     return work.result();
 }

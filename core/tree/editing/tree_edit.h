@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corrections of a vessel tree by hand: commands that can be undone and are stored with the case.
-// They name places in the patient, not numbers of segments, so that they still mean the same after
-// other edits.
+// Corrections by hand: commands that can be undone and are stored with the case. They name places
+// in the patient, not numbers of segments, so that they still mean the same after other edits. All
+// but the strokes of a brush at tumours are of the vessel tree.
 #pragma once
 
 #include <string>
@@ -24,7 +24,14 @@ enum class TreeEditKind {
                       // it, and upstream as much as a minimal cut gives (seeded_spread.h)
     draw_vessel,      // adds the vessel along `path_mm` (drawn_vessel.h), which begins at `at_mm`;
                       // one that touches no other has its root there
+    paint_tumour,     // a ball is led along `path_mm` through voxels that become `tumour`
+    erase_tumour,     // or are of it no more
 };
+
+// False of the strokes at tumours, which leave the tree as it is.
+constexpr bool changes_tree(TreeEditKind kind) {
+    return kind != TreeEditKind::paint_tumour && kind != TreeEditKind::erase_tumour;
+}
 
 struct TreeEdit {
     TreeEditKind kind = TreeEditKind::cut_link;
@@ -35,10 +42,16 @@ struct TreeEdit {
     std::vector<Vec3> path_mm;
     // reassign_system, seed_system; draw_vessel: where it touches no vessel that has one.
     VascularSystem system = VascularSystem::unknown;
-    std::vector<double> radii_mm;  // draw_vessel: one per point of the path, above 0
+    // draw_vessel: one per point of the path, above 0. paint_tumour, erase_tumour: that of the
+    // ball.
+    std::vector<double> radii_mm;
+    // paint_tumour: its number, 1 to most_tumours. erase_tumour: likewise, or 0 for all of them.
+    int tumour = 0;
 
     bool operator==(const TreeEdit&) const = default;
 };
+
+inline constexpr int most_tumours = 246;  // of a patient: their labels fit into a byte
 
 // The tree after the edit. Throws InputError where the edit cannot be done (an empty tree, a place
 // farther than 10 mm from any vessel, two ends of a link at one point, a cut between two forks too

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
 #include "core/tree/editing/tree_edit.h"
@@ -9,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double widest_mm = 50.0;  // of a vessel that is drawn
+constexpr double widest_mm = 50.0;  // radius of a vessel that is drawn, and of a brush
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -20,6 +21,8 @@ constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::reassign_system, "reassign_system"},
     {TreeEditKind::seed_system, "seed_system"},
     {TreeEditKind::draw_vessel, "draw_vessel"},
+    {TreeEditKind::paint_tumour, "paint_tumour"},
+    {TreeEditKind::erase_tumour, "erase_tumour"},
 };
 
 const char* name_of(TreeEditKind kind) {
@@ -57,11 +60,33 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
     if (value.contains("system")) edit.system = system_from(value.at("system"), place);
 }
 
+// A dab needs no path.
+void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit& edit) {
+    edit.path_mm = value.contains("path_mm") ? path_from(value.at("path_mm"))
+                                             : std::vector{vec3_from(value.at("at_mm"))};
+    if (edit.path_mm.empty())
+        throw InputError("a brush is led nowhere", place, "Give one point or more in path_mm");
+    edit.at_mm = edit.path_mm.front();
+    const auto radius_mm = value.at("radius_mm").get<double>();
+    if (!(radius_mm > 0.0 && radius_mm <= widest_mm))
+        throw InputError("a brush has a radius of " + std::to_string(radius_mm) + " mm", place,
+                         "Give a radius above 0 and up to 50 mm");
+    edit.radii_mm = {radius_mm};
+    const bool of_all = edit.kind == TreeEditKind::erase_tumour && !value.contains("tumour");
+    if (of_all) return;
+    edit.tumour = whole_number<int>(value.at("tumour"));
+    if (edit.tumour < 1 || edit.tumour > most_tumours)
+        throw InputError("there can be no tumour " + std::to_string(edit.tumour), place,
+                         "Number tumours from 1 to " + std::to_string(most_tumours));
+}
+
 TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     TreeEdit edit;
     edit.kind = kind_named(value.at("edit").get<std::string>(), place);
     if (edit.kind == TreeEditKind::draw_vessel)
         read_drawing(value, place, edit);
+    else if (!changes_tree(edit.kind))
+        read_stroke(value, place, edit);
     else
         edit.at_mm = vec3_from(value.at("at_mm"));
     if (edit.kind == TreeEditKind::add_link) {
@@ -70,7 +95,8 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     }
     require_in_patient_space(edit.at_mm, "an edit", place);
     require_in_patient_space(edit.to_mm, "the end of a link", place);
-    for (const Vec3& point : edit.path_mm) require_in_patient_space(point, "a vessel", place);
+    for (const Vec3& point : edit.path_mm)
+        require_in_patient_space(point, changes_tree(edit.kind) ? "a vessel" : "a brush", place);
     if (edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system)
         edit.system = system_from(value.at("system"), place);
     return edit;
@@ -89,6 +115,11 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
         if (edit.kind == TreeEditKind::draw_vessel) {
             value["path_mm"] = json_of(edit.path_mm);
             value["radii_mm"] = edit.radii_mm;
+        }
+        if (!changes_tree(edit.kind)) {
+            if (edit.path_mm.size() > 1) value["path_mm"] = json_of(edit.path_mm);
+            value["radius_mm"] = edit.radii_mm.front();
+            if (edit.tumour != 0) value["tumour"] = edit.tumour;
         }
         if (edit.kind == TreeEditKind::reassign_system || edit.system != VascularSystem::unknown)
             value["system"] = name_of(edit.system);

@@ -257,9 +257,31 @@ TEST(TreeEditJson, ASystemIsANameOrANumber) {
     EXPECT_NE(edits_to_json({edit}).find("\"artery\""), std::string::npos);
 }
 
+TEST(TreeEditJson, StrokesAtTumoursComeBackAndLeaveTheTree) {
+    TreeEdit stroke = edit_at(TreeEditKind::paint_tumour, on_trunk);
+    stroke.path_mm = {on_trunk, on_left_branch};
+    stroke.radii_mm = {4.5};
+    stroke.tumour = 246;
+    TreeEdit dab = edit_at(TreeEditKind::erase_tumour, on_trunk);
+    dab.path_mm = {on_trunk};
+    dab.radii_mm = {0.1};
+    const std::vector<TreeEdit> edits{stroke, dab};
+    EXPECT_EQ(edits_from_json(edits_to_json(edits), "case.json"), edits);
+    for (const TreeEdit& edit : edits) expect_equal(edited(forked_tree(), edit), forked_tree());
+    EXPECT_EQ(edited(VesselTree{}, dab).segments.size(), 0u) << "nor is one needed";
+}
+
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
-         {"", "{}", "[1]", "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
+         {"[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2}]",
+          "[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2,\"tumour\":0}]",
+          "[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2,\"tumour\":247}]",
+          "[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":0,\"tumour\":1}]",
+          "[{\"edit\":\"erase_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":50.1}]",
+          "[{\"edit\":\"erase_tumour\",\"at_mm\":[0,0,0]}]",
+          "[{\"edit\":\"erase_tumour\",\"path_mm\":[],\"radius_mm\":2}]",
+          "[{\"edit\":\"erase_tumour\",\"path_mm\":[[0,0,1e21]],\"radius_mm\":2}]", "", "{}", "[1]",
+          "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
           "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]",
           "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,1e21]}]",
           "[{\"edit\":\"reassign_system\",\"at_mm\":[0,0,0],\"system\":7}]",

@@ -91,8 +91,12 @@ bool FakeWard::disk_holds(const std::string& name) const {
 }
 
 std::vector<int> FakeWard::on_disk(const std::string& name) const {
+    return numbers_of(edits_on_disk(name));
+}
+
+std::vector<TreeEdit> FakeWard::edits_on_disk(const std::string& name) const {
     const std::lock_guard lock(mutex_);
-    return numbers_of(disk_.at(path_of(name)).corrections.edits);
+    return disk_.at(path_of(name)).corrections.edits;
 }
 
 void FakeWard::hold(const std::atomic<bool>& held, Job& job) const {
@@ -145,6 +149,7 @@ PatientKeeper::Ways FakeWard::ways() {
     };
     ways.correct = [this](const PatientCase& patient, const std::vector<TreeEdit>& edits,
                           Job& job) {
+        ++corrections_begun;
         hold(hold_corrections, job);
         PatientCase corrected = patient;
         corrected.corrections.edits = edits;

@@ -41,6 +41,7 @@ class FakeWard {
         keeper_->leave([this] { left = true; });
     }
     std::vector<int> on_disk(const std::string& name) const;
+    std::vector<TreeEdit> edits_on_disk(const std::string& name) const;
     bool disk_holds(const std::string& name) const;
     static std::filesystem::path path_of(const std::string& name);
 
@@ -51,6 +52,7 @@ class FakeWard {
     std::atomic<bool> hold_openings{false};
     std::atomic<bool> hold_archiving{false};
     std::atomic<bool> disk_full{false};
+    std::atomic<int> corrections_begun{0};
     std::atomic<int> slowness_us{0};  // of every job
 
     // What a person answers, and was asked and shown.

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/patient/painted_tumours.h"
 #include "tests/ui/patients/fake_ward.h"
 
 namespace hepatica {
@@ -76,6 +77,48 @@ TEST_F(Keeper, undo_goes_back_over_what_was_made_anew) {
     ASSERT_TRUE(ward.finish());
     EXPECT_TRUE(edits().empty());
     EXPECT_FALSE(ward.workspace().can_undo());
+}
+
+// The patient plays on: nobody is shown anew.
+TEST_F(Keeper, strokes_at_tumours_make_no_body_and_are_saved_and_undone_like_all_else) {
+    const TreeEdit stroke = tumour_edit({{Vec3::Zero()}, 2.0, false}, 1);
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    const std::size_t shown = ward.shown.size();
+    ward.keeper().add(stroke);
+    EXPECT_FALSE(ward.keeper().jobs().busy());
+    EXPECT_TRUE(ward.workspace().dirty());
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_FALSE(ward.workspace().dirty());
+    EXPECT_EQ(ward.edits_on_disk("a.hep").back(), stroke);
+    ward.keeper().undo_stroke();
+    EXPECT_TRUE(ward.workspace().dirty());
+    EXPECT_EQ(edits(), Numbers{1});
+    ward.keeper().undo_stroke();
+    EXPECT_EQ(edits(), Numbers{1}) << "that is no stroke";
+    ward.keeper().redo();
+    EXPECT_FALSE(ward.keeper().jobs().busy());
+    EXPECT_FALSE(ward.workspace().dirty());
+    EXPECT_EQ(ward.shown.size(), shown);
+}
+
+// One that comes while a body is being made does not begin that anew.
+TEST_F(Keeper, strokes_at_tumours_leave_the_body_that_is_being_made_alone) {
+    const TreeEdit stroke = tumour_edit({{Vec3::Zero()}, 2.0, false}, 1);
+    ward.hold_corrections = true;
+    add(1);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return ward.corrections_begun == 1; }, 60000));
+    ward.keeper().add(stroke);
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.corrections_begun, 1);
+    EXPECT_EQ(ward.workspace().edits().back(), stroke);
+    EXPECT_EQ(ward.workspace().edits().size(), 2u);
+    EXPECT_FALSE(ward.workspace().awaits_body());
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.edits_on_disk("a.hep").size(), 2u);
 }
 
 TEST_F(Keeper, what_was_saved_before_an_undo_is_not_taken_for_what_was_before) {

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/opening/open_patient.h"
+#include "core/patient/painted_tumours.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/patients/fake_ward.h"
 
@@ -70,6 +71,26 @@ TEST_F(Unsaved, IsOfferedByTheNextProgramOnceThisOneIsGone) {
     EXPECT_TRUE(failures_.empty());
     // Nobody else may look at it.
     EXPECT_EQ(fs::status(left[0].parent_path().parent_path()).permissions(), fs::perms::owner_all);
+}
+
+// Although no body was made for it.
+TEST_F(Unsaved, HoldsTumoursThatWerePainted) {
+    auto crashed = program();
+    OpenedPatient opened = reconstructed();
+    auto patient = std::make_shared<PatientCase>(*opened.patient);
+    patient->mask = Mask(Grid{{20, 20, 20}}, 1);
+    opened.patient = patient;
+    opened.worth_saving = false;
+    workspace_.open(opened);
+    workspace_.add(tumour_edit({{Vec3(10, 10, 10)}, 4.0, false}, 1));
+    crashed->follow(workspace_);
+    ASSERT_TRUE(rest(*crashed));
+    crashed.reset();
+    const auto left = seen_by_another();
+    ASSERT_EQ(left.size(), 1u);
+    const PatientCase kept = read_case(left[0]);
+    EXPECT_EQ(kept.corrections.edits, workspace_.edits());
+    EXPECT_EQ(tumours_in(kept.organs).size(), 1u);
 }
 
 TEST_F(Unsaved, IsGoneWhenItIsSavedOrTheProgramEnds) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/patient/painted_tumours.h"
 #include "tests/ui/patients/fake_ward.h"
 
 namespace hepatica {
@@ -96,6 +97,34 @@ TEST(Workspace, what_a_body_leaves_out_was_refused) {
     EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 3}));
     EXPECT_FALSE(workspace.awaits_body());
     EXPECT_NE(workspace.version(), before) << "something else is wanted now";
+}
+
+// Strokes at tumours need no body, whatever happens to corrections of the tree among them.
+TEST(Workspace, strokes_at_tumours_are_corrections_that_are_made_at_once) {
+    const TreeEdit stroke = tumour_edit({{Vec3::Zero()}, 2.0, false}, 1);
+    const TreeEdit other = tumour_edit({{Vec3::Zero()}, 1.0, true}, 1);
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(stroke);
+    EXPECT_TRUE(workspace.dirty());
+    EXPECT_FALSE(workspace.awaits_body());
+    EXPECT_EQ(workspace.made_edits(), Workspace::Edits{stroke});
+    workspace.add(edit(1));
+    workspace.add(other);
+    EXPECT_TRUE(workspace.awaits_body());
+    EXPECT_EQ(workspace.made_edits(), (Workspace::Edits{stroke, other})) << "what can be written";
+    workspace.show_body(body_of({stroke, edit(1)}));
+    EXPECT_FALSE(workspace.awaits_body());
+    EXPECT_EQ(workspace.edits(), (Workspace::Edits{stroke, edit(1), other}));
+    EXPECT_FALSE(workspace.undo()) << "the tree stays";
+    EXPECT_TRUE(workspace.undo());
+    EXPECT_EQ(workspace.made_edits(), (Workspace::Edits{stroke, edit(1)})) << "of the body";
+    workspace.give_up_edits();
+    EXPECT_EQ(workspace.edits(), (Workspace::Edits{stroke, edit(1)}));
+    workspace.add(edit(-1));
+    workspace.add(other);
+    workspace.show_body(body_of({stroke, edit(1)}));
+    EXPECT_EQ(workspace.edits(), (Workspace::Edits{stroke, edit(1), other})) << "-1 was refused";
 }
 
 TEST(Workspace, giving_up_goes_back_to_what_is_shown) {
