@@ -81,7 +81,7 @@ class Photographer {
             return Vec3(begin + Vec3(-10.0 - 2.0 * step, 6.0 + 1.5 * step, 0));
         });
         QTest::keyClick(&axial, Qt::Key_Escape);
-        tumour(axial, begin + Vec3(-28.0, 18.0, 0));
+        tumour(axial, begin + Vec3(-26.0, -16.0, 0));
     }
 
     // A branch that is painted, while the mouse still leads the brush.
