@@ -85,7 +85,7 @@ class Photographer {
         });
         for (int k = 0; k < 2; ++k) QTest::keyClick(&axial, Qt::Key_Escape);  // stroke, then brush
         try_threshold();
-        tumour(axial, begin + Vec3(-28.0, 18.0, 0));
+        tumour(axial, begin + Vec3(-26.0, -16.0, 0));
     }
 
     // A branch that is painted, while the mouse still leads the brush.
