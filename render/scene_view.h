@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/vascular_system.h"
+#include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
@@ -19,6 +20,7 @@
 #include "render/measure_marks.h"
 #include "render/surface_geometry.h"
 #include "render/view_look.h"
+#include "render/volume_look.h"
 
 class vtkCamera;
 class vtkRenderWindow;
@@ -86,7 +88,11 @@ class SceneView {
     void set_bridges(std::vector<BridgeView> bridges);
     void set_liver(const TriangleMesh& surface);  // an empty one removes it
     void set_liver_visible(bool visible);
-    // Cuts vessels and liver open; none shows them whole.
+    // The CT around the vessels, in Hounsfield units; null: none. It costs nothing then, and its
+    // memory comes back with the next picture.
+    void set_volume(std::shared_ptr<const Volume> ct);
+    bool set_volume_look(const VolumeLook& look);  // true if the picture is another now
+    // Cuts vessels, liver and CT open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
     void set_look(const ViewLook& look);  // dark at first
     // What is drawn in words from now on, but for the caption; English at first.
