@@ -16,7 +16,6 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <utility>
 
@@ -30,7 +29,7 @@ struct Sampling {
     double step;
     double rays_px;
 };
-constexpr std::array samplings{Sampling{1.5, 4.0}, Sampling{1.0, 1.5}, Sampling{1.0, 1.0}};
+constexpr std::array samplings{Sampling{1.5, 4.0}, Sampling{1.0, 1.5}, Sampling{0.5, 1.0}};
 constexpr double card_step = 0.5;
 
 // The same voxels, not a copy; the image must not outlive them.
@@ -46,24 +45,13 @@ vtkSmartPointer<vtkImageData> image_of(const Volume& voxels) {
     return image;
 }
 
-// Where the grid lies: the mappers do not read an image's directions. Turned by a hundredth of a
-// millimetre's worth, because the processor's caster draws rays that run all but along an axis of
-// the voxels too dark, and those through the middle of the picture do from all six sides.
+// Where the grid lies: the mappers do not read an image's directions.
 vtkSmartPointer<vtkMatrix4x4> placement_of(const Grid& grid) {
-    constexpr double turned_rad = 1e-4;
-    const Mat3 turn = (Eigen::AngleAxisd(turned_rad, Vec3::UnitX()) *
-                       Eigen::AngleAxisd(turned_rad, Vec3::UnitY()) *
-                       Eigen::AngleAxisd(turned_rad, Vec3::UnitZ()))
-                          .toRotationMatrix();
-    const Vec3 middle_index = 0.5 * (Vec3(grid.dims[0], grid.dims[1], grid.dims[2]) - Vec3::Ones());
-    const Vec3 middle_mm = grid.to_mm(middle_index);
-    const Mat3 direction = turn * grid.direction;
-    const Vec3 origin_mm = middle_mm - direction * middle_index.cwiseProduct(grid.spacing_mm);
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
-            matrix->SetElement(row, column, direction(row, column));
-        matrix->SetElement(row, 3, origin_mm[row]);
+            matrix->SetElement(row, column, grid.direction(row, column));
+        matrix->SetElement(row, 3, grid.origin_mm[row]);
     }
     return matrix;
 }
@@ -74,6 +62,16 @@ vtkSmartPointer<vtkPiecewiseFunction> gradient_opacity(const Volume& voxels) {
     for (const GradientPoint& point : gradient_function())
         function->AddPoint(point.hu_per_mm * voxels.grid.spacing_mm.mean(), point.share);
     return function;
+}
+
+// VTK 9.1 compares a viewport's size with one that it never set, and keeps an aspect of 1 where
+// they happen to be the same; of all that is drawn, the processor's caster alone asks for that
+// aspect. After two other shapes of a pixel it is computed whatever was there.
+void compute_aspect(vtkRenderer& renderer) {
+    for (const double pixel : {2.0, 1.0}) {
+        renderer.SetPixelAspect(pixel, 1.0);
+        renderer.ComputeAspect();
+    }
 }
 
 }  // namespace
@@ -151,6 +149,7 @@ void VolumeActor::build(bool by_card) {
     follow_look();
     follow_clip();
     follow_detail();
+    compute_aspect(renderer_);
     renderer_.AddVolume(drawn_->volume);
 }
 

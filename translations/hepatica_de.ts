@@ -7093,7 +7093,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Vessels and bones: light on what is bright, soft tissue a haze. Maximum intensity: the brightest voxel behind each point. Both follow the grey window of the slices: what they show black is clear</source>
-        <translation>Gefäße und Knochen: Licht auf dem, was hell ist, Weichgewebe als Schleier. Maximale Intensität: das hellste Voxel hinter jedem Punkt. Beide folgen dem Grauwertfenster der Schichten: Was sie schwarz zeigen, ist durchsichtig</translation>
+        <translation>Gefäße und Knochen: Licht auf dem, was hell ist, Weichgewebe als Schleier. Maximale Intensität: das hellste Voxel hinter jedem Punkt. Beide folgen der Fensterung der Schichten: Was sie schwarz zeigen, ist durchsichtig</translation>
     </message>
     <message>
         <source>How dense the CT is drawn</source>

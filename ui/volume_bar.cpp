@@ -15,6 +15,7 @@ namespace hepatica {
 VolumeBar::VolumeBar(const VolumeLook& look,
                      std::function<void(VolumePreset, double density)> choose, QWidget* parent)
     : QWidget(parent), preset_(new QComboBox), density_(new QSlider(Qt::Horizontal)) {
+    setObjectName("volumeBar");
     // In the order of VolumePreset.
     preset_->addItems({Words::tr("Vessels and bones"), Words::tr("Maximum intensity")});
     preset_->setObjectName("volumePreset");

@@ -164,7 +164,7 @@ Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
     require_writable(options.out);
-    job.expect_stages(3);
+    job.expect_stages(options.ct.empty() ? 3 : 4);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(
         options.segments || options.liver ? read_case(options.patient)
@@ -179,12 +179,12 @@ Json run_render(const RenderChoices& options, Job& job) {
     if (options.recording.empty() && !frame.statistics.message.empty())
         throw InputError(frame.statistics.message, options.patient.string(),
                          "check the options of the injection");
+    if (!options.ct.empty()) picture.ct = ct_of_case(options, *patient, job);
     job.begin_stage("Drawing");
     colour_vessels(session->world(), *patient, options.segments, picture);
     picture.bridges = views_of(open_bridges(*patient));
     picture.caption = patient->source.name;
     if (options.liver) picture.liver = liver_of_case(options, *patient, job);
-    if (!options.ct.empty()) picture.ct = ct_of_case(options, *patient, job);
     const OffscreenPicture drawn = draw_frame(frame, picture);
     write_png(options.out, drawn.picture);
     return {{"renderer", drawn.renderer},

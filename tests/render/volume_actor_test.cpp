@@ -5,15 +5,18 @@
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
+#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkVolumeCollection.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 
+#include "core/image/filters.h"
 #include "render/osmesa_context.h"
 #include "render/picture.h"
 #include "render/scene_view.h"
@@ -23,22 +26,27 @@
 namespace hepatica {
 namespace {
 
-constexpr int width = 320, height = 240;
+constexpr int across_px = 320, down_px = 240;
 constexpr std::int16_t air = -1000, liver = 110, blood = 170, bone = 700;
 
-// Cubes of 2 mm about the origin, filled by what lies at each place.
+// Cubes of 2 mm about the origin, filled by what lies at each place, and as blurred as a CT is.
 template <class Tissue>
 std::shared_ptr<const Volume> ct_of(const Tissue& tissue_at) {
     Grid grid;
     grid.dims = {80, 60, 80};
     grid.spacing_mm = Vec3::Constant(2.0);
     grid.origin_mm = Vec3(-79, -59, -79);
-    Volume ct(grid, air);
-    for (std::size_t i = 0; i < ct.voxels.size(); ++i) {
+    FloatVolume sharp(grid);
+    for (std::size_t i = 0; i < sharp.voxels.size(); ++i) {
         const Index3 at = grid.index_of(i);
-        ct.voxels[i] = tissue_at(grid.to_mm(at[0], at[1], at[2]));
+        sharp.voxels[i] = tissue_at(grid.to_mm(at[0], at[1], at[2]));
     }
-    return std::make_shared<const Volume>(std::move(ct));
+    Job job;
+    gaussian_smooth(sharp, Vec3::Constant(2.0), job);
+    auto ct = std::make_shared<Volume>(grid);
+    std::transform(sharp.voxels.begin(), sharp.voxels.end(), ct->voxels.begin(),
+                   [](float hu) { return static_cast<std::int16_t>(hu); });
+    return ct;
 }
 
 // A plate across the line of sight from the front, `y_mm` behind the vessel.
@@ -63,9 +71,12 @@ class VolumePicture : public ::testing::Test {
   protected:
     VolumePicture() {
         view_.set_annotations_visible(false);
-        view_.show(ball(20.0));
+        const Frame vessel = ball(20.0);
+        view_.show(vessel);
+        view_.set_vertex_systems(
+            std::vector(vessel.positions_mm.size() / 3, VascularSystem::hepatic));
         look_from(view_.camera(), ViewDirection::anterior, Vec3::Constant(-70), Vec3::Constant(70),
-                  double(width) / height);
+                  double(across_px) / down_px);
         without_ = picture();
     }
     Picture picture() {
@@ -79,7 +90,7 @@ class VolumePicture : public ::testing::Test {
     // How far two pictures are apart at a place of the patient, of 255.
     int difference_at(const Vec3& place_mm, const Picture& a, const Picture& b) const {
         const Pixel pixel = view_.pixel_of(place_mm);
-        const std::size_t at = 3 * static_cast<std::size_t>(static_cast<int>(pixel.y) * width +
+        const std::size_t at = 3 * static_cast<std::size_t>(static_cast<int>(pixel.y) * across_px +
                                                             static_cast<int>(pixel.x));
         int most = 0;
         for (std::size_t c = 0; c < 3; ++c)
@@ -88,7 +99,7 @@ class VolumePicture : public ::testing::Test {
     }
 
     const Vec3 vessel_ = Vec3(0, -20, 0), beside_ = Vec3(40, 0, 10);
-    OsmesaContext context_{width, height};
+    OsmesaContext context_{across_px, down_px};
     SceneView view_{context_.window()};
     Picture without_;
 };
@@ -107,7 +118,8 @@ TEST_F(VolumePicture, IsHiddenBehindTheVessel) {
 }
 
 TEST_F(VolumePicture, LeavesTheVesselToBeSeenThroughTheLiver) {
-    const Picture with = picture_with(plate_at(-40.0, liver));
+    const Picture with =
+        picture_with(ct_of([](const Vec3& place) { return place.norm() < 55.0 ? liver : air; }));
     EXPECT_GT(difference_at(vessel_, with, without_), 2) << "a haze";
     EXPECT_LT(difference_at(vessel_, with, without_), 60);
 }
@@ -178,7 +190,7 @@ TEST_F(VolumePicture, LooksAsItDidInEveryRoom) {
     view_.set_vertex_systems(std::vector(tree.positions_mm.size() / 3, VascularSystem::portal));
     view_.look_from(ViewDirection::anterior);
     orbit(view_.camera(), 30.0, 10.0);
-    view_.zoom_by(0.6);
+    view_.zoom_by(0.9);
     // A liver around the tree, a spine behind it, an aorta before that and a rib in front.
     view_.set_volume(ct_of([](const Vec3& place) {
         const auto along_z = [&](double x, double y) {
@@ -202,8 +214,12 @@ class VolumeMappers : public ::testing::Test {
   protected:
     VolumeMappers() {
         context_.window().AddRenderer(renderer_);
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToHeadlight();
+        light->SetIntensity(0.6);
+        renderer_->AddLight(light);
         look_from(*renderer_->GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-70),
-                  Vec3::Constant(70), double(width) / height);
+                  Vec3::Constant(70), double(across_px) / down_px);
     }
     Picture picture(bool by_card, const std::shared_ptr<const Volume>& ct) {
         VolumeActor actor(*renderer_);
@@ -220,17 +236,18 @@ class VolumeMappers : public ::testing::Test {
         return drawn;
     }
 
-    OsmesaContext context_{width, height};
+    OsmesaContext context_{across_px, down_px};
     vtkNew<vtkRenderer> renderer_;
 };
 
 TEST_F(VolumeMappers, DrawMuchTheSame) {
     const auto ct = plate_at(0.0);
     const Picture processor = picture(false, ct), card = picture(true, ct);
-    const std::size_t middle = 3 * static_cast<std::size_t>(height / 2 * width + width / 2);
+    const std::size_t middle =
+        3 * static_cast<std::size_t>(down_px / 2 * across_px + across_px / 2);
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_GT(processor.rgb[middle + c], 60);
-        EXPECT_NEAR(processor.rgb[middle + c], card.rgb[middle + c], 30);
+        EXPECT_NEAR(processor.rgb[middle + c], card.rgb[middle + c], 45);
     }
 }
 

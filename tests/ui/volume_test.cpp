@@ -9,7 +9,6 @@
 
 #include "tests/ui/slices_test.h"
 #include "ui/message_bar.h"
-#include "ui/volume_bar.h"
 #include "ui/volume_keeper.h"
 
 namespace hepatica::testing {
@@ -79,7 +78,7 @@ TEST_F(VolumeOfCt, SaysThatTheCtIsBesideThePatient) {
 
 class VolumeInWindow : public SlicesTest {
   protected:
-    VolumeBar& bar() { return *window_.findChild<VolumeBar*>(); }
+    QWidget& bar() { return *window_.findChild<QWidget*>("volumeBar"); }
     QAction& action() { return window_.actions()[ActionId::toggle_volume]; }
     void show_volume() {
         window_.volume().show_patient(patient_, {}, file_);
@@ -118,9 +117,8 @@ TEST_F(VolumeInWindow, LooksAsItsBarSays) {
     EXPECT_DOUBLE_EQ(settings_.volume_look().density, 0.9);
     EXPECT_NE(window_.view().picture(), maximum);
     MainWindow next(settings_, {});
-    auto* next_bar = next.findChild<VolumeBar*>();
-    EXPECT_EQ(next_bar->findChild<QComboBox*>("volumePreset")->currentIndex(), 1);
-    EXPECT_EQ(next_bar->findChild<QSlider*>("volumeDensity")->value(), 90);
+    EXPECT_EQ(next.findChild<QComboBox*>("volumePreset")->currentIndex(), 1);
+    EXPECT_EQ(next.findChild<QSlider*>("volumeDensity")->value(), 90);
 }
 
 TEST_F(VolumeInWindow, FollowsTheGreyWindowOfTheSlices) {
