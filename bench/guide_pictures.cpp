@@ -62,10 +62,21 @@ class Photographer {
         save("drug");
         window_.actions()[ActionId::remove_drug].trigger();
         window_.actions()[ActionId::toggle_plots].trigger();
+        volume();
         slices();
     }
 
   private:
+    void volume() {
+        QAction& action = window_.actions()[ActionId::toggle_volume];
+        action.trigger();
+        until([this] { return window_.findChild<QWidget*>("volumeBar")->isVisible(); });
+        settle();
+        save("volume");
+        action.trigger();
+        settle();
+    }
+
     void slices() {
         window_.actions()[ActionId::toggle_slices].trigger();
         ViewLayout& views = window_.view_layout();

@@ -5,7 +5,10 @@
 // events, on whatever display there is:
 //
 //     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
+#include <unistd.h>
+
 #include <QApplication>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -19,7 +22,9 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/patient/patient_case.h"
@@ -31,6 +36,7 @@
 #include "ui/slices/slice_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
+#include "ui/volume_keeper.h"
 #include "ui/vtk_widget.h"
 
 namespace hepatica {
@@ -50,6 +56,12 @@ double process_s() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double resident_mb() {
+    long pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 void run_for(double seconds) {
@@ -189,6 +201,26 @@ class WindowBench {
         return true;
     }
 
+    // Turned and at rest without the CT, with it as a volume in both presets, and without it again.
+    // False where the CT is not his.
+    bool volume(const std::filesystem::path& ct) {
+        window_.volume().show_patient(window_.workspace().patient(), window_.workspace().folder(),
+                                      ct);
+        run_for(idle_s);  // the dial is measured beside the window, once
+        turn_and_rest("without the CT");
+        window_.actions()[ActionId::toggle_volume].trigger();
+        const auto* bar = window_.findChild<QWidget*>("volumeBar");
+        if (!run_until([&] { return bar->isVisible(); })) return false;
+        turn_and_rest("vessels and bones");
+        auto* preset = window_.findChild<QComboBox*>("volumePreset");
+        preset->setCurrentIndex(1);
+        emit preset->activated(1);
+        turn_and_rest("maximum intensity");
+        window_.actions()[ActionId::toggle_volume].trigger();
+        turn_and_rest("without it again");
+        return true;
+    }
+
     // A brush is led in circles through the axial slice, and each move is painted before the next.
     void paint(ViewLayout& views) const {
         views.slices().set_crosshair(on_vessel(0.5));
@@ -269,6 +301,21 @@ class WindowBench {
     }
 
   private:
+    // The last picture after a change is the one that stays.
+    void turn_and_rest(const char* what) {
+        std::printf("%s: ", what);
+        turn();
+        std::vector<double> times_ms;
+        for (int i = 0; i < 5; ++i) {
+            window_.view().draw_again();
+            run_for(3.0);
+            times_ms.push_back(pictures_.times_ms.back());
+        }
+        std::printf("  at rest, each: median %.1f ms; %.0f MB of memory\n", quantile(times_ms, 0.5),
+                    resident_mb());
+        std::fflush(stdout);
+    }
+
     void print_pictures(double seconds) const {
         std::printf("  %.1f pictures a second; each, to the swap: median %.1f ms, p95 %.1f ms\n",
                     static_cast<double>(pictures_.times_ms.size()) / seconds,
@@ -315,10 +362,16 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     const bool only_pull = application.arguments().contains("--only-pull");
-    const auto slices_at = application.arguments().indexOf("--slices");
-    const bool names_ct = slices_at > 0 && slices_at + 1 < application.arguments().size();
-    if (application.arguments().size() < 2 || (slices_at > 0 && !names_ct)) {
-        std::fprintf(stderr, "usage: window_bench CASE|built-in [--only-pull | --slices CT]\n");
+    const auto place_after = [&](const char* option) -> std::optional<QString> {
+        const auto at = application.arguments().indexOf(option);
+        if (at < 1) return std::nullopt;
+        return application.arguments().value(at + 1);
+    };
+    const auto slices = place_after("--slices"), volume = place_after("--volume");
+    if (application.arguments().size() < 2 || slices == QString() || volume == QString()) {
+        std::fprintf(
+            stderr,
+            "usage: window_bench CASE|built-in [--only-pull | --slices CT | --volume CT]\n");
         return 2;
     }
     apply_theme(application);
@@ -338,8 +391,8 @@ int main(int argc, char** argv) {
                 window.view().renderer_name().c_str(), window.view().width(),
                 window.view().height());
     WindowBench bench(window);
-    if (slices_at > 0)
-        return bench.scroll(to_path(application.arguments().at(slices_at + 1))) ? 0 : 1;
+    if (slices) return bench.scroll(to_path(*slices)) ? 0 : 1;
+    if (volume) return bench.volume(to_path(*volume)) ? 0 : 1;
     if (!only_pull) {
         bench.idle("before an injection");
         if (!bench.inject()) return 1;

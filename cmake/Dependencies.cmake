@@ -56,7 +56,7 @@ else()
     if(HEPATICA_WINDOW)
         list(APPEND vtk_components IOImage FiltersCore FiltersSources FiltersGeneral
             ImagingCore InteractionStyle RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
-            RenderingUI RenderingVolumeOpenGL2 ChartsCore ViewsContext2D RenderingContextOpenGL2)
+            RenderingUI RenderingVolume RenderingVolumeOpenGL2 ChartsCore ViewsContext2D RenderingContextOpenGL2)
         find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Test)
     endif()
     if(HEPATICA_UI_THREADS)

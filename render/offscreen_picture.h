@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/vascular_system.h"
+#include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
@@ -16,6 +18,7 @@
 #include "render/chart.h"
 #include "render/palette.h"
 #include "render/picture.h"
+#include "render/volume_look.h"
 
 namespace hepatica {
 
@@ -48,6 +51,8 @@ struct PictureOptions {
     std::vector<std::uint8_t> vertex_segments{};  // Couinaud's, 1 to 8; 0 or missing: as its system
     std::vector<BridgeView> bridges{};            // gaps that might be bridged
     TriangleMesh liver{};                         // drawn as a ghost; may be empty
+    std::shared_ptr<const Volume> ct{};  // drawn as a volume around the vessels; may be null
+    VolumeLook ct_look{};
     std::vector<LineMark> lines{};
     std::vector<CircleMark> circles{};
 };

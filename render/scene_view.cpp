@@ -24,6 +24,7 @@
 #include "render/palette.h"
 #include "render/tool_actor.h"
 #include "render/tree_actor.h"
+#include "render/volume_actor.h"
 
 namespace hepatica {
 namespace {
@@ -83,6 +84,11 @@ struct SceneView::Parts {
         const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.6, 1.0);
         return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room};
     }
+    // The driver is asked once, when a volume is shown first.
+    void prepare_volume() {
+        if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));
+        volume.prepare(by_card.value_or(false));
+    }
     double aspect() const {
         const PictureSize size = picture_size();
         return static_cast<double>(std::max(size.width, 1)) / std::max(size.height, 1);
@@ -94,6 +100,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver{liver_ghost};
     GhostActor tumours{tumour_ghost};
+    VolumeActor volume{*renderer};
     GrabActor grab;
     GrabActor stroke;
     CrosshairActor crosshair;
@@ -110,6 +117,7 @@ struct SceneView::Parts {
     LegendContent legend;
     ViewLook look = dark_look;
     double pixel_ratio = 1.0;
+    std::optional<bool> by_card;  // a graphics card draws; none: not asked yet
     bool annotated = true;
     bool warned = false;
     bool at_rest = true;        // nothing is saved on pictures
@@ -191,6 +199,7 @@ void SceneView::render(double pixel_ratio) {
         },
         pixel_ratio);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
+    parts_->prepare_volume();
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
@@ -262,6 +271,13 @@ void SceneView::set_tumours(const TriangleMesh& surface) {
     parts_->tumours.set_surface(surface);
 }
 
+void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
+    parts_->volume.show(std::move(ct));
+}
+bool SceneView::set_volume_look(const VolumeLook& look) {
+    return parts_->volume.set_look(look);
+}
+
 void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     parts_->clip = plane;
     if (plane) {
@@ -273,6 +289,7 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     parts_->tree.set_clip(drawn);
     parts_->liver.set_clip(drawn);
     parts_->tumours.set_clip(drawn);
+    parts_->volume.set_clip(drawn);
 }
 
 void SceneView::set_look(const ViewLook& look) {
@@ -281,6 +298,7 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->renderer->SetBackground2(look.top[0], look.top[1], look.top[2]);
     parts_->tree.set_distance(look.distance);
     parts_->annotations.set_look(look);
+    parts_->volume.set_room(look);
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
 }
@@ -311,6 +329,9 @@ void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->light_from_below->SetSwitch(smoothing == Smoothing::best);
     parts_->at_rest = smoothing != Smoothing::none;
     parts_->tree.set_rounded(parts_->at_rest);
+    parts_->volume.set_detail(smoothing == Smoothing::none    ? VolumeDetail::coarse
+                              : smoothing == Smoothing::cheap ? VolumeDetail::fine
+                                                              : VolumeDetail::best);
 }
 
 // Of those that are in front of the eye.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/vascular_system.h"
+#include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/scene/frame.h"
 #include "render/bridge_actor.h"
@@ -19,6 +20,7 @@
 #include "render/measure_marks.h"
 #include "render/surface_geometry.h"
 #include "render/view_look.h"
+#include "render/volume_look.h"
 
 class vtkCamera;
 class vtkRenderWindow;
@@ -88,7 +90,11 @@ class SceneView {
     void set_liver_visible(bool visible);
     // All of them as one surface, at rest; an empty one removes them.
     void set_tumours(const TriangleMesh& surface);
-    // Cuts vessels, tumours and liver open; none shows them whole.
+    // The CT around the vessels, in Hounsfield units; null: none. It costs nothing then, and its
+    // memory comes back with the next picture.
+    void set_volume(std::shared_ptr<const Volume> ct);
+    bool set_volume_look(const VolumeLook& look);  // true if the picture is another now
+    // Cuts vessels, tumours, liver and CT open; none shows them whole.
     void set_clip(const std::optional<ClipPlane>& plane);
     void set_look(const ViewLook& look);  // dark at first
     // What is drawn in words from now on, but for the caption; English at first.

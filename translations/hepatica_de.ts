@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>Le&amp;gend and scale</source>
-        <translation>Legende und &amp;Maßstab</translation>
+        <translation>Le&amp;gende und Maßstab</translation>
     </message>
     <message>
         <source>Show legend, scale bar and orientation</source>
@@ -7290,6 +7290,50 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The tumours cannot be read: %1</source>
         <translation>Die Tumoren können nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>CT as volu&amp;me</source>
+        <translation>CT als Volu&amp;men</translation>
+    </message>
+    <message>
+        <source>Draw the CT around the vessels: bones, enhanced blood, organs as a haze</source>
+        <translation>Das CT um die Gefäße zeichnen: Knochen, kontrastiertes Blut, Organe als Schleier</translation>
+    </message>
+    <message>
+        <source>CT as volume</source>
+        <translation>CT als Volumen</translation>
+    </message>
+    <message>
+        <source>Vessels and bones</source>
+        <translation>Gefäße und Knochen</translation>
+    </message>
+    <message>
+        <source>Maximum intensity</source>
+        <translation>Maximale Intensität</translation>
+    </message>
+    <message>
+        <source>What of the CT stands out</source>
+        <translation>Was vom CT hervortritt</translation>
+    </message>
+    <message>
+        <source>Vessels and bones: light on what is bright, soft tissue a haze. Maximum intensity: the brightest voxel behind each point. Both follow the grey window of the slices: what they show black is clear</source>
+        <translation>Gefäße und Knochen: Licht auf dem, was hell ist, Weichgewebe als Schleier. Maximale Intensität: das hellste Voxel hinter jedem Punkt. Beide folgen der Fensterung der Schichten: Was sie schwarz zeigen, ist durchsichtig</translation>
+    </message>
+    <message>
+        <source>How dense the CT is drawn</source>
+        <translation>Wie dicht das CT gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>this CT holds nothing of the patient&apos;s liver</source>
+        <translation>dieses CT enthält nichts von der Leber des Patienten</translation>
+    </message>
+    <message>
+        <source>choose the one that the case was made of</source>
+        <translation>wählen Sie das, aus dem der Fall entstanden ist</translation>
     </message>
 </context>
 </TS>

@@ -60,6 +60,7 @@ enum class ActionId {
     toggle_annotations,
     toggle_halos,
     toggle_liver,
+    toggle_volume,
     toggle_clip,
     clip_deeper,
     clip_less_deep,

@@ -47,6 +47,8 @@
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
 #include "ui/view_ruler.h"
+#include "ui/volume_bar.h"
+#include "ui/volume_keeper.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 #include "ui/words.h"
@@ -117,6 +119,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_tools();
     connect_views();
     connect_context();
+    connect_volume();
     connect_measuring();
     connect_themes();
     connect_languages();
@@ -167,6 +170,8 @@ void MainWindow::build_view() {
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     column->addWidget(messages_);
+    build_volume(centre);
+    column->addWidget(volume_bar_);
     build_slices(centre);
     auto* row = new QHBoxLayout;
     row->setSpacing(0);

@@ -40,6 +40,8 @@ class StatusLine;
 class ToolPanel;
 class ViewLayout;
 class ViewRuler;
+class VolumeBar;
+class VolumeKeeper;
 class VtkWidget;
 class Welcome;
 struct PictureTime;
@@ -66,6 +68,7 @@ class MainWindow : public QMainWindow {
     const Workspace& workspace() const { return keeper_->workspace(); }
     VtkWidget& view() { return *view_; }
     ViewLayout& view_layout() { return *view_layout_; }
+    VolumeKeeper& volume() { return *volume_; }
     MessageBar& messages() { return *messages_; }
     MessageLog& log() { return *log_; }
     LibraryDialog& library() { return *library_; }
@@ -116,6 +119,12 @@ class MainWindow : public QMainWindow {
     void connect_themes();
     void connect_languages();
     void speak(const QString& code);
+
+    // main_window_volume.cpp: the CT as a volume around the vessels.
+    void build_volume(QWidget* parent);
+    void connect_volume();
+    void say_why_no_volume(const Failure& failure);
+    void show_volume_look();
 
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
@@ -186,6 +195,7 @@ class MainWindow : public QMainWindow {
     VtkWidget* view_ = nullptr;
     ViewLayout* view_layout_ = nullptr;  // holds view_ and the slices of the CT
     SecondView* second_view_ = nullptr;  // of a recording beside another
+    VolumeBar* volume_bar_ = nullptr;
     Welcome* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     MessageLog* log_ = nullptr;
@@ -220,6 +230,8 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
     std::unique_ptr<LiverKeeper> liver_;
+    VolumeLook volume_look_;
+    std::unique_ptr<VolumeKeeper> volume_;
     std::unique_ptr<ViewRuler> ruler_;
 };
 

@@ -25,6 +25,7 @@
 #include "ui/status_line.h"
 #include "ui/tool_panel.h"
 #include "ui/view_ruler.h"
+#include "ui/volume_keeper.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
 #include "ui/window_words.h"
@@ -56,6 +57,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
         // A plane through the one before would cut this one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
         liver_->show_patient(patient_->patient, patient_->folder);
+        volume_->show_patient(patient_->patient, patient_->folder, patient_->image);
     }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());

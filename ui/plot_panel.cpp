@@ -2,6 +2,7 @@
 #include "ui/plot_panel.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>

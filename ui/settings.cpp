@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <algorithm>
+#include <cmath>
 
 namespace hepatica {
 namespace {
@@ -19,6 +21,9 @@ const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
 const char* const language_key = "language";
 const char* const flow_units_key = "flow_units";
+const char* const volume_key = "volume/shown";
+const char* const volume_preset_key = "volume/preset";
+const char* const volume_density_key = "volume/density";
 const char* const library_key = "library_folder";
 
 }  // namespace
@@ -130,6 +135,33 @@ QString Settings::flow_units() const {
 
 void Settings::set_flow_units(const QString& name) {
     if (store_) store_->setValue(flow_units_key, name);
+}
+
+bool Settings::volume_shown() const {
+    return store_ && store_->value(volume_key, false).toBool();
+}
+
+void Settings::set_volume_shown(bool shown) {
+    if (store_) store_->setValue(volume_key, shown);
+}
+
+// Somebody may have written anything into the file.
+VolumeLook Settings::volume_look() const {
+    VolumeLook look;
+    if (!store_) return look;
+    const std::string preset = store_->value(volume_preset_key).toString().toStdString();
+    look.preset = volume_preset_named(preset).value_or(look.preset);
+    const double density = store_->value(volume_density_key, look.density).toDouble();
+    if (std::isfinite(density)) look.density = std::clamp(density, 0.0, 1.0);
+    return look;
+}
+
+void Settings::set_volume_look(const VolumeLook& look) {
+    if (!store_) return;
+    const std::string_view preset = name_of(look.preset);
+    store_->setValue(volume_preset_key,
+                     QString::fromLatin1(preset.data(), static_cast<qsizetype>(preset.size())));
+    store_->setValue(volume_density_key, look.density);
 }
 
 QString Settings::library_folder() const {

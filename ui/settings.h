@@ -9,6 +9,8 @@
 #include <memory>
 #include <string>
 
+#include "render/volume_look.h"
+
 class QSettings;
 
 namespace hepatica {
@@ -59,6 +61,12 @@ class Settings {
     // See flow_units_named(); empty: none was chosen.
     QString flow_units() const;
     void set_flow_units(const QString& name);
+
+    // Whether the CT is drawn as a volume, and how; the grey window is not kept.
+    bool volume_shown() const;
+    void set_volume_shown(bool shown);
+    VolumeLook volume_look() const;
+    void set_volume_look(const VolumeLook& look);
 
     QString last_folder() const;
     void set_last_folder(const QString& folder);

@@ -62,4 +62,10 @@ QString in_short(const std::vector<std::string>& warnings) {
     return text;
 }
 
+QString in_one_sentence(const Failure& failure) {
+    QString text = QString("%1: %2").arg(translated(failure.problem), translated(failure.remedy));
+    text[0] = text[0].toUpper();
+    return text;
+}
+
 }  // namespace hepatica

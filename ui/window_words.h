@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/background_job.h"
+
 namespace hepatica {
 
 // The text with each such option replaced; any other text stays as it is.
@@ -15,5 +17,8 @@ std::string in_window_words(std::string text);
 // The first two of several warnings in the language of the window, and how many more there are:
 // what leaves room for the vessels.
 QString in_short(const std::vector<std::string>& warnings);
+
+// What is wrong and what helps, as a sentence that stands by itself, in the language of the window.
+QString in_one_sentence(const Failure& failure);
 
 }  // namespace hepatica

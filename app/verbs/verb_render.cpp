@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -10,6 +11,8 @@
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/opening/ct_around_liver.h"
+#include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/patient/liver_segments.h"
 #include "core/patient/patient_case.h"
@@ -39,7 +42,34 @@ struct RenderChoices {
     bool bare = false;
     bool segments = false;
     bool liver = false;
+    std::filesystem::path ct;
+    std::string ct_as{name_of(VolumeLook{}.preset)};
+    double ct_density = VolumeLook{}.density;
+    std::string ct_window;
 };
+
+VolumeLook volume_look(const RenderChoices& options) {
+    VolumeLook look;
+    const std::optional<VolumePreset> preset = volume_preset_named(options.ct_as);
+    if (!preset)
+        throw UsageError("a CT cannot be drawn as \"" + options.ct_as + "\"", "--ct-as",
+                         "choose vessels-and-bones or maximum-intensity");
+    look.preset = *preset;
+    if (!(options.ct_density >= 0.0 && options.ct_density <= 1.0))
+        throw UsageError("the density is not from 0 to 1", "--ct-density",
+                         "0 is hardly there, 1 nearly solid");
+    look.density = options.ct_density;
+    char rest = 0;
+    GreyWindow& window = look.window;
+    if (!options.ct_window.empty() &&
+        (std::sscanf(options.ct_window.c_str(), "%16lf,%16lf%c", &window.level_hu, &window.width_hu,
+                     &rest) != 2 ||
+         !std::isfinite(window.level_hu) || !(window.width_hu >= 1.0) ||
+         !std::isfinite(window.width_hu)))
+        throw UsageError("\"" + options.ct_window + "\" is no grey window", "--ct-window",
+                         "write level,width in Hounsfield units, as 100,300, the width 1 or more");
+    return look;
+}
 
 PictureOptions picture_options(const RenderChoices& options) {
     PictureOptions picture;
@@ -64,6 +94,7 @@ PictureOptions picture_options(const RenderChoices& options) {
     picture.turn_up_deg = options.turn_up_deg;
     picture.zoom = options.zoom;
     picture.annotations = !options.bare;
+    picture.ct_look = volume_look(options);
     return picture;
 }
 
@@ -119,11 +150,22 @@ TriangleMesh liver_of_case(const RenderChoices& options, const PatientCase& pati
     return liver;
 }
 
+std::shared_ptr<const Volume> ct_of_case(const RenderChoices& options, const PatientCase& patient,
+                                         Job& job) {
+    const Volume ct = image_of(patient, options.ct, job);
+    auto drawn = std::make_shared<const Volume>(
+        ct_around_liver(ct, patient, organ_voxels(patient, options.patient), job));
+    if (drawn->voxels.empty())
+        throw InputError("the CT holds nothing of this patient's liver", options.ct.string(),
+                         "leave --ct out, or give the CT that the case was made of");
+    return drawn;
+}
+
 Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
     require_writable(options.out);
-    job.expect_stages(3);
+    job.expect_stages(options.ct.empty() ? 3 : 4);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(
         options.segments || options.liver ? read_case(options.patient)
@@ -138,6 +180,7 @@ Json run_render(const RenderChoices& options, Job& job) {
     if (options.recording.empty() && !frame.statistics.message.empty())
         throw InputError(frame.statistics.message, options.patient.string(),
                          "check the options of the injection");
+    if (!options.ct.empty()) picture.ct = ct_of_case(options, *patient, job);
     job.begin_stage("Drawing");
     colour_vessels(session->world(), *patient, options.segments, picture);
     picture.bridges = views_of(open_bridges(*patient));
@@ -172,6 +215,12 @@ void add_render(CommandLine& line) {
     verb.add_flag("--segments", options->segments,
                   "Colour portal branches by the liver segment that they supply");
     verb.add_flag("--liver", options->liver, "Show the surface of the liver around the vessels");
+    verb.add_option("--ct", options->ct,
+                    "Draw this CT, that of the case, as a volume around the vessels");
+    verb.add_option("--ct-as", options->ct_as, "vessels-and-bones or maximum-intensity");
+    verb.add_option("--ct-density", options->ct_density, "How dense, 0 to 1");
+    verb.add_option("--ct-window", options->ct_window,
+                    "LEVEL,WIDTH [HU]: below it the CT is clear, above it dense");
     verb.add_flag("--bare", options->bare, "Without legend, scale bar and orientation");
 }
 

@@ -12,6 +12,7 @@
 #include "ui/slices/slice_bar.h"
 #include "ui/slices/slice_view.h"
 #include "ui/slices/threshold_dialog.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -29,10 +30,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                },
                [this](const JobProgress& now) { say(translated(now.stage) + "…", false); },
                [this](const Failure& failure) {
-                   QString text = QString("%1: %2").arg(translated(failure.problem),
-                                                        translated(failure.remedy));
-                   text[0] = text[0].toUpper();  // it stands by itself
-                   say(text, true);
+                   say(in_one_sentence(failure), true);
                    if (!failure.place.empty()) callbacks_.failed(failure);
                }}),
       segments_({[this](Mask segments) {

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/volume_actor.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkRenderer.h>
+#include <vtkShortArray.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <array>
+#include <utility>
+
+#include "render/transfer_function.h"
+
+namespace hepatica {
+namespace {
+
+// Of the processor's caster: between samples along a ray, in voxels, and between rays, in pixels.
+struct Sampling {
+    double step;
+    double rays_px;
+};
+constexpr std::array samplings{Sampling{1.5, 4.0}, Sampling{0.75, 1.5}, Sampling{0.5, 1.0}};
+constexpr double card_step = 0.5;
+
+// The same voxels, not a copy; the image must not outlive them.
+vtkSmartPointer<vtkImageData> image_of(const Volume& voxels) {
+    vtkNew<vtkShortArray> values;
+    constexpr int keep = 1;  // VTK does not free them, and only reads them
+    values->SetArray(const_cast<std::int16_t*>(voxels.voxels.data()),
+                     static_cast<vtkIdType>(voxels.voxels.size()), keep);
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(voxels.grid.dims.data());
+    image->SetSpacing(voxels.grid.spacing_mm.data());
+    image->GetPointData()->SetScalars(values);
+    return image;
+}
+
+// Where the grid lies: the mappers do not read an image's directions.
+vtkSmartPointer<vtkMatrix4x4> placement_of(const Grid& grid) {
+    auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            matrix->SetElement(row, column, grid.direction(row, column));
+        matrix->SetElement(row, 3, grid.origin_mm[row]);
+    }
+    return matrix;
+}
+
+// VTK's gradients are differences from voxel to voxel.
+vtkSmartPointer<vtkPiecewiseFunction> gradient_opacity(const Volume& voxels) {
+    auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
+    for (const GradientPoint& point : gradient_function())
+        function->AddPoint(point.hu_per_mm * voxels.grid.spacing_mm.mean(), point.share);
+    return function;
+}
+
+// VTK 9.1 compares a viewport's size with one that it never set, and keeps an aspect of 1 where
+// they happen to be the same; of all that is drawn, the processor's caster alone asks for that
+// aspect. After two other shapes of a pixel it is computed whatever was there.
+void compute_aspect(vtkRenderer& renderer) {
+    for (const double pixel : {2.0, 1.0}) {
+        renderer.SetPixelAspect(pixel, 1.0);
+        renderer.ComputeAspect();
+    }
+}
+
+}  // namespace
+
+struct VolumeActor::Drawn {
+    std::shared_ptr<const Volume> voxels;  // before all that reads them
+    vtkNew<vtkVolume> volume;
+    vtkSmartPointer<vtkVolumeMapper> mapper;
+    vtkSmartPointer<vtkFixedPointVolumeRayCastMapper> by_processor;  // null on a card
+};
+
+VolumeActor::VolumeActor(vtkRenderer& renderer) : renderer_(renderer) {}
+
+VolumeActor::~VolumeActor() = default;
+
+void VolumeActor::show(std::shared_ptr<const Volume> voxels) {
+    voxels_ = std::move(voxels);
+}
+
+bool VolumeActor::set_look(const VolumeLook& look) {
+    look_ = look;
+    follow_look();
+    return !empty();
+}
+
+void VolumeActor::set_room(const ViewLook& room) {
+    room_ = room;
+    follow_look();
+}
+
+void VolumeActor::set_clip(vtkPlane* plane) {
+    clip_ = plane;
+    follow_clip();
+}
+
+void VolumeActor::set_detail(VolumeDetail detail) {
+    detail_ = detail;
+    follow_detail();
+}
+
+void VolumeActor::prepare(bool by_card) {
+    if (drawn_ && drawn_->voxels != voxels_) {
+        renderer_.RemoveVolume(drawn_->volume);  // gives back what the card holds
+        drawn_.reset();
+    }
+    if (!drawn_ && voxels_) build(by_card);
+}
+
+void VolumeActor::build(bool by_card) {
+    drawn_ = std::make_unique<Drawn>();
+    drawn_->voxels = voxels_;
+    if (by_card) {
+        auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+        mapper->AutoAdjustSampleDistancesOff();
+        mapper->SetSampleDistance(
+            static_cast<float>(card_step * voxels_->grid.spacing_mm.minCoeff()));
+        mapper->UseJitteringOn();  // no rings where samples of neighbouring rays lie side by side
+        drawn_->mapper = mapper;
+    } else {
+        drawn_->by_processor = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+        drawn_->by_processor->AutoAdjustSampleDistancesOff();
+        drawn_->mapper = drawn_->by_processor;
+    }
+    drawn_->mapper->SetInputData(image_of(*voxels_));
+    drawn_->volume->SetMapper(drawn_->mapper);
+    drawn_->volume->SetUserMatrix(placement_of(voxels_->grid));
+    drawn_->volume->SetPickable(false);
+    vtkVolumeProperty& property = *drawn_->volume->GetProperty();
+    property.SetInterpolationTypeToLinear();
+    property.SetScalarOpacityUnitDistance(1.0);
+    property.SetAmbient(0.25);
+    property.SetDiffuse(0.9);
+    property.SetSpecular(0.1);
+    property.SetSpecularPower(10.0);
+    follow_look();
+    follow_clip();
+    follow_detail();
+    compute_aspect(renderer_);
+    renderer_.AddVolume(drawn_->volume);
+}
+
+void VolumeActor::follow_look() {
+    if (!drawn_) return;
+    const bool maximum = look_.preset == VolumePreset::maximum_intensity;
+    if (maximum)
+        drawn_->mapper->SetBlendModeToMaximumIntensity();
+    else
+        drawn_->mapper->SetBlendModeToComposite();
+    vtkNew<vtkColorTransferFunction> colours;
+    vtkNew<vtkPiecewiseFunction> opacity;
+    for (const TransferPoint& point : transfer_function(look_, room_)) {
+        colours->AddRGBPoint(point.hu, point.colour[0], point.colour[1], point.colour[2]);
+        opacity->AddPoint(point.hu, point.opacity);
+    }
+    vtkVolumeProperty& property = *drawn_->volume->GetProperty();
+    property.SetColor(colours);
+    property.SetScalarOpacity(opacity);
+    property.SetShade(!maximum);
+    if (maximum)
+        property.SetGradientOpacity(nullptr);
+    else
+        property.SetGradientOpacity(gradient_opacity(*drawn_->voxels));
+}
+
+void VolumeActor::follow_clip() {
+    if (!drawn_) return;
+    drawn_->mapper->RemoveAllClippingPlanes();
+    if (clip_) drawn_->mapper->AddClippingPlane(clip_);
+}
+
+void VolumeActor::follow_detail() {
+    if (!drawn_ || !drawn_->by_processor) return;
+    const Sampling& sampling = samplings[static_cast<std::size_t>(detail_)];
+    drawn_->by_processor->SetSampleDistance(
+        static_cast<float>(sampling.step * drawn_->voxels->grid.spacing_mm.minCoeff()));
+    drawn_->by_processor->SetImageSampleDistance(static_cast<float>(sampling.rays_px));
+}
+
+}  // namespace hepatica
