@@ -5,7 +5,7 @@
 // events, on whatever display there is:
 //
 //     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
-#include <unistd.h>
+#include <malloc.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -58,10 +57,10 @@ double process_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double resident_mb() {
-    long pages = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> pages >> resident;
-    return 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+// What was asked for and not given back, whatever the allocator keeps for later.
+double memory_in_use_mb() {
+    const struct mallinfo2 now = mallinfo2();
+    return 1e-6 * static_cast<double>(now.uordblks + now.hblkhd);
 }
 
 void run_for(double seconds) {
@@ -312,7 +311,7 @@ class WindowBench {
             times_ms.push_back(pictures_.times_ms.back());
         }
         std::printf("  at rest, each: median %.1f ms; %.0f MB of memory\n", quantile(times_ms, 0.5),
-                    resident_mb());
+                    memory_in_use_mb());
         std::fflush(stdout);
     }
 

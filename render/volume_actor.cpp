@@ -29,7 +29,7 @@ struct Sampling {
     double step;
     double rays_px;
 };
-constexpr std::array samplings{Sampling{1.5, 4.0}, Sampling{0.75, 1.5}, Sampling{0.5, 1.0}};
+constexpr std::array samplings{Sampling{2.0, 5.0}, Sampling{0.75, 2.0}, Sampling{0.5, 1.0}};
 constexpr double card_step = 0.5;
 
 // The same voxels, not a copy; the image must not outlive them.

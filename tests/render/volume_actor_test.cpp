@@ -172,6 +172,9 @@ TEST_F(VolumePicture, IsGoneWithItsMemory) {
 
 // While anything moves there are fewer rays; saved pictures have one a pixel.
 TEST_F(VolumePicture, IsCoarseWhileItMoves) {
+    // Vessels and lights are fewer then, too.
+    view_.show(Frame{});
+    view_.set_volume_look({VolumePreset::maximum_intensity, 0.5, {}});
     const auto slanted = ct_of([](const Vec3& place) {
         return std::abs(place.x() + 2.0 * place.z()) < 10.0 ? bone : air;
     });
@@ -180,7 +183,10 @@ TEST_F(VolumePicture, IsCoarseWhileItMoves) {
     const Picture coarse = picture();
     view_.set_smoothing(Smoothing::best);
     EXPECT_EQ(picture().rgb, best.rgb);
-    EXPECT_FALSE(testing::look_alike(coarse, best));
+    int otherwise = 0;
+    for (std::size_t i = 0; i < best.rgb.size(); ++i)
+        otherwise += std::abs(int(coarse.rgb[i]) - int(best.rgb[i])) > 8;
+    EXPECT_GT(otherwise, 1000);
     EXPECT_LT(testing::worst_tile_difference(coarse, best), 60.0) << "but of the same thing";
 }
 
