@@ -6,6 +6,7 @@
 //
 //     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
 #include <malloc.h>
+#include <unistd.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -57,10 +59,12 @@ double process_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// What was asked for and not given back, whatever the allocator keeps for later.
+// What the system says, once the allocator has given back what it kept for later.
 double memory_in_use_mb() {
-    const struct mallinfo2 now = mallinfo2();
-    return 1e-6 * static_cast<double>(now.uordblks + now.hblkhd);
+    malloc_trim(0);
+    long pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 void run_for(double seconds) {
