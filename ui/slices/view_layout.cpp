@@ -62,6 +62,12 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                 }}),
       view_(view) {
     build(view);
+    build_threshold();
+    connect_scene();
+    arrange();
+}
+
+void ViewLayout::build_threshold() {
     threshold_ =
         new ThresholdDialog(scene_,
                             {[this] {
@@ -74,6 +80,9 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                              },
                              [this](const Failure& failure) { callbacks_.failed(failure); }},
                             this);
+}
+
+void ViewLayout::connect_scene() {
     scene_.tumours().on_stroke(
         {[this](const TreeEdit& stroke) {
              if (!callbacks_.paint_tumour(stroke)) tumours_.show_again();
@@ -85,7 +94,6 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                               callbacks_.draw(scene_.ct(), places, std::move(answered));
                           },
                           [this] { callbacks_.stop_drawing(); }});
-    arrange();
 }
 
 ViewLayout::~ViewLayout() = default;

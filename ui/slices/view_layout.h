@@ -76,6 +76,8 @@ class ViewLayout : public QWidget {
 
   private:
     void build(QWidget* view);
+    void build_threshold();
+    void connect_scene();
     void arrange();
     void want_segments();
     void mark_crosshair();
