@@ -1523,7 +1523,7 @@
     </message>
     <message>
         <source>Limits and pass &amp;marks</source>
-        <translation>Grenzen und Bestehens&amp;marken</translation>
+        <translation>Grenzen und &amp;Bestehensgrenzen</translation>
     </message>
     <message>
         <source>What is doubtful in this lesson</source>
@@ -5073,7 +5073,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Extracting the tree</source>
-        <translation>Der Gefäßbaum wird gewonnen</translation>
+        <translation>Der Gefäßbaum wird extrahiert</translation>
     </message>
     <message>
         <source>Making the skeleton one voxel wide</source>
@@ -7065,7 +7065,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Export DICO&amp;M segmentation…</source>
-        <translation>DICOM-Se&amp;gmentierung ausgeben …</translation>
+        <translation>DICOM-Se&amp;gmentierung exportieren …</translation>
     </message>
     <message>
         <source>Write vessels, liver and tumours as a segmentation of the CT, for the archive and other viewers</source>
@@ -7073,7 +7073,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Save the vessels as a DICOM segmentation, which names the patient as the CT does</source>
-        <translation>Gefäße als DICOM-Segmentierung speichern, die den Patienten nennt wie das CT</translation>
+        <translation>Gefäße als DICOM-Segmentierung speichern, mit den Patientendaten des CTs</translation>
     </message>
     <message>
         <source>DICOM segmentations (*.dcm)</source>
@@ -7145,7 +7145,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The lines of the CT are being measured…</source>
-        <translation>Die Linien des CTs werden vermessen …</translation>
+        <translation>Gefäßverläufe im CT werden bestimmt …</translation>
     </message>
     <message>
         <source>%L1 mL of vessels, %L2 mL now</source>
@@ -7233,7 +7233,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Drag over what is tumour (+ and - size the brush)</source>
-        <translation>Ziehen Sie über Tumor (+, -: Größe)</translation>
+        <translation>Ziehen Sie über den Tumor (+, -: Größe)</translation>
     </message>
     <message>
         <source>Drag over what is no tumour (+ and - size the brush)</source>
@@ -7309,7 +7309,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Maximum intensity</source>
-        <translation>Maximale Intensität</translation>
+        <translation>Maximumintensität</translation>
     </message>
     <message>
         <source>What of the CT stands out</source>
@@ -7317,7 +7317,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Vessels and bones: light on what is bright, soft tissue a haze. Maximum intensity: the brightest voxel behind each point. Both follow the grey window of the slices: what they show black is clear</source>
-        <translation>Gefäße und Knochen: Licht auf dem, was hell ist, Weichgewebe als Schleier. Maximale Intensität: das hellste Voxel hinter jedem Punkt. Beide folgen der Fensterung der Schichten: Was sie schwarz zeigen, ist durchsichtig</translation>
+        <translation>Gefäße und Knochen: Licht auf dem, was hell ist, Weichgewebe als Schleier. Maximumintensität: das hellste Voxel hinter jedem Punkt. Beide folgen der Fensterung der Schichten: Was sie schwarz zeigen, ist durchsichtig</translation>
     </message>
     <message>
         <source>How dense the CT is drawn</source>
@@ -7334,6 +7334,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>choose the one that the case was made of</source>
         <translation>wählen Sie das, aus dem der Fall entstanden ist</translation>
+    </message>
+    <message>
+        <source>the vessels found are %1 m long together, more than a liver shows</source>
+        <translation>die gefundenen Gefäße sind zusammen %1 m lang, mehr als eine Leber zeigt</translation>
+    </message>
+    <message>
+        <source>Noise is taken for vessels: choose a higher threshold, or give a mask of the vessels</source>
+        <translation>Rauschen wird für Gefäße gehalten: Wählen Sie eine höhere Schwelle oder geben Sie eine Maske der Gefäße an</translation>
     </message>
 </context>
 </TS>

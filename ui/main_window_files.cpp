@@ -122,10 +122,10 @@ void MainWindow::ask_where_to_save_picture() {
 // The CT is asked for only where these settings do not know it.
 void MainWindow::ask_where_to_archive() {
     namespace fs = std::filesystem;
-    const std::string& digest = workspace().patient()->source.image_sha256;
+    const std::string digest = workspace().patient()->source.image_sha256;  // dialogs follow
     fs::path ct = to_path(settings_.place_of_image(digest));
     std::error_code ignored;
-    if (ct.empty() || !fs::exists(ct, ignored)) {
+    if (!fs::is_directory(ct, ignored)) {  // a volume file is no DICOM folder
         const auto place = ask_where_ct_lies();
         if (!place) return;
         ct = *place;

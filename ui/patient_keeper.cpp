@@ -30,12 +30,13 @@ void PatientKeeper::leave(std::function<void()> go, std::function<void()> stay) 
 void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()> stay) {
     go_ = nullptr;
     if (!jobs_.holds(JobKind::save)) {
-        if (!workspace_.dirty() || discarded_version_ == workspace_.version()) return go();
+        if (!workspace_.dirty() || discarded_version_ == workspace_.version())
+            return go_when_archived(std::move(go), std::move(stay));
         const UnsavedAnswer answer = questions_.unsaved(workspace_.title());
         if (answer == UnsavedAnswer::cancel) return stay();
         if (answer == UnsavedAnswer::discard) {
             discarded_version_ = workspace_.version();
-            return go();
+            return go_when_archived(std::move(go), std::move(stay));
         }
         if (!save()) return stay();
     }
@@ -43,9 +44,16 @@ void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()
     stay_ = std::move(stay);
 }
 
+void PatientKeeper::go_when_archived(std::function<void()> go, std::function<void()> stay) {
+    if (!jobs_.holds(JobKind::archive)) return go();
+    go_ = std::move(go);
+    stay_ = std::move(stay);
+}
+
 // After a save: what was corrected since then is asked about again.
 void PatientKeeper::go_on() {
-    if (go_ && !jobs_.holds(JobKind::save)) leave_if_safe(std::exchange(go_, nullptr), stay_);
+    if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive))
+        leave_if_safe(std::exchange(go_, nullptr), stay_);
 }
 
 void PatientKeeper::open(const OpenRequest& request) {
@@ -134,7 +142,8 @@ void PatientKeeper::undo() {
 
 void PatientKeeper::undo_stroke() {
     const Workspace::Edits& edits = workspace_.edits();
-    if (!edits.empty() && !changes_tree(edits.back().kind)) undo();
+    const bool is_last = workspace_.before_remaking() == nullptr;
+    if (is_last && !edits.empty() && !changes_tree(edits.back().kind)) undo();
 }
 
 void PatientKeeper::redo() {
@@ -329,10 +338,12 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
     QueuedJob job;
     job.kind = JobKind::archive;
     job.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
-    job.begin = [this, ct, file, written = std::move(written)]() -> BackgroundJob::Work {
+    // Of who is shown now, whoever is shown when its turn comes.
+    job.begin = [this, ct, file, written = std::move(written), patient = workspace_.patient(),
+                 voxels = workspace_.folder(),
+                 edits = workspace_.made_edits()]() -> BackgroundJob::Work {
         return
-            [this, ct, file, written, patient = workspace_.patient(), voxels = workspace_.folder(),
-             edits = workspace_.edits()](Job& job) -> std::function<void()> {
+            [this, ct, file, written, patient, voxels, edits](Job& job) -> std::function<void()> {
                 constexpr int comparing_and_writing = 2;
                 job.expect_stages(1 + comparing_and_writing);
                 job.begin_stage(Words::id("Reading the voxels"));
@@ -344,9 +355,13 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
             };
     };
     job.failed = [this, title = job.title](const Failure& failure) {
+        go_ = nullptr;
         screen_.failed(title, failure);
     };
-    job.cancelled = [this] { screen_.say(Words::tr("Not saved").toStdString()); };
+    job.cancelled = [this] {
+        go_ = nullptr;
+        screen_.say(Words::tr("Not saved").toStdString());
+    };
     jobs_.add(std::move(job));
 }
 

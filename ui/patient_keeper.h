@@ -107,6 +107,7 @@ class PatientKeeper {
 
   private:
     void leave_if_safe(std::function<void()> go, std::function<void()> stay);
+    void go_when_archived(std::function<void()> go, std::function<void()> stay);
     void start_opening(const OpenRequest& request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);

@@ -12,6 +12,9 @@ constexpr std::array sentences_tree{
     Words::id("more than half of it lies in vessels that are there already"),
     Words::id(
         "Begin at the wall of the vessel and draw what is missing, or delete the branch first"),
+    Words::id("the vessels found are %1 m long together, more than a liver shows"),
+    Words::id(
+        "Noise is taken for vessels: choose a higher threshold, or give a mask of the vessels"),
     Words::id("both ends of the vessel lie at one point"),
     Words::id("Draw it from one place to another"),
     Words::id("vessels meet here, and it is not clear which of them is meant"),

@@ -14,6 +14,7 @@
 #include "core/image/brush.h"
 #include "core/image/volume_reader.h"
 #include "core/opening/patient_image.h"
+#include "core/patient/painted_tumours.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/remade_case.h"
 #include "core/reconstruction/vessel_preview.h"
@@ -48,9 +49,8 @@ bool searches(const RemakeChoices& options) {
     return options.threshold.line_share != 1.0 || options.threshold.refinement_recursions != 0;
 }
 
-// Those of the file, else the case's, painted and erased.
-Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>& strokes,
-                    const PatientCase& patient, const Grid& ct_grid,
+// Those of the file, else the case's.
+Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, const Grid& ct_grid,
                     std::vector<std::string>& warnings, Job& job) {
     Mask vessels = patient.mask;
     if (!options.vessels.empty()) {
@@ -65,6 +65,11 @@ Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>
         throw InputError("holds no voxels of its vessels", options.patient.string(),
                          "Give some: --vessels FILE");
     }
+    return vessels;
+}
+
+void paint(const std::vector<BrushStroke>& strokes, Mask& vessels,
+           std::vector<std::string>& warnings) {
     for (const BrushStroke& stroke : strokes) {
         const Vec3& place = stroke.path_mm.front();
         if (!holds(vessels.grid, place))
@@ -73,7 +78,6 @@ Mask wanted_vessels(const RemakeChoices& options, const std::vector<BrushStroke>
                                "what of it is outside changes nothing.");
         apply(stroke, unknown, vessels);
     }
-    return vessels;
 }
 
 auto vessel_voxels(const Mask& mask) {
@@ -97,10 +101,11 @@ Json run_remake(const RemakeChoices& options, Job& job) {
     const PatientCase patient = read_case(options.patient);
     const Volume ct = image_of(patient, options.ct, job);
     std::vector<std::string> warnings;
-    Mask vessels = wanted_vessels(options, strokes, patient, ct.grid, warnings, job);
+    Mask vessels = wanted_vessels(options, patient, ct.grid, warnings, job);
     if (searches(options))
-        vessels = VesselPreview(ct, patient.organs, job)
+        vessels = VesselPreview(ct, unpainted_organs(patient), job)
                       .vessels(vessels, options.threshold, unknown, job);
+    paint(strokes, vessels, warnings);  // last: what is erased stays away
     RemadeCase made = remade(patient, std::move(vessels), ct, job);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
@@ -133,13 +138,14 @@ void add_remake(CommandLine& line) {
     verb.add_option("--erase", options->erased,
                     "X,Y,Z,RADIUS [mm]: a ball without vessel, after what is painted; may be "
                     "repeated");
-    verb.add_option("--line-share", options->threshold.line_share,
-                    "Share of the usual strength from which a line is believed to be a vessel, 0.4 "
-                    "to 2: below 1 more and fainter vessels come in, above 1 the faintest go")
+    verb.add_option(
+            "--line-share", options->threshold.line_share,
+            "Share of the usual strength from which a line is believed to be a vessel, "
+            "0.75 to 1.35: below 1 more and fainter vessels come in, above 1 the faintest go")
         ->check(CLI::Range(least_line_share, most_line_share));
     verb.add_option("--refine", options->threshold.refinement_recursions,
                     "Recursions of the Gaussian refinement of the surface, 0 to 10")
-        ->check(CLI::Range(0, 10));
+        ->check(CLI::Range(0, most_recursions));
     verb.add_option("--ct", options->ct,
                     "CT of the case: a folder or a file; the built-in patient needs none");
     verb.add_option("--out", options->out,

@@ -215,12 +215,13 @@ void add_render(CommandLine& line) {
     verb.add_flag("--segments", options->segments,
                   "Colour portal branches by the liver segment that they supply");
     verb.add_flag("--liver", options->liver, "Show the surface of the liver around the vessels");
-    verb.add_option("--ct", options->ct,
-                    "Draw this CT, that of the case, as a volume around the vessels");
-    verb.add_option("--ct-as", options->ct_as, "vessels-and-bones or maximum-intensity");
-    verb.add_option("--ct-density", options->ct_density, "How dense, 0 to 1");
+    CLI::Option* ct = verb.add_option(
+        "--ct", options->ct, "Draw this CT, that of the case, as a volume around the vessels");
+    verb.add_option("--ct-as", options->ct_as, "vessels-and-bones or maximum-intensity")->needs(ct);
+    verb.add_option("--ct-density", options->ct_density, "How dense, 0 to 1")->needs(ct);
     verb.add_option("--ct-window", options->ct_window,
-                    "LEVEL,WIDTH [HU]: below it the CT is clear, above it dense");
+                    "LEVEL,WIDTH [HU]: below it the CT is clear, above it dense")
+        ->needs(ct);
     verb.add_flag("--bare", options->bare, "Without legend, scale bar and orientation");
 }
 

@@ -16,12 +16,15 @@ inline std::string number_text(double value) {
     return {digits.data(), end.ptr};
 }
 
-// With so many decimals (0 to 15), rounded to the nearest.
+// With so many decimals (0 to 15), rounded to the nearest; what rounds to 0 has no sign.
 inline std::string fixed_text(double value, int decimals) {
     std::array<char, 384> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    std::chars_format::fixed, decimals);
-    return {digits.data(), end.ptr};
+    const std::string text(digits.data(), end.ptr);
+    return text.find_first_of("123456789") == std::string::npos && text.starts_with('-')
+               ? text.substr(1)
+               : text;
 }
 
 }  // namespace hepatica

@@ -10,12 +10,13 @@
 #include "core/image/voxel_loop.h"
 #include "core/patient/liver_segments.h"
 #include "core/segmentation/gaussian_refinement.h"
+#include "core/segmentation/vessel_growth.h"
 
 namespace hepatica {
 
 namespace {
 
-constexpr int most_recursions = 10;
+constexpr double least_piece_mm3 = 20.0;  // as of 10 mm of the thinnest vessels; less is a crumb
 constexpr double wall_mm = 1.3;  // fitted walls lie at most so far outside of the voxels believed
 
 void require_possible(const ThresholdChoice& choice) {
@@ -76,35 +77,55 @@ Mask VesselPreview::believed(double line_share, Job& job) const {
     return without_others(liver_, believed_lines(lines_, line_share, job), job);
 }
 
-Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
-                            Job& job) const {
-    require_possible(choice);
-    Mask vessels = with_threshold(present, choice.line_share, gained, job);
-    return choice.refinement_recursions > 0 ? refine(vessels, choice.refinement_recursions, job)
-                                            : vessels;
+// A skin about what is there already is no vessel: what comes in has a piece beyond its walls, and
+// the neck by which that hangs on to them.
+Mask VesselPreview::gained_at(double line_share, const Mask& present, Job& job) const {
+    Mask there = usual_;
+    const SeenFrom is_present(there.grid, present);
+    for_each_voxel(there.voxels.size(), job, [&](std::size_t i) {
+        if (is_present(i)) there.voxels[i] = 1;
+    });
+    const Mask now = believed(line_share, job);
+    Mask beyond = without(now, dilate(there, wall_mm, job), job);
+    beyond = hysteresis(beyond, beyond, least_piece_mm3, job);
+    const double neck_mm = wall_mm + there.grid.spacing_mm.maxCoeff();
+    const Mask about = dilate(beyond, neck_mm, job);
+    Mask more = without(now, usual_, job);
+    for_each_voxel(more.voxels.size(), job, [&](std::size_t i) {
+        if (!about.voxels[i]) more.voxels[i] = 0;
+    });
+    return more;
+}
+
+Mask VesselPreview::lost_at(double line_share, Job& job) const {
+    const Mask now = believed(line_share, job);
+    return without(dilate(without(usual_, now, job), wall_mm, job), dilate(now, wall_mm, job), job);
 }
 
 // More is believed at a lower threshold and less at a higher one, never both.
-Mask VesselPreview::with_threshold(const Mask& present, double line_share, std::uint8_t gained,
-                                   Job& job) const {
+Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
+                            Job& job) const {
+    require_possible(choice);
     Mask vessels = present;
-    if (line_share == 1.0) return vessels;
-    const Mask now = believed(line_share, job);
-    if (line_share < 1.0) {
-        const Mask more = without(now, usual_, job);
-        const SeenFrom is_more(present.grid, more);
+    if (choice.line_share < 1.0) {
+        const Mask more = gained_at(choice.line_share, present, job);
+        const SeenFrom comes_in(present.grid, more);
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
-            if (vessels.voxels[i] == 0 && is_more(i)) vessels.voxels[i] = gained;
+            if (vessels.voxels[i] == 0 && comes_in(i)) vessels.voxels[i] = gained;
         });
-        return vessels;
+    } else if (choice.line_share > 1.0) {
+        const Mask less = lost_at(choice.line_share, job);
+        const SeenFrom goes(present.grid, less);
+        for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
+            if (vessels.voxels[i] != 0 && goes(i)) vessels.voxels[i] = 0;
+        });
+        const Mask whole = hysteresis(vessels, vessels, least_piece_mm3, job);
+        for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
+            if (!whole.voxels[i]) vessels.voxels[i] = 0;
+        });
     }
-    const Mask less =
-        without(dilate(without(usual_, now, job), wall_mm, job), dilate(now, wall_mm, job), job);
-    const SeenFrom is_less(present.grid, less);
-    for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
-        if (vessels.voxels[i] != 0 && is_less(i)) vessels.voxels[i] = 0;
-    });
-    return vessels;
+    return choice.refinement_recursions > 0 ? refine(vessels, choice.refinement_recursions, job)
+                                            : vessels;
 }
 
 }  // namespace hepatica

@@ -22,10 +22,6 @@ struct LineEvidence {
     double false_line_hu = 0.0;  // the strength of a line that noise can make, > 0
 };
 
-// The share of the usual strength from which on `coherent` believes a line, in all that takes one.
-inline constexpr double least_line_share = 0.4;
-inline constexpr double most_line_share = 2.0;
-
 // What `coherent` without a window measures of a liver, before it believes any line.
 struct MeasuredLines {
     FloatVolume strength;       // of the line through each voxel, in HU; 0 where none may be
@@ -55,13 +51,13 @@ struct Detection {
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          const DetectionOptions& options, Job& job);
 
-// The lines that may be believed at line_share or more (least_line_share to most_line_share), for
-// believed_lines(). tissue.threshold_hu must be empty. Throws Cancelled.
+// The lines that may be believed at line_share (> 0) or more, for believed_lines().
+// tissue.threshold_hu must be empty. Throws Cancelled.
 MeasuredLines measure_lines(const TissueContrast& tissue, const Mask& liver,
                             const Vec3& ct_spacing_mm, double line_share, Job& job);
 
 // The voxels that detect_vessels() finds at this share, before their walls are fitted; line_share
-// is at least that which was measured. Takes some tenths of a second. Throws Cancelled.
+// is at least that which was measured. Throws Cancelled.
 Mask believed_lines(const MeasuredLines& lines, double line_share, Job& job);
 
 // Uses the window that the user has set: vessels have intensities between low and high. The excess

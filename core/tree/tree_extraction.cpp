@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/tree/extraction/bridged_points.h"
 #include "core/tree/extraction/lumen_measurement.h"
 #include "core/tree/extraction/skeleton_graph.h"
@@ -76,9 +77,24 @@ std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& 
     return wishes;
 }
 
+// Noise that is taken for vessels makes a tangle that nothing below is made for. All vessels that a
+// CT shows of a liver are some 5 to 20 m long.
+void require_plausible_length(const VesselGraph& graph) {
+    constexpr double longest_mm = 40000.0;
+    double all_mm = 0.0;
+    for (const VesselLink& link : graph.links) all_mm += length_mm(link);
+    if (all_mm > longest_mm)
+        throw InputError("the vessels found are " + fixed_text(all_mm / 1000.0, 0) +
+                             " m long together, more than a liver shows",
+                         "vessels",
+                         "Noise is taken for vessels: choose a higher threshold, or give a mask of "
+                         "the vessels");
+}
+
 void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& options,
-                        TreeExtraction& result) {
-    result.systems = tell_systems_apart(graph, ct, {options.seeds, options.liver_mm});
+                        const Job& job, TreeExtraction& result) {
+    require_plausible_length(graph);
+    result.systems = tell_systems_apart(graph, ct, {options.seeds, options.liver_mm}, job);
     const AnatomicalAnchors& anchors = result.systems->anchors;
     if (options.portal_trunk_mm) lead_trunk_to(*options.portal_trunk_mm, graph);
     result.tree = directed(graph, all_wishes(options, graph, anchors));
@@ -111,7 +127,7 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     add(result.too_short,
         remove_short_components(graph, options.minimum_component_mm, options.seeds));
     if (options.find_systems)
-        grow_found_systems(std::move(graph), ct, options, result);
+        grow_found_systems(std::move(graph), ct, options, job, result);
     else
         result.tree = directed(graph, wishes_of(options, graph));
     BridgedPoints bridged;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QHideEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -79,12 +80,12 @@ TEST_F(Threshold, ShowsInTheSlicesWhatItWouldFind) {
     EXPECT_TRUE(dialog_.measured());
     EXPECT_TRUE(scene_.preview().voxels.empty());
     EXPECT_FALSE(rebuild().isEnabled());
-    choose(60);
+    choose(80);
     EXPECT_GT(count(scene_.shown_systems(), painted_label), 0);
     EXPECT_EQ(count(scene_.systems(), painted_label), 0) << "nothing has changed yet";
     EXPECT_TRUE(rebuild().isEnabled());
     EXPECT_TRUE(state().contains("mL of vessels")) << state().toStdString();
-    choose(180);
+    choose(130);
     EXPECT_EQ(count(scene_.shown_systems(), painted_label), 0);
     EXPECT_GT(count(scene_.shown_systems(), 0), count(scene_.systems(), 0));
     choose(100);
@@ -94,7 +95,7 @@ TEST_F(Threshold, ShowsInTheSlicesWhatItWouldFind) {
 
 TEST_F(Threshold, RebuildsWhatTheSlicesShow) {
     open();
-    choose(60);
+    choose(80);
     const Mask shown = scene_.shown_systems();
     rebuild().click();
     EXPECT_EQ(remade_ct_, ct_);
@@ -112,10 +113,10 @@ TEST_F(Threshold, RebuildsWhatTheSlicesShow) {
 // However often it is moved while one choice is being made.
 TEST_F(Threshold, EndsWithTheLastChoice) {
     open();
-    choose(60);
+    choose(80);
     const Mask expected = scene_.shown_systems();
-    for (const int percent : {150, 45, 90, 120}) dialog_.findChild<QSlider*>()->setValue(percent);
-    choose(60);
+    for (const int percent : {125, 75, 90, 115}) dialog_.findChild<QSlider*>()->setValue(percent);
+    choose(80);
     EXPECT_EQ(scene_.shown_systems().voxels, expected.voxels);
     dialog_.findChild<QSpinBox*>("refinement")->setValue(2);
     ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
@@ -124,20 +125,58 @@ TEST_F(Threshold, EndsWithTheLastChoice) {
 
 TEST_F(Threshold, LeavesTheSlicesToABrush) {
     open();
-    choose(60);
+    choose(80);
     scene_.brush().set_mode(BrushMode::erases);
     scene_.brush().begin(scene_.crosshair_mm());
     EXPECT_TRUE(scene_.preview().voxels.empty());
     EXPECT_EQ(dialog_.choice().line_share, 1.0);
     EXPECT_EQ(count(scene_.shown_systems(), painted_label), 0);
     // And is tried on what is left of the vessels.
-    choose(60);
+    choose(80);
     EXPECT_EQ(value_at(scene_.shown_systems(), scene_.crosshair_mm()), 0);
+}
+
+TEST_F(Threshold, TakesInAStrokeThatIsMadeWhileItWorks) {
+    open();
+    dialog_.findChild<QSlider*>("lineShare")->setValue(80);
+    ASSERT_TRUE(dialog_.working());
+    scene_.brush().set_mode(BrushMode::erases);
+    scene_.brush().begin(scene_.crosshair_mm());
+    scene_.brush().lift();
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_GT(count(scene_.shown_systems(), painted_label), 0);
+    EXPECT_EQ(value_at(scene_.systems(), scene_.crosshair_mm()), 0);
+    EXPECT_EQ(value_at(scene_.shown_systems(), scene_.crosshair_mm()), 0);
+}
+
+TEST_F(Threshold, LeavesNothingToTheNextPatient) {
+    open();
+    choose(80);
+    scene_.clear();
+    EXPECT_FALSE(rebuild().isEnabled());
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+    const auto other = std::make_shared<const Volume>(*ct_);
+    scene_.show(other, found_, phantom_->tree);
+    EXPECT_TRUE(dialog_.working());
+    EXPECT_FALSE(rebuild().isEnabled());
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_TRUE(dialog_.measured());
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+}
+
+TEST_F(Threshold, KeepsItsChoiceWhileTheWindowIsMinimised) {
+    open();
+    choose(80);
+    QHideEvent minimised;
+    QSpontaneKeyEvent::setSpontaneous(&minimised);
+    qApp->notify(&dialog_, &minimised);  // sendEvent() would make it one of the program's
+    EXPECT_TRUE(dialog_.measured());
+    EXPECT_EQ(dialog_.choice().line_share, 0.8);
 }
 
 TEST_F(Threshold, ForgetsItsLinesWhenItIsClosed) {
     open();
-    choose(60);
+    choose(80);
     dialog_.hide();
     EXPECT_FALSE(dialog_.measured());
     EXPECT_TRUE(scene_.preview().voxels.empty());

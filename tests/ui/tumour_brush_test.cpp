@@ -77,10 +77,46 @@ class TumourBrushOnSlices : public testing::SlicesTest {
     SliceView& axial() { return view(SliceDirection::axial); }
     const TumourBrush& brush() { return scene().tumours(); }
     QComboBox& choice() { return *window_.findChild<QComboBox*>("measure"); }
-
-  private:
     QPoint pixel(int column) { return axial().place_of(place(column)).toPoint(); }
 };
+
+// What the mouse still leads.
+TEST_F(TumourBrushOnSlices, DropsTheStrokeThatIsBeingLedAndNothingElse) {
+    begin();
+    stroke(8, 10);
+    const Mask before = brush().organs();
+    QTest::mousePress(&axial(), Qt::LeftButton, {}, pixel(20));
+    EXPECT_NE(brush().organs().voxels, before.voxels);
+    press(Qt::Key_Delete);
+    EXPECT_EQ(brush().organs().voxels, before.voxels);
+    QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pixel(20));
+    EXPECT_EQ(edits().size(), 1u);
+}
+
+TEST_F(TumourBrushOnSlices, ShowsTheFirstTumourWhileItIsLed) {
+    begin();
+    const int plain = green_pixels(axial().grab().toImage());
+    QTest::mousePress(&axial(), Qt::LeftButton, {}, pixel(20));
+    EXPECT_GT(green_pixels(axial().grab().toImage()), plain + 20);
+    QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pixel(20));
+}
+
+TEST_F(TumourBrushOnSlices, LeavesNoStrokeToTheNextPatient) {
+    begin();
+    QTest::mousePress(&axial(), Qt::LeftButton, {}, pixel(20));
+    scene().clear();
+    EXPECT_TRUE(edits().empty());
+}
+
+// A correction made since keeps the strokes before it; the brush can still be put away.
+TEST_F(TumourBrushOnSlices, IsPutAwayWhereItsStrokesCannotBeTakenBack) {
+    begin();
+    stroke(8, 10);
+    TumourBrush& own = scene().tumours();
+    own.on_stroke({[](const TreeEdit&) {}, [](std::size_t) {}, [] {}});
+    press(Qt::Key_Escape);
+    EXPECT_EQ(own.mode(), BrushMode::away);
+}
 
 TEST_F(TumourBrushOnSlices, ShowsAtOnceWhatItPaintsAndThePlayGoesOn) {
     begin();

@@ -62,7 +62,7 @@ SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int s
     if (scene.opacity() > 0.0 && !scene.shown_systems().voxels.empty())
         lay_systems(picture.image, label_slice(scene.shown_systems(), slices, slice),
                     scene.opacity());
-    if (!scene.tumours().tumours().empty()) {
+    if (!scene.tumours().organs().voxels.empty()) {
         auto numbers = label_slice(scene.tumours().organs(), slices, slice);
         std::ranges::transform(numbers, numbers.begin(), [](std::uint8_t label) {
             return static_cast<std::uint8_t>(tumour_of(label));

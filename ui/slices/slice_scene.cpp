@@ -151,7 +151,7 @@ void SliceScene::take_last_stroke_back() {
 
 void SliceScene::give_up_brush() {
     if (brushing_tumours())
-        tumours_.strokes_made() == 0 ? tumours_.set_mode(BrushMode::away) : tumours_.remove_all();
+        tumours_.give_up();
     else
         brush_.strokes().empty() ? brush_.set_mode(BrushMode::away) : brush_.remove_all();
 }
@@ -169,8 +169,8 @@ void SliceScene::clear() {
     preview_ = {};
     forget_strokes();
     brush_.set_mode(BrushMode::away);
+    tumours_.show_none({});  // first: what is being led is no stroke of whoever comes next
     tumours_.set_mode(BrushMode::away);
-    tumours_.show_none({});
     segments_ = {};
     why_no_segments_.clear();
     tree_ = {};

@@ -3,6 +3,7 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -47,8 +49,8 @@ void ThresholdDialog::build() {
     share_ = new QSlider(Qt::Horizontal);
     share_->setObjectName("lineShare");
     share_->setAccessibleName(Words::tr("Threshold from which a line is believed to be a vessel"));
-    share_->setRange(static_cast<int>(100 * least_line_share),
-                     static_cast<int>(100 * most_line_share));
+    share_->setRange(static_cast<int>(std::lround(100 * least_line_share)),
+                     static_cast<int>(std::lround(100 * most_line_share)));
     share_->setMinimumWidth(220);
     share_->setToolTip(
         Words::tr("To the left more and fainter vessels come in, and more of what is none; to the "
@@ -61,7 +63,7 @@ void ThresholdDialog::build() {
     form->addRow(Words::tr("Threshold"), row);
     refinement_ = new QSpinBox;
     refinement_->setObjectName("refinement");
-    refinement_->setRange(0, 10);
+    refinement_->setRange(0, most_recursions);
     refinement_->setToolTip(Words::tr("How often the surface is smoothed on top of what was done"));
     form->addRow(Words::tr("Smoothing"), refinement_);
     column->addLayout(form);
@@ -89,8 +91,7 @@ void ThresholdDialog::build() {
     connect(share_, &QSlider::valueChanged, this, [this] { preview(); });
     connect(refinement_, &QSpinBox::valueChanged, this, [this] { preview(); });
     connect(usual_, &QPushButton::clicked, this, [this] { back_to_usual(); });
-    connect(remake_, &QPushButton::clicked, this,
-            [this] { ways_.remake(scene_.shared_ct(), scene_.vessels()); });
+    connect(remake_, &QPushButton::clicked, this, [this] { ways_.remake(ct_, scene_.vessels()); });
     connect(close, &QPushButton::clicked, this, &QDialog::hide);
     back_to_usual();
 }
@@ -106,17 +107,17 @@ void ThresholdDialog::showEvent(QShowEvent* event) {
 
 void ThresholdDialog::hideEvent(QHideEvent* event) {
     QDialog::hideEvent(event);
+    if (event->spontaneous()) return;  // a window that is minimised comes back
+    ct_.reset();
     forget();
-    back_to_usual();
 }
 
 void ThresholdDialog::forget() {
     job_.reset();
     lines_.reset();
-    ct_.reset();
-    stale_ = false;
     previewing_ = false;
     scene_.set_preview({});
+    back_to_usual();
 }
 
 // The lines are those of one CT; what is previewed is of the vessels as they are now, which other
@@ -124,7 +125,8 @@ void ThresholdDialog::forget() {
 void ThresholdDialog::follow_scene() {
     if (!isVisible()) return;
     if (scene_.empty()) {
-        if (ct_) forget();
+        ct_.reset();
+        forget();
         return state_->setText(Words::tr("Waiting for the CT"));
     }
     if (ct_ != scene_.shared_ct()) return measure();
@@ -134,11 +136,11 @@ void ThresholdDialog::follow_scene() {
 }
 
 void ThresholdDialog::measure() {
-    forget();
     ct_ = scene_.shared_ct();
+    forget();
     if (scene_.systems().voxels.empty()) {
         state_->setText(Words::tr("This case knows no voxels of its vessels"));
-        return back_to_usual();
+        return;
     }
     state_->setText(Words::tr("The lines of the CT are being measured…"));
     start(
@@ -165,7 +167,13 @@ void ThresholdDialog::preview() {
              std::make_shared<const Mask>(scene_.systems())](Job& job) -> std::function<void()> {
             auto vessels =
                 std::make_shared<Mask>(lines->vessels(*present, choice, painted_label, job));
-            return [this, vessels] { show_found(std::move(*vessels)); };
+            return [this, present, vessels] {
+                // Other hands may have changed them meanwhile.
+                if (present->voxels == scene_.systems().voxels)
+                    show_found(std::move(*vessels));
+                else
+                    stale_ = true;
+            };
         },
         false);
 }

@@ -97,8 +97,26 @@ std::string TumourBrush::lift() {
     return {};
 }
 
-void TumourBrush::take_back(std::size_t strokes) {
+bool TumourBrush::drop_led() {
+    if (!led_) return false;
     led_.reset();
+    hand_.show_again();
+    return true;
+}
+
+void TumourBrush::remove_last() {
+    if (!drop_led()) take_back(1);
+}
+
+// Strokes may not be had back: something else was done after them.
+void TumourBrush::give_up() {
+    if (drop_led()) return;
+    const std::size_t before = strokes_made();
+    take_back(before);
+    if (strokes_made() == before) set_mode(BrushMode::away);
+}
+
+void TumourBrush::take_back(std::size_t strokes) {
     if (strokes > 0 && strokes <= strokes_made()) hand_.take_back(strokes);
     tell();
 }

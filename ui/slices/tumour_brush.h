@@ -24,6 +24,8 @@ class TumourBrush {
         std::function<void(const TreeEdit&)> add;
         // So many of the last strokes shall be taken back.
         std::function<void(std::size_t)> take_back;
+        // The voxels shall be shown without the stroke that was being led.
+        std::function<void()> show_again;
     };
 
     // Whenever anything below was changed.
@@ -54,10 +56,14 @@ class TumourBrush {
     std::string lift();
     // Strokes since the brush was taken up.
     std::size_t strokes_made() const { return strokes_ - strokes_before_; }
-    void remove_last() { take_back(1); }
-    void remove_all() { take_back(strokes_made()); }
+    // The stroke that is being led, or else the last one.
+    void remove_last();
+    // The stroke that is being led, or else all of them; where none can be taken back the brush is
+    // put away.
+    void give_up();
 
   private:
+    bool drop_led();
     void take_back(std::size_t strokes);
     void leave(const std::vector<Vec3>& path_mm);
     void tell() const;

@@ -72,7 +72,7 @@ void ViewLayout::build_threshold() {
         new ThresholdDialog(scene_,
                             {[this] {
                                  return [patient = patient_, folder = folder_] {
-                                     return organ_voxels(*patient, folder);
+                                     return canvas_voxels(*patient, folder);
                                  };
                              },
                              [this](std::shared_ptr<const Volume> ct, Mask vessels) {
@@ -87,7 +87,8 @@ void ViewLayout::connect_scene() {
         {[this](const TreeEdit& stroke) {
              if (!callbacks_.paint_tumour(stroke)) tumours_.show_again();
          },
-         [this](std::size_t strokes) { callbacks_.take_strokes_back(strokes); }});
+         [this](std::size_t strokes) { callbacks_.take_strokes_back(strokes); },
+         [this] { tumours_.show_again(); }});
     scene_.on_change([this] { mark_crosshair(); });
     scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {

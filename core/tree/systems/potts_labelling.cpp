@@ -96,11 +96,12 @@ double energy_of(const PottsProblem& problem, const std::vector<int>& labels) {
     return energy;
 }
 
-std::vector<int> least_energy_labels(const PottsProblem& problem) {
+std::vector<int> least_energy_labels(const PottsProblem& problem, const Job& job) {
     std::vector<int> labels(problem.costs.size(), 0);
     double energy = energy_of(problem, labels);
     for (int unimproved = 0, label = 1; unimproved < problem.labels;
          label = (label + 1) % problem.labels) {
+        job.throw_if_cancelled();
         const std::vector<std::uint8_t> changed = Expansion(problem, labels, label).changed();
         std::vector<int> next = labels;
         for (std::size_t i = 0; i < next.size(); ++i)

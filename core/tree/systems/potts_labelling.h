@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "core/base/job.h"
+
 namespace hepatica {
 
 // Cutting it costs `strength` (0 or more).
@@ -21,8 +23,8 @@ struct PottsProblem {
 };
 
 // With two labels the minimum, with more a labelling that no expansion of one label improves.
-// Deterministic.
-std::vector<int> least_energy_labels(const PottsProblem& problem);
+// Deterministic. Throws Cancelled, between two cuts.
+std::vector<int> least_energy_labels(const PottsProblem& problem, const Job& job = Job());
 
 double energy_of(const PottsProblem& problem, const std::vector<int>& labels);
 

@@ -63,8 +63,8 @@ struct Labelling {
 
 class Search {
   public:
-    Search(const PieceGraph& graph, const std::vector<VesselSeed>& seeds)
-        : graph_(graph), seed_label_(graph.pieces.size(), -1) {
+    Search(const PieceGraph& graph, const std::vector<VesselSeed>& seeds, const Job& job)
+        : graph_(graph), job_(job), seed_label_(graph.pieces.size(), -1) {
         for (const VesselSeed& seed : seeds) place(seed);
     }
 
@@ -84,7 +84,7 @@ class Search {
         const std::vector<double> evidence = evidence_for_hepatic(graph_, anchors);
         set_costs(problem, evidence, noise);
         Labelling found;
-        found.labels = least_energy_labels(problem);
+        found.labels = least_energy_labels(problem, job_);
         const PottsProblem without_brightness = problem;
         found = with_brightness(problem, found);
         join_rootless(problem, trunks_at(graph_.pieces, anchors), found.labels);
@@ -246,7 +246,7 @@ class Search {
                 problem.costs[i][portal_label] = costs[i][portal_label] + 0.5 * odds;
                 problem.costs[i][hepatic_label] = costs[i][hepatic_label] - 0.5 * odds;
             }
-            std::vector<int> next = least_energy_labels(problem);
+            std::vector<int> next = least_energy_labels(problem, job_);
             if (next == found.labels) return found;
             found.labels = std::move(next);
         }
@@ -268,6 +268,7 @@ class Search {
     }
 
     const PieceGraph& graph_;
+    const Job& job_;
     std::vector<int> seed_label_;  // -1: none
     bool has_artery_ = false;
 };
@@ -298,15 +299,16 @@ std::vector<double> confidences(const Search& search, const AnatomicalAnchors& a
 
 }  // namespace
 
-SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search) {
+SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search,
+                                const Job& job) {
     SystemsFound found;
     const PieceGraph pieces = pieces_of(graph, ct);
     if (pieces.pieces.empty()) return found;
     found.anchors =
         find_anchors(pieces.pieces, search.liver_mm.isEmpty() ? box_of(graph) : search.liver_mm);
-    const Labelling unseeded = Search(pieces, {}).solve(found.anchors, nullptr);
+    const Labelling unseeded = Search(pieces, {}, job).solve(found.anchors, nullptr);
     found.gain = unseeded.gain;
-    const Search cut(pieces, search.seeds);
+    const Search cut(pieces, search.seeds, job);
     std::vector<PieceSystem> systems(pieces.pieces.size());
     const std::vector<VascularSystem> seeded = cut.seeded_systems();
     if (seeded.size() < 2 && unseeded.gain < least_gain) {

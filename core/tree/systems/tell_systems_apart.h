@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/job.h"
 #include "core/image/volume.h"
 #include "core/tree/extraction/vessel_graph.h"
 #include "core/tree/systems/anatomical_anchors.h"
@@ -32,8 +33,10 @@ struct SystemsFound {
 // Gives every link a system and a confidence (the share of draws with perturbed evidence in which
 // the same system came out); links are split where the system changes, and each system gets nodes
 // of its own. Where nothing speaks for two systems the vessels are one, `unknown` unless a seed
-// names it. Artery and other systems come from seeds only. `ct` may be null. Deterministic.
-SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search);
+// names it. Artery and other systems come from seeds only. `ct` may be null. Deterministic. Throws
+// Cancelled.
+SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search,
+                                const Job& job = Job());
 
 // Where each component of the graph begins: a portal vein or an artery at the end nearest to the
 // hilum, hepatic veins at that nearest to the confluence, wide ends before narrow ones. Components

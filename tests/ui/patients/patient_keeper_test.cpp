@@ -415,13 +415,14 @@ TEST_F(Keeper, a_case_saved_over_while_it_was_opened_is_read_again) {
     EXPECT_EQ(numbers_of(ward.workspace().edits()), ward.on_disk("c.hep"));
 }
 
-// As he is corrected when its turn comes; what fails or is cancelled says so and remembers nothing.
+// What fails or is cancelled says so and remembers nothing.
 TEST_F(Keeper, archives_the_patient_who_is_shown) {
     int written = 0;
     const auto archive = [&] {
         ward.keeper().archive("/ct", "/archive/a.dcm", [&written] { ++written; });
     };
     add(1);
+    ASSERT_TRUE(ward.finish());
     archive();
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.archived, std::vector<std::string>{"/ct to /archive/a.dcm with 1"});
@@ -439,6 +440,53 @@ TEST_F(Keeper, archives_the_patient_who_is_shown) {
     EXPECT_EQ(ward.said.back(), "Not saved");
     EXPECT_EQ(written, 1);
     EXPECT_TRUE(ward.workspace().dirty()) << "the case itself is not saved by it";
+}
+
+TEST_F(Keeper, archives_who_was_shown_when_it_was_asked) {
+    ward.keeper().save();
+    save_as("b.hep");
+    ASSERT_TRUE(ward.finish());
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    ward.hold_openings = true;
+    ward.open("a.hep");
+    ward.keeper().archive("/ct of b", "/archive/b.dcm", [] {});
+    ward.hold_openings = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().title(), "a.hep");
+    EXPECT_EQ(ward.archived, std::vector<std::string>{"/ct of b to /archive/b.dcm with 1"});
+}
+
+TEST_F(Keeper, what_is_being_archived_is_finished_before_the_end) {
+    ward.hold_archiving = true;
+    ward.keeper().archive("/ct", "/archive/a.dcm", [] {});
+    ward.leave();
+    EXPECT_FALSE(ward.left);
+    ward.hold_archiving = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.left);
+    EXPECT_EQ(ward.archived.size(), 1u);
+}
+
+TEST_F(Keeper, a_stroke_is_not_taken_back_through_a_rebuilding) {
+    const auto stroke = [&](int number) {
+        TreeEdit one = edit(number);
+        one.kind = TreeEditKind::paint_tumour;
+        one.path_mm = {Vec3::Zero()};
+        one.radii_mm = {1.0};
+        one.tumour = 1;
+        ward.keeper().add(one);
+    };
+    stroke(1);
+    ASSERT_TRUE(ward.finish());
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo_stroke();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(label(), 7);
+    EXPECT_EQ(edits().size(), 1u);
 }
 
 TEST_F(Keeper, paths_are_made_absolute) {
