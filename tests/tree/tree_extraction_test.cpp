@@ -246,6 +246,31 @@ TEST(TreeExtraction, RefusesMasksOfDifferentGrids) {
                  InputError);
 }
 
+// Noise that is taken for vessels: parallel lines, 46 m of them; of half as many a tree is made.
+TEST(TreeExtraction, RefusesVesselsLongerThanALiverShows) {
+    Job job;
+    const auto lines = [](int every) {
+        Grid grid;
+        grid.dims = {260, 13, 13};
+        grid.spacing_mm = Vec3::Constant(5.0);
+        Mask mask(grid);
+        for (int z = 1; z < 13; z += 2)
+            for (int y = 1; y < 13; y += every)
+                for (int x = 1; x < 259; ++x) mask.at(x, y, z) = 255;
+        return mask;
+    };
+    TreeOptions options;
+    options.find_systems = true;
+    const Mask tangle = lines(2), sound = lines(4);
+    try {
+        extract_tree(tangle, tangle, nullptr, options, job);
+        FAIL() << "was accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("46 m long"), std::string::npos) << error.problem();
+    }
+    EXPECT_NO_THROW(extract_tree(sound, sound, nullptr, options, job));
+}
+
 TEST(TreeExtraction, SameBytesForAnyNumberOfThreads) {
     const Mask mask = y_mask(1.5);
     const VesselTree whole = tree_of(mask);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "core/base/error.h"
+
 namespace hepatica {
 namespace {
 
@@ -71,6 +73,13 @@ TEST(PottsLabelling, ATieStrongerThanTheEvidenceHolds) {
     EXPECT_EQ(least_energy_labels(problem), (std::vector<int>{0, 1}));
     problem.ties = {{0, 1, 1.1}};
     EXPECT_EQ(least_energy_labels(problem), (std::vector<int>{0, 0}));
+}
+
+TEST(PottsLabelling, HearsACancel) {
+    std::mt19937 random(9);
+    Job job;
+    job.cancel();
+    EXPECT_THROW(least_energy_labels(random_problem(random, 10, 2), job), Cancelled);
 }
 
 TEST(PottsLabelling, NothingHasNoLabels) {
