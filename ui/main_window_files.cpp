@@ -131,11 +131,12 @@ void MainWindow::ask_where_to_archive() {
         ct = *place;
     }
     if (!fs::is_directory(ct, ignored)) ct = ct.parent_path();
+    const QString name = QString::fromStdString(workspace().title());  // such as NAME.hep
     QString file = QFileDialog::getSaveFileName(
         this,
         Words::tr("Save the vessels as a DICOM segmentation, which names the patient as the CT "
                   "does"),
-        settings_.last_folder() + "/" + QString::fromStdString(workspace().title()) + ".dcm",
+        settings_.last_folder() + "/" + QFileInfo(name).completeBaseName() + ".dcm",
         Words::tr("DICOM segmentations (*.dcm)"));
     if (file.isEmpty()) return;
     if (QFileInfo(file).suffix().isEmpty()) file += ".dcm";
