@@ -7343,5 +7343,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Noise is taken for vessels: choose a higher threshold, or give a mask of the vessels</source>
         <translation>Rauschen wird für Gefäße gehalten: Wählen Sie eine höhere Schwelle oder geben Sie eine Maske der Gefäße an</translation>
     </message>
+    <message>
+        <source>Tumours</source>
+        <translation>Tumoren</translation>
+    </message>
 </context>
 </TS>

@@ -23,8 +23,8 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };
-    callbacks.failed = [this](const Failure& failure) {
-        fail(Words::tr("Reading the CT"), failure);
+    callbacks.failed = [this](const QString& doing, const Failure& failure) {
+        fail(doing, failure);
     };
     callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,
                             VesselPen::Answered answered) {

@@ -13,6 +13,7 @@
 #include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/tree/files/tree_json.h"
 
 namespace hepatica {
@@ -23,7 +24,8 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int oldest_version = 1;
-constexpr int present_version = 2;
+constexpr int usual_version = 2;
+constexpr int painted_version = 3;  // holds strokes at tumours, which older programs do not know
 
 Json to_json(const Grid& grid) {
     Json directions = Json::array();
@@ -95,11 +97,11 @@ CaseHeader read_case_header(const fs::path& folder) {
         if (json.value("format", "") != "hepatica-case")
             refuse_case(file, "was not written by this program");
         const int version = whole_number<int>(json.value("version", Json(0)));
-        if (version < oldest_version || version > present_version)
+        if (version < oldest_version || version > painted_version)
             refuse_case(file, "has version " + std::to_string(version) +
                                   "; this program reads versions " +
                                   std::to_string(oldest_version) + " to " +
-                                  std::to_string(present_version));
+                                  std::to_string(painted_version));
         return header_from(json, version);
     } catch (const Json::exception& error) {
         refuse_case(file, json_problem(error));
@@ -120,7 +122,8 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
     using namespace case_file;
     Json json;
     json["format"] = "hepatica-case";
-    json["version"] = present_version;
+    json["version"] =
+        tumour_strokes(patient.corrections.edits).empty() ? usual_version : painted_version;
     json["program"] = HEPATICA_VERSION;
     if (!patient.source.name.empty()) json["name"] = patient.source.name;
     json["source"] = {{"image_sha256", patient.source.image_sha256},

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -147,7 +150,13 @@ TEST(PaintedTumours, AreKeptWithTheCaseAndCanBeTakenBackThere) {
     EXPECT_EQ(with(back, {edits[0]}).organs.voxels, with(before, {edits[0]}).organs.voxels);
     EXPECT_EQ(with(back, {}).organs.voxels, before.organs.voxels);
     EXPECT_TRUE(may_hold_tumours(read_case_without_voxels(folder)));
+    const auto version = [&] {
+        std::ifstream in(folder / "case.json");
+        return nlohmann::json::parse(in).at("version").get<int>();
+    };
+    EXPECT_EQ(version(), 3) << "for programs that know no strokes";
     write_case(folder, before);
+    EXPECT_EQ(version(), 2);
     EXPECT_FALSE(fs::exists(folder / "organs_unpainted.nii.gz"));
     EXPECT_FALSE(may_hold_tumours(read_case_without_voxels(folder)));
     fs::remove_all(folder);

@@ -24,8 +24,8 @@ class Preview : public testing::Test {
     static void SetUpTestSuite() {
         Job job;
         PhantomOptions options;
-        options.dims = {128, 128, 80};
-        options.spacing_mm = Vec3(1.4, 1.4, 1.6);
+        options.dims = {96, 96, 64};
+        options.spacing_mm = Vec3(1.8, 1.8, 2.0);
         options.generations = 5;
         options.noise_hu = 14.0;
         phantom_ = std::make_unique<Phantom>(make_phantom(options, job));

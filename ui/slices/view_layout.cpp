@@ -31,7 +31,8 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                [this](const JobProgress& now) { say(translated(now.stage) + "…", false); },
                [this](const Failure& failure) {
                    say(in_one_sentence(failure), true);
-                   if (!failure.place.empty()) callbacks_.failed(failure);
+                   if (!failure.place.empty())
+                       callbacks_.failed(Words::tr("Reading the CT"), failure);
                }}),
       segments_({[this](Mask segments) {
                      scene_.set_segments(
@@ -44,7 +45,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                      scene_.set_segments({}, Words::tr("The segments cannot be read: %1")
                                                  .arg(translated(failure.problem))
                                                  .toStdString());
-                     callbacks_.failed(failure);
+                     callbacks_.failed(Words::tr("Liver segments"), failure);
                  }}),
       tumours_({[this](std::shared_ptr<const Mask> canvas, Mask organs, std::size_t strokes) {
                     scene_.tumours().show(std::move(canvas), std::move(organs), strokes);
@@ -58,7 +59,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
                     scene_.tumours().show_none(Words::tr("The tumours cannot be read: %1")
                                                    .arg(translated(failure.problem))
                                                    .toStdString());
-                    callbacks_.failed(failure);
+                    callbacks_.failed(Words::tr("Tumours"), failure);
                 }}),
       view_(view) {
     build(view);
@@ -78,7 +79,9 @@ void ViewLayout::build_threshold() {
                              [this](std::shared_ptr<const Volume> ct, Mask vessels) {
                                  callbacks_.remake(std::move(ct), std::move(vessels));
                              },
-                             [this](const Failure& failure) { callbacks_.failed(failure); }},
+                             [this](const Failure& failure) {
+                                 callbacks_.failed(Words::tr("More or fewer vessels"), failure);
+                             }},
                             this);
 }
 

@@ -32,7 +32,7 @@ class ViewLayout : public QWidget {
         std::function<std::optional<std::filesystem::path>()> ask_for_ct;
         // To be marked in the three-dimensional view; none: nothing is.
         std::function<void(const std::optional<Vec3>&)> crosshair;
-        std::function<void(const Failure&)> failed;
+        std::function<void(const QString& doing, const Failure&)> failed;
         // A vessel was drawn through these places of the CT, which stays until it is answered.
         std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
         std::function<void()> stop_drawing;
