@@ -305,6 +305,11 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
     job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal()] {
         return writing(folder);
     };
+    add_writing(std::move(job));
+}
+
+// Behind all others; nobody leaves where it comes to nothing.
+void PatientKeeper::add_writing(QueuedJob job) {
     job.failed = [this, title = job.title](const Failure& failure) {
         go_ = nullptr;
         screen_.failed(title, failure);
@@ -354,15 +359,7 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
                 };
             };
     };
-    job.failed = [this, title = job.title](const Failure& failure) {
-        go_ = nullptr;
-        screen_.failed(title, failure);
-    };
-    job.cancelled = [this] {
-        go_ = nullptr;
-        screen_.say(Words::tr("Not saved").toStdString());
-    };
-    jobs_.add(std::move(job));
+    add_writing(std::move(job));
 }
 
 void PatientKeeper::cancel() {

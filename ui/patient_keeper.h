@@ -122,6 +122,7 @@ class PatientKeeper {
                                  std::shared_ptr<const Mask> vessels);
     void take_back_remaking();
     bool waits_for_remaking() const;
+    void add_writing(QueuedJob job);
     BackgroundJob::Work writing(const std::filesystem::path& folder);
     void stay_with_shown_body();
     void go_on();

@@ -11,12 +11,6 @@
 
 namespace hepatica {
 
-namespace {
-
-constexpr double most_radius_mm = 50.0;
-
-}  // namespace
-
 BrushStroke dab(const std::string& option, const std::string& text, bool erases) {
     std::array<double, 4> numbers{};  // x, y, z, radius
     const char *at = text.data(), *const end = at + text.size();
@@ -29,7 +23,7 @@ BrushStroke dab(const std::string& option, const std::string& text, bool erases)
         at = whole && !last ? rest + 1 : rest;
     }
     const auto [x, y, z, radius_mm] = numbers;
-    if (!whole || !(radius_mm > 0.0 && radius_mm <= most_radius_mm))
+    if (!whole || !(radius_mm > 0.0 && radius_mm <= widest_brush_mm))
         throw UsageError("\"" + text + "\" is no ball", option,
                          "Write X,Y,Z,RADIUS in mm, the radius above 0 and up to 50");
     return {{Vec3(x, y, z)}, radius_mm, erases};

@@ -11,6 +11,8 @@
 
 namespace hepatica {
 
+inline constexpr double widest_brush_mm = 50.0;  // radius, where a person may ask for any
+
 struct BrushStroke {
     std::vector<Vec3> path_mm;  // of the ball's centre, straight from point to point; one: a dab
     double radius_mm = 1.0;     // > 0

@@ -9,40 +9,30 @@
 
 #include "core/base/error.h"
 #include "core/image/morphology.h"
-#include "core/patient/patient_case.h"
-#include "core/phantom/phantom.h"
 #include "core/segmentation/gaussian_refinement.h"
+#include "tests/reconstruction/noisy_patient.h"
 
 namespace hepatica {
 namespace {
 
 constexpr std::uint8_t gained = 200;
 
-// A noisy patient, in whom the faintest vessels are not believed.
 class Preview : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         Job job;
-        PhantomOptions options;
-        options.dims = {96, 96, 64};
-        options.spacing_mm = Vec3(1.8, 1.8, 2.0);
-        options.generations = 5;
-        options.noise_hu = 14.0;
-        phantom_ = std::make_unique<Phantom>(make_phantom(options, job));
-        SegmentationOptions search;
-        search.liver = phantom_->liver;
-        present_ = segment_vessels(phantom_->ct, search, job).mask;
-        Mask organs = phantom_->liver;
-        for (std::uint8_t& voxel : organs.voxels) voxel = voxel ? organ_label::liver : 0;
-        preview_ = std::make_unique<VesselPreview>(phantom_->ct, organs, job);
+        patient_ =
+            std::make_unique<testing_support::NoisyPatient>(testing_support::noisy_patient());
+        preview_ = std::make_unique<VesselPreview>(patient_->truth.ct, patient_->organs, job);
     }
     static void TearDownTestSuite() {
         preview_.reset();
-        phantom_.reset();
-        present_ = {};
+        patient_.reset();
     }
 
-    static Mask vessels(const ThresholdChoice& choice, const Mask& present = present_) {
+    static const Mask& present() { return patient_->found; }
+    static const Phantom& truth() { return patient_->truth; }
+    static Mask vessels(const ThresholdChoice& choice, const Mask& present = Preview::present()) {
         Job job;
         return preview_->vessels(present, choice, gained, job);
     }
@@ -51,23 +41,22 @@ class Preview : public testing::Test {
             std::ranges::count_if(mask.voxels, [](auto voxel) { return voxel != 0; }));
     }
 
-    static inline std::unique_ptr<Phantom> phantom_;
+    static inline std::unique_ptr<testing_support::NoisyPatient> patient_;
     static inline std::unique_ptr<VesselPreview> preview_;
-    static inline Mask present_;
 };
 
 TEST_F(Preview, ChangesNothingAtTheUsualThreshold) {
-    EXPECT_EQ(vessels({}).voxels, present_.voxels);
+    EXPECT_EQ(vessels({}).voxels, present().voxels);
 }
 
 TEST_F(Preview, BringsMoreBelowTheUsualAndMarksIt) {
-    std::size_t before = count(present_);
-    Mask smaller = present_;
+    std::size_t before = count(present());
+    Mask smaller = present();
     for (const double share : {0.95, 0.85, 0.75}) {
         const Mask found = vessels({share, 0});
         for (std::size_t i = 0; i < found.voxels.size(); ++i) {
-            ASSERT_EQ(found.voxels[i], present_.voxels[i] ? present_.voxels[i] : found.voxels[i]);
-            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == gained || present_.voxels[i]);
+            ASSERT_EQ(found.voxels[i], present().voxels[i] ? present().voxels[i] : found.voxels[i]);
+            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == gained || present().voxels[i]);
             ASSERT_TRUE(found.voxels[i] || !smaller.voxels[i]) << "less than at a higher share";
         }
         EXPECT_GT(count(found), before) << share;
@@ -77,11 +66,11 @@ TEST_F(Preview, BringsMoreBelowTheUsualAndMarksIt) {
 }
 
 TEST_F(Preview, DropsTheFaintestAboveTheUsual) {
-    std::size_t before = count(present_);
+    std::size_t before = count(present());
     for (const double share : {1.1, 1.2, 1.35}) {
         const Mask found = vessels({share, 0});
         for (std::size_t i = 0; i < found.voxels.size(); ++i)
-            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == present_.voxels[i]);
+            ASSERT_TRUE(found.voxels[i] == 0 || found.voxels[i] == present().voxels[i]);
         EXPECT_LT(count(found), before) << share;
         EXPECT_GT(count(found), 0u);
         const auto smallest = connected_components(found, Connectivity::all26).sizes.back();
@@ -94,7 +83,7 @@ TEST_F(Preview, DropsTheFaintestAboveTheUsual) {
 TEST_F(Preview, BringsNoSkins) {
     Job job;
     const Mask found = vessels({0.75, 0});
-    const Mask about = dilate(present_, 1.3, job);
+    const Mask about = dilate(present(), 1.3, job);
     Mask beyond = found;
     for (std::size_t i = 0; i < beyond.voxels.size(); ++i)
         beyond.voxels[i] = found.voxels[i] == gained && !about.voxels[i];
@@ -114,26 +103,26 @@ TEST_F(Preview, BringsNoSkins) {
 TEST_F(Preview, WhatComesInAreVessels) {
     const auto covered = [](const Mask& mask) {
         std::size_t inside = 0, all = 0;
-        for (const VesselSegment& vessel : phantom_->tree.segments)
+        for (const VesselSegment& vessel : truth().tree.segments)
             for (const Vec3& place : vessel.points_mm) {
                 ++all;
                 inside += value_at(mask, place) != 0;
             }
         return static_cast<double>(inside) / static_cast<double>(all);
     };
-    const double usual = covered(present_);
+    const double usual = covered(present());
     EXPECT_GT(covered(vessels({0.75, 0})), usual + 0.02);
     EXPECT_LT(covered(vessels({1.35, 0})), usual - 0.02);
     // What is found already is most of this patient: chance is what is left of him in the liver.
     Job job;
-    const Mask truth = dilate(phantom_->vessels, 1.0, job);
+    const Mask vicinity = dilate(truth().vessels, 1.0, job);
     const Mask found = vessels({0.75, 0});
     std::size_t right = 0, all = 0, missed = 0, tissue = 0;
     for (std::size_t i = 0; i < found.voxels.size(); ++i) {
         const Index3 at = found.grid.index_of(i);
         const Vec3 place = found.grid.to_mm(at[0], at[1], at[2]);
-        if (present_.voxels[i] || !value_at(phantom_->liver, place)) continue;
-        const bool vessel = value_at(truth, place) != 0;
+        if (present().voxels[i] || !value_at(truth().liver, place)) continue;
+        const bool vessel = value_at(vicinity, place) != 0;
         ++tissue;
         missed += vessel;
         all += found.voxels[i] == gained;
@@ -146,19 +135,19 @@ TEST_F(Preview, WhatComesInAreVessels) {
 
 TEST_F(Preview, SmoothsAsTheReconstructionDoes) {
     Job job;
-    EXPECT_EQ(vessels({1.0, 2}).voxels, refine(present_, 2, job).voxels);
+    EXPECT_EQ(vessels({1.0, 2}).voxels, refine(present(), 2, job).voxels);
 }
 
 // A person's voxels may lie on another grid, and hold what no search finds.
 TEST_F(Preview, KeepsWhatSomebodyPaintedOnAnyGrid) {
-    Grid coarse = present_.grid;
+    Grid coarse = present().grid;
     coarse.spacing_mm *= 2.0;
     for (int& dim : coarse.dims) dim = (dim + 1) / 2;
     const Mask painted(coarse, 3);
     EXPECT_EQ(vessels({0.75, 0}, painted).voxels, painted.voxels);
     const Mask found = vessels({0.75, 0}, Mask(coarse));
     EXPECT_GT(count(found), 0u);
-    const Mask fine = vessels({0.75, 0}, Mask(present_.grid));
+    const Mask fine = vessels({0.75, 0}, Mask(present().grid));
     for (std::size_t i = 0; i < found.voxels.size(); ++i) {
         const Index3 at = coarse.index_of(i);
         ASSERT_EQ(found.voxels[i], fine.at(2 * at[0], 2 * at[1], 2 * at[2]));
@@ -174,8 +163,8 @@ TEST_F(Preview, RefusesWhatNoThresholdCanBe) {
 TEST_F(Preview, HearsACancel) {
     Job job;
     job.cancel();
-    EXPECT_THROW(preview_->vessels(present_, {0.8, 0}, gained, job), Cancelled);
-    EXPECT_THROW(VesselPreview(phantom_->ct, Mask(), job), Cancelled);
+    EXPECT_THROW(preview_->vessels(present(), {0.8, 0}, gained, job), Cancelled);
+    EXPECT_THROW(VesselPreview(truth().ct, Mask(), job), Cancelled);
 }
 
 }  // namespace

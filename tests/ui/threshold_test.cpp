@@ -11,7 +11,7 @@
 #include <QSpinBox>
 #include <algorithm>
 
-#include "core/phantom/phantom.h"
+#include "tests/reconstruction/noisy_patient.h"
 #include "tests/ui/slices_test.h"
 
 namespace hepatica {
@@ -20,22 +20,15 @@ namespace {
 class Threshold : public ::testing::Test {
   protected:
     static void SetUpTestSuite() {
-        Job job;
-        PhantomOptions options;
-        options.dims = {96, 96, 64};
-        options.spacing_mm = Vec3(1.8, 1.8, 2.0);
-        options.generations = 4;
-        options.noise_hu = 14.0;
-        phantom_ = std::make_unique<Phantom>(make_phantom(options, job));
-        ct_ = std::make_shared<const Volume>(phantom_->ct);
-        SegmentationOptions search;
-        search.liver = phantom_->liver;
-        found_ = segment_vessels(*ct_, search, job).mask;
+        patient_ =
+            std::make_unique<testing_support::NoisyPatient>(testing_support::noisy_patient());
+        ct_ = std::make_shared<const Volume>(patient_->truth.ct);
     }
     static void TearDownTestSuite() {
-        phantom_.reset();
+        patient_.reset();
         ct_.reset();
     }
+    static const Mask& found() { return patient_->found; }
 
     Threshold()
         : dialog_(scene_, {[this] { return [organs = organs_] { return organs; }; },
@@ -44,12 +37,11 @@ class Threshold : public ::testing::Test {
                                remade_ = std::move(vessels);
                            },
                            [this](const Failure& failure) { failed_ = failure.problem; }}) {
-        organs_ = phantom_->liver;
-        for (std::uint8_t& voxel : organs_.voxels) voxel = voxel ? organ_label::liver : 0;
+        organs_ = patient_->organs;
     }
 
     void open() {
-        scene_.show(ct_, found_, phantom_->tree);
+        scene_.show(ct_, found(), patient_->truth.tree);
         dialog_.show();
         ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
     }
@@ -63,9 +55,8 @@ class Threshold : public ::testing::Test {
         return std::ranges::count(mask.voxels, label);
     }
 
-    static inline std::unique_ptr<Phantom> phantom_;
+    static inline std::unique_ptr<testing_support::NoisyPatient> patient_;
     static inline std::shared_ptr<const Volume> ct_;
-    static inline Mask found_;
 
     Mask organs_;
     SliceScene scene_;
@@ -156,7 +147,7 @@ TEST_F(Threshold, LeavesNothingToTheNextPatient) {
     EXPECT_FALSE(rebuild().isEnabled());
     EXPECT_EQ(dialog_.choice().line_share, 1.0);
     const auto other = std::make_shared<const Volume>(*ct_);
-    scene_.show(other, found_, phantom_->tree);
+    scene_.show(other, found(), patient_->truth.tree);
     EXPECT_TRUE(dialog_.working());
     EXPECT_FALSE(rebuild().isEnabled());
     ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
@@ -187,13 +178,13 @@ TEST_F(Threshold, WaitsForTheCtAndSaysWhatIsMissing) {
     dialog_.show();
     EXPECT_FALSE(dialog_.working());
     EXPECT_EQ(state(), "Waiting for the CT");
-    scene_.show(ct_, {}, phantom_->tree);
+    scene_.show(ct_, {}, patient_->truth.tree);
     EXPECT_FALSE(dialog_.working());
     EXPECT_EQ(state(), "This case knows no voxels of its vessels");
     scene_.clear();
     organs_ = {};
     const auto air = std::make_shared<const Volume>(ct_->grid, std::int16_t{-1000});
-    scene_.show(air, found_, phantom_->tree);
+    scene_.show(air, found(), patient_->truth.tree);
     ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
     EXPECT_FALSE(failed_.empty());
     EXPECT_EQ(state().toStdString(), failed_);

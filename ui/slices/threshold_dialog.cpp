@@ -114,6 +114,7 @@ void ThresholdDialog::hideEvent(QHideEvent* event) {
 
 void ThresholdDialog::forget() {
     job_.reset();
+    progress_->hide();
     lines_.reset();
     previewing_ = false;
     scene_.set_preview({});

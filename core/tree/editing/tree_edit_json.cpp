@@ -3,6 +3,7 @@
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
+#include "core/image/brush.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
 
@@ -10,7 +11,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double widest_mm = 50.0;  // radius of a vessel that is drawn, and of a brush
+constexpr double widest_mm = 50.0;  // radius of a vessel that is drawn
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -68,7 +69,7 @@ void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit
         throw InputError("a brush is led nowhere", place, "Give one point or more in path_mm");
     edit.at_mm = edit.path_mm.front();
     const auto radius_mm = value.at("radius_mm").get<double>();
-    if (!(radius_mm > 0.0 && radius_mm <= widest_mm))
+    if (!(radius_mm > 0.0 && radius_mm <= widest_brush_mm))
         throw InputError("a brush has a radius of " + std::to_string(radius_mm) + " mm", place,
                          "Give a radius above 0 and up to 50 mm");
     edit.radii_mm = {radius_mm};

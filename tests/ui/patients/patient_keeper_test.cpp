@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "core/patient/painted_tumours.h"
-#include "tests/ui/patients/fake_ward.h"
+#include "tests/ui/patients/keeper_test.h"
 
 namespace hepatica {
 namespace {
@@ -16,28 +16,7 @@ using testing::FakeWard;
 using testing::numbers_of;
 using Numbers = std::vector<int>;
 
-// A patient from a CT, saved as a.hep without corrections.
-class Keeper : public ::testing::Test {
-  protected:
-    Keeper() {
-        ward.open("ct");
-        EXPECT_TRUE(ward.finish());
-        save_as("a.hep");
-        EXPECT_TRUE(ward.finish());
-    }
-    void add(int number) { ward.keeper().add(edit(number)); }
-    void save_as(const char* name) { ward.keeper().save_as(FakeWard::path_of(name)); }
-
-    // Vessels of one voxel, with this label.
-    void remake(int label) {
-        ward.keeper().remake(std::make_shared<const Volume>(),
-                             Mask(Grid{{1, 1, 1}}, static_cast<std::uint8_t>(label)));
-    }
-    int label() const { return ward.workspace().patient()->mask.voxels[0]; }
-    Numbers edits() const { return numbers_of(ward.workspace().edits()); }
-
-    FakeWard ward;
-};
+class Keeper : public testing::KeeperTest {};
 
 TEST_F(Keeper, vessels_made_anew_keep_the_corrections_that_still_can_be_made) {
     for (const int number : {1, 100, 2}) add(number);
@@ -413,61 +392,6 @@ TEST_F(Keeper, a_case_saved_over_while_it_was_opened_is_read_again) {
     EXPECT_EQ(ward.workspace().title(), "c.hep");
     EXPECT_EQ(ward.on_disk("c.hep"), ward.on_disk("b.hep"));
     EXPECT_EQ(numbers_of(ward.workspace().edits()), ward.on_disk("c.hep"));
-}
-
-// What fails or is cancelled says so and remembers nothing.
-TEST_F(Keeper, archives_the_patient_who_is_shown) {
-    int written = 0;
-    const auto archive = [&] {
-        ward.keeper().archive("/ct", "/archive/a.dcm", [&written] { ++written; });
-    };
-    add(1);
-    ASSERT_TRUE(ward.finish());
-    archive();
-    ASSERT_TRUE(ward.finish());
-    EXPECT_EQ(ward.archived, std::vector<std::string>{"/ct to /archive/a.dcm with 1"});
-    EXPECT_EQ(written, 1);
-    EXPECT_EQ(ward.said.back(), "Saved /archive/a.dcm");
-    ward.disk_full = true;
-    archive();
-    ASSERT_TRUE(ward.finish());
-    EXPECT_EQ(ward.failures, std::vector<std::string>{"Writing a.dcm: the disk is full"});
-    ward.disk_full = false;
-    ward.hold_archiving = true;
-    archive();
-    ward.keeper().cancel();
-    ASSERT_TRUE(ward.finish());
-    EXPECT_EQ(ward.said.back(), "Not saved");
-    EXPECT_EQ(written, 1);
-    EXPECT_TRUE(ward.workspace().dirty()) << "the case itself is not saved by it";
-}
-
-TEST_F(Keeper, archives_who_was_shown_when_it_was_asked) {
-    ward.keeper().save();
-    save_as("b.hep");
-    ASSERT_TRUE(ward.finish());
-    add(1);
-    ASSERT_TRUE(ward.finish());
-    ward.keeper().save();
-    ASSERT_TRUE(ward.finish());
-    ward.hold_openings = true;
-    ward.open("a.hep");
-    ward.keeper().archive("/ct of b", "/archive/b.dcm", [] {});
-    ward.hold_openings = false;
-    ASSERT_TRUE(ward.finish());
-    EXPECT_EQ(ward.workspace().title(), "a.hep");
-    EXPECT_EQ(ward.archived, std::vector<std::string>{"/ct of b to /archive/b.dcm with 1"});
-}
-
-TEST_F(Keeper, what_is_being_archived_is_finished_before_the_end) {
-    ward.hold_archiving = true;
-    ward.keeper().archive("/ct", "/archive/a.dcm", [] {});
-    ward.leave();
-    EXPECT_FALSE(ward.left);
-    ward.hold_archiving = false;
-    ASSERT_TRUE(ward.finish());
-    EXPECT_TRUE(ward.left);
-    EXPECT_EQ(ward.archived.size(), 1u);
 }
 
 TEST_F(Keeper, a_stroke_is_not_taken_back_through_a_rebuilding) {
