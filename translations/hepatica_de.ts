@@ -7347,5 +7347,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Tumours</source>
         <translation>Tumoren</translation>
     </message>
+    <message>
+        <source>the time of a move</source>
+        <translation>die Zeit eines Zuges</translation>
+    </message>
+    <message>
+        <source>Choose a value above 0, up to 1</source>
+        <translation>Wählen Sie einen Wert über 0, bis 1</translation>
+    </message>
 </context>
 </TS>

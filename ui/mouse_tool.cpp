@@ -44,6 +44,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     } else {
         action_ = Action::pull;
         held_mm_ = pick.position_mm;
+        pace_ = HandPace(HandPace::Clock::now());
         callbacks_.post(GrabPoint{held_mm_});
     }
 }
@@ -60,7 +61,8 @@ bool MouseTool::move(const Pixel& at) {
             callbacks_.hover(view_.pick(at));
             return false;
         case Action::pull:
-            callbacks_.post(MoveGrab{view_.point_at_depth(at, held_mm_)});
+            callbacks_.post(
+                MoveGrab{view_.point_at_depth(at, held_mm_), pace_.heard(HandPace::Clock::now())});
             return false;
         case Action::draw:
             view_.set_stroke(std::array{view_.point_at_depth(pressed_, view_.axes().focus_mm),

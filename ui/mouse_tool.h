@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "core/session/command.h"
+#include "core/session/hand_pace.h"
 #include "render/scene_view.h"
 #include "ui/clip_control.h"
 #include "ui/tool_hand.h"
@@ -102,6 +103,7 @@ class MouseTool {
     bool clicked_ = false;  // the last press ended as a click
     Pixel pressed_;
     Pixel last_;
+    HandPace pace_;                // of a pull
     Vec3 held_mm_ = Vec3::Zero();  // where the vessel was when it was taken
     int pressed_bridge_ = -1;      // waits for the click
     double click_radius_px_ = 4.0;

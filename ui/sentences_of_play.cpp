@@ -155,6 +155,8 @@ constexpr std::array sentences_play{
     Words::id("recording"),
     Words::id("patient"),
     Words::id("the share of the tool's way"),
+    Words::id("the time of a move"),
+    Words::id("Choose a value above 0, up to 1"),
     Words::id("Add \"deform\" to the scene"),
     Words::id("Add \"flow\" to the scene"),
     Words::id("nothing flows in this scene"),

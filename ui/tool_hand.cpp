@@ -86,7 +86,8 @@ void ToolHand::move(const Pixel& at) {
         return;
     }
     const Vec3 tip = view_.point_at_depth(at, depth_mm_);
-    post_(MoveTool{seen_->centre_mm + tip - seen_->tip_mm});
+    post_(MoveTool{.target_mm = seen_->centre_mm + tip - seen_->tip_mm,
+                   .over_s = pace_.heard(HandPace::Clock::now())});
 }
 
 void ToolHand::press(const Pixel& at) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/session/command.h"
+#include "core/session/hand_pace.h"
 #include "render/scene_view.h"
 
 namespace hepatica {
@@ -60,8 +61,9 @@ class ToolHand {
     std::string kind_;  // empty: the hand is empty
     ToolSize size_;
     std::optional<ToolView> seen_;
-    bool closed_ = false;           // jaws are led to be
-    bool asked_ = false;            // it was sent for, and no frame has shown it yet
+    bool closed_ = false;  // jaws are led to be
+    bool asked_ = false;   // it was sent for, and no frame has shown it yet
+    HandPace pace_;
     Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip is led
     std::optional<Pixel> mouse_at_;
 };

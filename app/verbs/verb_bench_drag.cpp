@@ -30,6 +30,7 @@ struct BenchDragChoices {
     std::filesystem::path script;  // empty: the program's own drag.json
     double quality = -1.0;
     std::string setting;
+    HeardHand hand;
     bool whole = false;
     bool no_error = false;
     std::filesystem::path references;
@@ -119,6 +120,7 @@ void measure(const BenchDragChoices& options, const std::string& name,
     const auto region = options.whole ? PlayedRegion::whole_body : PlayedRegion::as_in_scenes;
     job.begin_stage("Playing " + name);
     HandTrial trial(patient, scene_of(options, script), region, job);
+    trial.hear(options.hand);
     study.setting = to_json(trial.setting());
     study.element = element_name(trial.setting().model, trial.setting().order);
     const HandPlay played = trial.play(motion, job);
@@ -190,6 +192,14 @@ void add_bench_drag(CommandLine& line) {
     verb.add_option("--setting", options->setting,
                     R"(One setting exactly, as in a scene: '{"substeps": 2}')")
         ->excludes(quality);
+    CLI::Option* heard =
+        verb.add_option("--heard-every", options->hand.every,
+                        "Hear the hand in every so many frames only, as between the pictures of a "
+                        "window, and lead what it holds evenly in between")
+            ->check(CLI::Range(1, 30));
+    verb.add_flag("--at-once", options->hand.at_once,
+                  "Put what it holds at once to where the hand is heard")
+        ->needs(heard);
     verb.add_flag("--whole", options->whole, "Compute the whole body in every frame");
     verb.add_flag("--no-error", options->no_error, "Leave out the reference, which takes minutes");
     verb.add_option("--references", options->references,

@@ -116,6 +116,7 @@ class DeformPart {
     void mend();
 
     bool holding() const { return hold_.has_value(); }
+    const Vec3& hand_mm() const { return hold_->target_mm; }  // only while it is holding
     std::optional<GrabView> grab_view() const;
 
     // Settings that keep the state. Throw InputError for values out of range. Where they throw

@@ -19,6 +19,12 @@ double checked_share(double share) {
                      "Choose a value from 0 to 1");
 }
 
+double checked_time_of_move(double over_s) {
+    if (over_s > 0.0 && over_s <= longest_move_s) return over_s;
+    throw InputError("is " + std::to_string(over_s) + " s", "the time of a move",
+                     "Choose a value above 0, up to 1");
+}
+
 }  // namespace
 
 struct Session::Apply {
@@ -41,13 +47,20 @@ struct Session::Apply {
     }
 
     // The hand.
-    void operator()(const GrabPoint& c) const { deform().grab(c.point_mm); }
-    void operator()(const GrabVertex& c) const { deform().grab_vertex(c.vertex); }
-    void operator()(const MoveGrab& c) const { deform().move_grab(c.target_mm); }
+    void operator()(const GrabPoint& c) const {
+        session.hand_.stay();
+        deform().grab(c.point_mm);
+    }
+    void operator()(const GrabVertex& c) const {
+        session.hand_.stay();
+        deform().grab_vertex(c.vertex);
+    }
+    void operator()(const MoveGrab& c) const;
     void operator()(const ReleaseGrab&) const { deform().release(); }
 
     // The tool.
     void operator()(const AddTool& c) const {
+        session.led_tool_.stay();
         deform().add_tool({c.kind, c.radius_mm, c.length_mm, c.direction, c.side}, c.point_mm);
     }
     void operator()(const MoveTool& c) const;
@@ -96,14 +109,26 @@ struct Session::Apply {
     void operator()(const RestoreSnapshot&) const;
 };
 
+void Session::Apply::operator()(const MoveGrab& c) const {
+    if (!c.over_s) {
+        session.hand_.stay();
+        return deform().move_grab(c.target_mm);
+    }
+    const double over_s = checked_time_of_move(*c.over_s);
+    if (deform().holding()) session.hand_.lead_to(c.target_mm, over_s);
+}
+
 void Session::Apply::operator()(const MoveTool& c) const {
     checked_share(c.share);
     if (!deform().tool()) return;
+    if (c.over_s) return session.led_tool_.lead_to(c.target_mm, checked_time_of_move(*c.over_s));
+    session.led_tool_.stay();
     const Vec3 led = deform().tool()->target_mm;
     deform().lead_tool(c.share == 1.0 ? c.target_mm : Vec3(led + c.share * (c.target_mm - led)));
 }
 
 void Session::Apply::operator()(const ShiftTool& c) const {
+    session.led_tool_.stay();
     if (deform().tool()) deform().lead_tool(deform().tool()->target_mm + c.by_mm);
 }
 

@@ -29,6 +29,7 @@ void fields(GrabVertex& c, Visitor& v) {
 template <class Visitor>
 void fields(MoveGrab& c, Visitor& v) {
     v("target_mm", c.target_mm);
+    v("over_s", c.over_s);
 }
 template <class Visitor>
 void fields(ReleaseGrab&, Visitor&) {}
@@ -45,6 +46,7 @@ template <class Visitor>
 void fields(MoveTool& c, Visitor& v) {
     v("target_mm", c.target_mm);
     v("share", c.share);
+    v("over_s", c.over_s);
 }
 template <class Visitor>
 void fields(ShiftTool& c, Visitor& v) {

@@ -24,10 +24,13 @@ struct GrabPoint {
 struct GrabVertex {
     int vertex = 0;
 };
-// Moves the hand to target_mm. Does nothing where nothing is grabbed.
+// Moves the hand to target_mm: at once, or evenly over the simulated time that is given, of which
+// a recording holds each step as a move at once. Does nothing where nothing is grabbed.
 struct MoveGrab {
     Vec3 target_mm = Vec3::Zero();
+    std::optional<double> over_s{};  // > 0, at most longest_move_s
 };
+inline constexpr double longest_move_s = 1.0;
 struct ReleaseGrab {};
 
 // A tool comes towards the point from outside, until it is about to touch something. Replaces a
@@ -40,11 +43,13 @@ struct AddTool {
     Vec3 point_mm = Vec3::Zero();
     std::optional<Vec3> side{};
 };
-// Where the tool's centre is led: a share of the way from where it is led now to the target.
-// Without a tool this and the next do nothing.
+// Where the tool's centre is led: a share of the way from where it is led now to the target; or the
+// whole way, evenly over the time that is given, as of MoveGrab. Without a tool this and the next
+// do nothing.
 struct MoveTool {
     Vec3 target_mm = Vec3::Zero();
-    double share = 1.0;  // 0 to 1
+    double share = 1.0;              // 0 to 1
+    std::optional<double> over_s{};  // > 0, at most longest_move_s; then the share is 1
 };
 // It is led that much further than now.
 struct ShiftTool {

@@ -40,6 +40,13 @@ bool supersedes(const Command& later, const Command& earlier) {
     return std::holds_alternative<MoveGrab>(later) && std::holds_alternative<MoveGrab>(earlier);
 }
 
+// A move over some time, of which each piece is recorded.
+bool begins_way(const Command& command) {
+    const auto* grab = std::get_if<MoveGrab>(&command);
+    const auto* tool = std::get_if<MoveTool>(&command);
+    return (grab != nullptr && grab->over_s) || (tool != nullptr && tool->over_s);
+}
+
 std::vector<double> costs_of(const QualityDial& dial) {
     std::vector<double> costs;
     for (const QualityPoint& point : dial.front()) costs.push_back(point.frame_ms);
@@ -97,14 +104,32 @@ void Session::apply_waiting_commands(const std::stop_token& stop) {
     if (!commands.empty() && !diverged_) message_.clear();
     if (std::exchange(setting_changed_, false))
         recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
-    for (const Command& command : commands) {
-        try {
-            apply(command, stop);
-        } catch (const InputError& error) {
-            message_ = error.what();
-            continue;
-        }
-        recorded_.commands.push_back(as_recorded(command));
+    for (const Command& command : commands) apply_and_record(command, stop);
+    lead_on(stop);
+}
+
+bool Session::apply_and_record(const Command& command, const std::stop_token& stop) {
+    try {
+        apply(command, stop);
+    } catch (const InputError& error) {
+        message_ = error.what();
+        return false;
+    }
+    if (!begins_way(command)) recorded_.commands.push_back(as_recorded(command));
+    return true;
+}
+
+// Each piece of a way is a move at once, which would end the way.
+void Session::lead_on(const std::stop_token& stop) {
+    const DeformPart* deform = world_->deform();
+    const double dt_s = paused_ ? longest_move_s : world_->spec().dt_s;
+    if (LedPoint hand = std::exchange(hand_, {}); hand.underway() && deform->holding()) {
+        const MoveGrab piece{hand.next(deform->hand_mm(), dt_s)};
+        if (apply_and_record(piece, stop)) hand_ = hand;
+    }
+    if (LedPoint tool = std::exchange(led_tool_, {}); tool.underway() && deform->tool()) {
+        const MoveTool piece{tool.next(deform->tool()->target_mm, dt_s)};
+        if (apply_and_record(piece, stop)) led_tool_ = tool;
     }
 }
 
@@ -174,6 +199,8 @@ void Session::restore(const Keyframe& keyframe) {
     played_steps_ = keyframe.played_steps;
     automatic_ = keyframe.automatic;
     setting_changed_ = paused_ = diverged_ = failed_ = false;
+    hand_.stay();
+    led_tool_.stay();
     message_.clear();
     if (world_->deform() != nullptr) point_ = point_of(world_->deform()->setting());
     last_good_ = std::make_shared<const Keyframe>(keyframe);
@@ -195,6 +222,8 @@ void Session::guard_state() {
 }
 
 void Session::take_back(bool open_hand, bool without_tool) {
+    hand_.stay();
+    led_tool_.stay();
     DeformPart* deform = world_->deform();
     FlowPart* flow = world_->flow();
     std::optional<DeformSettings> chosen;
@@ -306,7 +335,7 @@ bool Session::rests_after(const SessionStep& done) const {
     const FlowPart* flow = world_->flow();
     if (failed_ || (flow != nullptr && flow->computing())) return false;
     if (done.paused) return true;
-    if (watch_) return false;
+    if (watch_ || hand_.underway() || led_tool_.underway()) return false;
     const bool still = world_->deform() == nullptr || done.deform.asleep;
     return still && !(flow != nullptr && flow->drug().playing);
 }

@@ -31,6 +31,7 @@
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
+#include "core/session/led_point.h"
 #include "core/session/quality_governor.h"
 #include "core/session/recording.h"
 #include "core/session/triple_buffer.h"
@@ -135,6 +136,10 @@ class Session {
   private:
     Keyframe keyframe() const;
     void apply_waiting_commands(const std::stop_token& stop);
+    // False where it is refused.
+    bool apply_and_record(const Command& command, const std::stop_token& stop);
+    // The pieces of moves over some time that belong to this step.
+    void lead_on(const std::stop_token& stop);
     struct Apply;  // one operator per command
     void apply(const Command& command, const std::stop_token& stop);
     // The form in which an applied command is recorded.
@@ -180,9 +185,10 @@ class Session {
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;
     bool paused_ = false;
-    bool diverged_ = false;  // set by a divergence, cleared by resuming, restoring or resetting
-    bool failed_ = false;    // the world may be half changed; cleared by recover()
-    bool stopped_ = false;   // the last step was ended within; recorded_ still has its commands
+    LedPoint hand_, led_tool_;  // under way in moves over some time
+    bool diverged_ = false;     // set by a divergence, cleared by resuming, restoring or resetting
+    bool failed_ = false;       // the world may be half changed; cleared by recover()
+    bool stopped_ = false;      // the last step was ended within; recorded_ still has its commands
     std::string message_;
     RecordedStep recorded_;           // of the present step
     std::uint64_t played_steps_ = 0;  // steps during which it was not paused

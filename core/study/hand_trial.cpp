@@ -115,7 +115,8 @@ HandPlay HandTrial::play(const HandMotion& motion, const StepperOptions& setting
     let_sleep(job);
     HandPlay played;
     played.elements = watched_->elements();
-    const auto commands = schedule(motion.script, patient_->tree, frame_s, motion.steps);
+    const auto commands =
+        heard(schedule(motion.script, patient_->tree, frame_s, motion.steps), hand_);
     for (const std::vector<Command>& now : commands) {
         const FrameTimer timer;
         for (const Command& command : now) session_->post(command);

@@ -14,6 +14,7 @@
 #include "core/scene/scene_spec.h"
 #include "core/session/recording.h"
 #include "core/study/hand_motion.h"
+#include "core/study/heard_hand.h"
 #include "core/study/pull_trial.h"
 #include "core/study/timing.h"
 
@@ -58,6 +59,9 @@ class HandTrial {
     // The setting that the scene begins with.
     const StepperOptions& setting() const { return setting_; }
 
+    // How the hand is heard in the plays to come; the reference hears it in every frame.
+    void hear(const HeardHand& hand) { hand_ = hand; }
+
     // From rest, asleep. Looks at the job after every step; throws Cancelled.
     HandPlay play(const HandMotion& motion, const StepperOptions& setting, Job& job);
     HandPlay play(const HandMotion& motion, Job& job) { return play(motion, setting_, job); }
@@ -85,6 +89,7 @@ class HandTrial {
     std::unique_ptr<Session> session_;
     Keyframe at_rest_;
     StepperOptions setting_;
+    HeardHand hand_;
     CentrelineProbes probes_;
     std::vector<Vec3> rest_mm_;  // of the probes
 };

@@ -73,6 +73,35 @@ TEST(ToolSession, AToolComesBesideTheVesselAndPushesIt) {
     EXPECT_FALSE(deform.tool());
 }
 
+TEST(ToolSession, IsLedEvenlyOverSomeTimeAndRecordsEachPiece) {
+    const auto session = new_session(touchable());
+    const auto recording = keep_recording(*session);
+    session->post(ball());
+    session->step();
+    const DeformPart& deform = *session->world().deform();
+    const Vec3 begin = deform.tool()->target_mm;
+    session->post(MoveTool{.target_mm = begin + Vec3(0, 0, 3), .over_s = 3.0 / 60.0});
+    for (int i = 1; i <= 3; ++i) {
+        session->step();
+        EXPECT_NEAR((deform.tool()->target_mm - begin - Vec3(0, 0, i)).norm(), 0.0, 1e-9);
+    }
+    session->post(MoveTool{.target_mm = begin, .over_s = 3.0 / 60.0});
+    session->step();
+    session->post(ShiftTool{Vec3(1, 0, 0)});  // goes on from where it is led now, and ends the way
+    play(*session, 3);
+    EXPECT_NEAR((deform.tool()->target_mm - begin - Vec3(1, 0, 2)).norm(), 0.0, 1e-9);
+    int pieces = 0;
+    for (const RecordedStep& step : recording->steps)
+        for (const Command& command : step.commands)
+            if (const auto* move = std::get_if<MoveTool>(&command)) {
+                EXPECT_FALSE(move->over_s);
+                ++pieces;
+            }
+    EXPECT_EQ(pieces, 4);
+    Job job;
+    EXPECT_FALSE(replay(*recording, small_patient(), job).diverged_at);
+}
+
 TEST(ToolSession, TheRecordingPlaysAgainFromItsStartAndFromItsKeyframes) {
     const auto session = new_session(touchable());
     const auto recording = keep_recording(*session);
