@@ -7,10 +7,12 @@
 #include "core/base/error.h"
 #include "core/patient/corrections.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/scene/world.h"
 #include "core/session/session.h"
 #include "core/tree/territories/couinaud_segments.h"
 #include "render/offscreen_picture.h"
+#include "render/organ_surface.h"
 #endif
 
 namespace hepatica {
@@ -48,6 +50,7 @@ bool write_case_picture(const std::shared_ptr<const PatientCase>& patient,
     picture.height = 720;
     colour_vessels(session.world(), *patient, false, picture);
     picture.bridges = views_of(open_bridges(*patient));
+    picture.tumours = tumour_surface(tumour_voxels(patient->organs), job);
     picture.caption = patient->source.name;
     write_png(file, draw_frame(session.frame(), picture).picture);
     return true;

@@ -39,6 +39,7 @@ OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options) {
     view.set_vertex_segments(options.vertex_segments);
     view.set_bridges(options.bridges);
     view.set_liver(options.liver);
+    view.set_tumours(options.tumours);
     view.set_volume_look(options.ct_look);
     view.set_volume(options.ct);
     view.set_caption(options.caption);

@@ -51,6 +51,7 @@ struct PictureOptions {
     std::vector<std::uint8_t> vertex_segments{};  // Couinaud's, 1 to 8; 0 or missing: as its system
     std::vector<BridgeView> bridges{};            // gaps that might be bridged
     TriangleMesh liver{};                         // drawn as a ghost; may be empty
+    TriangleMesh tumours{};                       // likewise
     std::shared_ptr<const Volume> ct{};  // drawn as a volume around the vessels; may be null
     VolumeLook ct_look{};
     std::vector<LineMark> lines{};

@@ -7355,5 +7355,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Choose a value above 0, up to 1</source>
         <translation>Wählen Sie einen Wert über 0, bis 1</translation>
     </message>
+    <message>
+        <source>Give the edit all of its values, each of its kind</source>
+        <translation>Geben Sie der Korrektur alle ihre Werte, jeden von seiner Art</translation>
+    </message>
+    <message>
+        <source>%1, edit %2</source>
+        <translation>%1, Korrektur %2</translation>
+    </message>
 </context>
 </TS>

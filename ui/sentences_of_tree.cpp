@@ -31,6 +31,8 @@ constexpr std::array sentences_tree{
     Words::id("End it before the other vessel's wall, or say first of which system that vessel is"),
     Words::id("there is no edit named %1"),
     Words::id("Take the edit out of the file"),
+    Words::id("Give the edit all of its values, each of its kind"),
+    Words::id("%1, edit %2"),
     Words::id("there is no vascular system %1"),
     Words::id("Name one of these: %1"),
     Words::id("a vessel is drawn by %1 points with %2 radii"),

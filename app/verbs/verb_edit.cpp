@@ -37,6 +37,12 @@ struct EditChoices {
     int tumour = 0;                               // that these are of; 0: a new one, or any
     int undo = 0;
     bool list = false;
+
+    bool does_nothing() const {
+        return edits.empty() && places.empty() && seeds.empty() && accept > 1.0 &&
+               refuse_below < 0.0 && accepted.empty() && refused.empty() && offered.empty() &&
+               painted.empty() && erased.empty() && tumour == 0 && undo == 0;
+    }
 };
 
 std::vector<TreeEdit> edits_in(const fs::path& file) {
@@ -197,6 +203,9 @@ Json tumours_of(const PatientCase& patient) {
 
 Json run_edit(const EditChoices& options, Job& job) {
     if (!options.out.empty()) require_case_place(options.out);
+    if (options.does_nothing() && !options.list && options.out.empty())
+        throw UsageError("is given nothing to do", "edit",
+                         "Give a correction, --out for a copy, or --list; all are in edit --help");
     job.expect_stages(options.list ? 1 : options.places.empty() ? 4 : 5);
     job.begin_stage("Reading the case");
     PatientCase patient = read_case(options.patient);

@@ -15,6 +15,7 @@
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/patient/liver_segments.h"
+#include "core/patient/painted_tumours.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
@@ -186,6 +187,9 @@ Json run_render(const RenderChoices& options, Job& job) {
     picture.bridges = views_of(open_bridges(*patient));
     picture.caption = patient->source.name;
     if (options.liver) picture.liver = liver_of_case(options, *patient, job);
+    if (may_hold_tumours(*patient))
+        picture.tumours =
+            tumour_surface(tumour_voxels(organ_voxels(*patient, options.patient)), job);
     const OffscreenPicture drawn = draw_frame(frame, picture);
     write_png(options.out, drawn.picture);
     return {{"renderer", drawn.renderer},

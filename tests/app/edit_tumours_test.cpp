@@ -83,6 +83,27 @@ TEST_F(EditTumours, ArePaintedErasedListedAndTakenBack) {
     EXPECT_FALSE(fs::exists(case_ / "organs_unpainted.nii.gz"));
 }
 
+TEST_F(EditTumours, AreDrawnByRender) {
+    const auto drawn = [&] {
+        const fs::path picture = fs::path(testing::TempDir()) / "tumours.png";
+        answer({"render", case_.string(), "--out", picture.string(), "--bare", "--size", "96,72"});
+        return read_text_file(picture, "");
+    };
+    const std::string without = drawn();
+    EXPECT_EQ(drawn(), without);
+    edit({"--paint-tumour", "0,20,10,5"});
+    const std::string with = drawn();
+    EXPECT_NE(with, without);
+    edit({"--erase-tumour", "0,20,10,9"});
+    EXPECT_EQ(drawn(), without);
+}
+
+TEST_F(EditTumours, NothingToDoWritesNothing) {
+    const auto written = fs::last_write_time(case_ / "case.json");
+    refused({}, "is given nothing to do");
+    EXPECT_EQ(fs::last_write_time(case_ / "case.json"), written);
+}
+
 TEST_F(EditTumours, AreTargetsOfFeeders) {
     edit({"--paint-tumour", "0,20,10,5"});
     const Json fed = answer({"feeders", case_.string(), "--tumour", "1"});

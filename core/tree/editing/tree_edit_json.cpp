@@ -103,6 +103,15 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     return edit;
 }
 
+TreeEdit read_edit(const nlohmann::json& value, const std::string& place) {
+    try {
+        return edit_from(value, place);
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(json_problem(error), place,
+                         "Give the edit all of its values, each of its kind");
+    }
+}
+
 }  // namespace
 
 std::string edits_to_json(const std::vector<TreeEdit>& edits) {
@@ -135,7 +144,8 @@ std::vector<TreeEdit> edits_from_json(const std::string& text, const std::string
         if (!list.is_array())
             throw InputError("is not a list of edits", place, "Give a JSON array of edits");
         std::vector<TreeEdit> edits;
-        for (const nlohmann::json& value : list) edits.push_back(edit_from(value, place));
+        for (const nlohmann::json& value : list)
+            edits.push_back(read_edit(value, place + ", edit " + std::to_string(edits.size() + 1)));
         return edits;
     } catch (const nlohmann::json::exception& error) {
         throw InputError(json_problem(error), place, "Give a JSON array of edits");

@@ -271,6 +271,20 @@ TEST(TreeEditJson, StrokesAtTumoursComeBackAndLeaveTheTree) {
     EXPECT_EQ(edited(VesselTree{}, dab).segments.size(), 0u) << "nor is one needed";
 }
 
+TEST(TreeEditJson, WhatIsWrongIsNamedByTheNumberOfItsEdit) {
+    const std::string good = R"({"edit":"cut_link","at_mm":[1,2,3]})";
+    for (const char* bad :
+         {R"({"edit":"cut"})", R"({"edit":"cut_link"})", "7",
+          R"({"edit":"cut_link","at_mm":[1,2,"x"]})", R"({"edit":"cut_link","at_mm":[1,2,1e9]})"}) {
+        try {
+            edits_from_json("[" + good + "," + bad + "," + good + "]", "more.json");
+            ADD_FAILURE() << bad;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), "more.json, edit 2") << bad;
+        }
+    }
+}
+
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
          {"[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2}]",
