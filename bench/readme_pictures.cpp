@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes the README's pictures of the window, with the built-in patient:
+//
+//     xvfb-run -s "-screen 0 1280x820x24" build/release/bin/readme_pictures docs/images
+//
+// Beside other work the real-time factor in the status line is low: take them on an idle machine.
+#include <QComboBox>
+#include <algorithm>
+
+#include "bench/photographer.h"
+#include "core/session/script.h"
+#include "ui/lesson_dock.h"
+#include "ui/slices/view_layout.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int window_width = 1280;
+constexpr QSize tour_size(520, 390);
+
+class ReadmePictures : Photographer {
+  public:
+    using Photographer::Photographer;
+
+    void run() {
+        open_built_in();
+        tool(Qt::Key_5, "tour_3_probe", QPoint(-10, -36));
+        play_drug();
+        tool(Qt::Key_6, "tour_3_forceps", QPoint(6, 40), [this] { save("window"); });
+        window().actions()[ActionId::remove_drug].trigger();
+        window().actions()[ActionId::toggle_plots].trigger();
+        lesson();
+        open_built_in();
+        slices();
+    }
+
+  private:
+    using Photographer::lead;
+
+    QPoint on_longest_path(double share) {
+        return pixel_of(point_on_longest_path(window().workspace().patient()->tree, share));
+    }
+
+    // Taken in hand beside the longest branch, closed where it has jaws, and led.
+    void tool(
+        Qt::Key key, const QString& name, const QPoint& by,
+        const std::function<void()>& then = [] {}) {
+        VtkWidget& view = window().view();
+        const QPoint vessel = on_longest_path(0.8);
+        QTest::keyClick(&window(), key);
+        QTest::mouseMove(&view, vessel);
+        until([this] { return window().frame().tool.has_value(); });
+        settle();
+        QTest::keyClick(&window(), Qt::Key_C);
+        settle();
+        lead(vessel, vessel + by, 20, 60);
+        settle();
+        then();
+        QAction& annotations = window().actions()[ActionId::toggle_annotations];
+        annotations.trigger();
+        save(around(vessel, view.picture()), name);
+        annotations.trigger();
+        QTest::keyClick(&window(), Qt::Key_Escape);
+        window().actions()[ActionId::reset].trigger();
+        settle();
+    }
+
+    void play_drug() {
+        QTest::mouseDClick(&window().view(), Qt::LeftButton, {}, on_vessel(0.02));
+        QTest::qWait(6000);  // of the drug's way
+        window().actions()[ActionId::play_pause].trigger();
+    }
+
+    void slices() {
+        window().actions()[ActionId::toggle_slices].trigger();
+        ViewLayout& views = window().view_layout();
+        until([&] { return !views.slices().empty(); });
+        settle();
+        emit window().findChild<QComboBox*>("measure")->activated(1);
+        SliceView& coronal = views.slice_view(SliceDirection::coronal);
+        const Vec3 begin = views.slices().crosshair_mm();
+        for (const Vec3& off : {Vec3(0, 0, 8), Vec3(-40, 0, 20)})
+            QTest::mouseClick(&coronal, Qt::LeftButton, {},
+                              coronal.place_of(begin + off).toPoint());
+        settle();
+        save("slices");
+        QTest::keyClick(&coronal, Qt::Key_Escape);
+        window().actions()[ActionId::toggle_slices].trigger();
+        settle();
+    }
+
+    // In the middle of the pull that it asks for.
+    void lesson() {
+        begin_lesson("gentle_pull");
+        VtkWidget& view = window().view();
+        const QPoint mark = on_longest_path(0.5);
+        QTest::mousePress(&view, Qt::LeftButton, {}, mark);
+        lead(mark, mark + QPoint(14, 48), 60, 60);
+        settle();
+        save("lesson");
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, mark + QPoint(14, 48));
+    }
+
+    void begin_lesson(const QString& name) {
+        for (QAction* action : window().findChildren<QAction*>())
+            if (action->objectName() == name) {
+                action->trigger();
+                until([this] { return window().lessons().playing() && !window().busy(); });
+                return settle();
+            }
+        throw std::runtime_error("there is no lesson " + name.toStdString());
+    }
+
+    void save(const QString& name) { save_window(name, window_width); }
+    using Photographer::save;
+
+    static QImage around(const QPoint& middle, const QImage& view) {
+        QRect part(QPoint(0, 0), tour_size.boundedTo(view.size()));
+        part.moveCenter(middle);
+        part.moveLeft(std::clamp(part.left(), 0, view.width() - part.width()));
+        part.moveTop(std::clamp(part.top(), 0, view.height() - part.height()));
+        return view.copy(part);
+    }
+};
+
+}  // namespace
+}  // namespace hepatica
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "Usage: readme_pictures FOLDER\n");
+        return 2;
+    }
+    return hepatica::take_pictures(argc, argv, "en", [&](hepatica::MainWindow& window) {
+        hepatica::ReadmePictures(window, argv[1]).run();
+    });
+}
