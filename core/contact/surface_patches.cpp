@@ -51,22 +51,46 @@ SurfacePatches::SurfacePatches(std::vector<std::array<int, 3>> triangles, int tr
     }
 }
 
+// Four numbers at a time, the last of which is the next vertex's and is not looked at: half as long
+// as one after another. The last vertex of all has none behind it.
 Box SurfacePatches::box(std::size_t patch, std::span<const Vec3> positions_mm) const {
-    Box box;
-    for (const int v : vertices_of_[patch]) box.add(positions_mm[v]);
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    Eigen::Array4d low = Eigen::Array4d::Constant(INFINITY), high = -low;
+    Box last;
+    for (const int v : vertices_of_[patch]) {
+        if (static_cast<std::size_t>(v) + 1 == positions_mm.size()) {
+            last.add(positions_mm[v]);
+            continue;
+        }
+        const Eigen::Map<const Eigen::Array4d> numbers(positions_mm[v].data());
+        low = low.min(numbers);
+        high = high.max(numbers);
+    }
+    Box box{low.head<3>(), high.head<3>()};
+    box.low = box.low.cwiseMin(last.low);
+    box.high = box.high.cwiseMax(last.high);
     return box;
+}
+
+std::vector<std::vector<int>> SurfacePatches::triangles_in(
+    std::span<const Box> boxes, std::span<const Vec3> positions_mm) const {
+    std::vector<std::vector<int>> found(boxes.size());
+    for (std::size_t p = 0; p < size(); ++p) {
+        const Box of_patch = box(p, positions_mm);
+        for (std::size_t b = 0; b < boxes.size(); ++b) {
+            if (!of_patch.meets(boxes[b])) continue;
+            for (const int t : triangles_of_[p])
+                if (box_around(corners_of(triangles_[t], positions_mm)).meets(boxes[b]))
+                    found[b].push_back(t);
+        }
+    }
+    for (std::vector<int>& of_box : found) std::ranges::sort(of_box);
+    return found;
 }
 
 std::vector<int> SurfacePatches::triangles_in(const Box& box,
                                               std::span<const Vec3> positions_mm) const {
-    std::vector<int> found;
-    for (std::size_t p = 0; p < size(); ++p) {
-        if (!this->box(p, positions_mm).meets(box)) continue;
-        for (const int t : triangles_of_[p])
-            if (box_around(corners_of(triangles_[t], positions_mm)).meets(box)) found.push_back(t);
-    }
-    std::ranges::sort(found);
-    return found;
+    return std::move(triangles_in(std::span(&box, 1), positions_mm).front());
 }
 
 }  // namespace hepatica

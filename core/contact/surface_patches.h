@@ -57,8 +57,11 @@ class SurfacePatches {
     std::span<const int> vertices_of(std::size_t patch) const { return vertices_of_[patch]; }
 
     Box box(std::size_t patch, std::span<const Vec3> positions_mm) const;
-    // Triangles whose boxes meet this one, ascending.
+    // Triangles whose boxes meet this one, ascending. Of several boxes those of each, in one pass
+    // over all patches, whose own boxes are most of what it costs.
     std::vector<int> triangles_in(const Box& box, std::span<const Vec3> positions_mm) const;
+    std::vector<std::vector<int>> triangles_in(std::span<const Box> boxes,
+                                               std::span<const Vec3> positions_mm) const;
 
   private:
     std::vector<std::array<int, 3>> triangles_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/mesh/brick_mesh.h"
@@ -44,6 +45,48 @@ TEST(SurfacePatches, EveryTriangleIsInOneConnectedPatchThatItsBoxHolds) {
     }
     EXPECT_EQ(seen.size(), patches.triangles().size());
     EXPECT_LT(patches.size(), patches.triangles().size() / 8);  // most are nearly full
+}
+
+// The last vertex of all among them.
+TEST(SurfacePatches, ABoxIsNoLargerThanItsVertices) {
+    const TetMesh brick = kuhn_brick(Vec3(60, 20, 20), {6, 3, 3});
+    const SurfacePatches patches(boundary_triangles(brick), 7);
+    std::vector<Vec3> positions = brick.vertices_mm;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        positions[v] += Vec3(std::sin(7.0 * double(v)), std::cos(5.0 * double(v)), 0.1 * double(v));
+    bool holds_last = false;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        Box expected;
+        for (const int v : patches.vertices_of(p)) {
+            expected.add(positions[v]);
+            holds_last = holds_last || static_cast<std::size_t>(v) + 1 == positions.size();
+        }
+        const Box box = patches.box(p, positions);
+        EXPECT_EQ(box.low, expected.low);
+        EXPECT_EQ(box.high, expected.high);
+    }
+    EXPECT_TRUE(holds_last);
+}
+
+TEST(SurfacePatches, TheTrianglesInSeveralBoxesAreThoseInEach) {
+    const TetMesh brick = kuhn_brick(Vec3(60, 20, 20), {12, 4, 4});
+    const SurfacePatches patches(boundary_triangles(brick), 16);
+    std::vector<Box> boxes(5);  // the last stays empty
+    for (int b = 0; b < 4; ++b) {
+        boxes[b].add(Vec3(13.0 * b, 3.0 * b, 1.0));
+        boxes[b].grow(2.0 + 2.5 * b);
+    }
+    const auto found = patches.triangles_in(boxes, brick.vertices_mm);
+    ASSERT_EQ(found.size(), boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        std::vector<int> expected;
+        for (std::size_t t = 0; t < patches.triangles().size(); ++t)
+            if (box_around(corners_of(patches.triangles()[t], brick.vertices_mm)).meets(boxes[b]))
+                expected.push_back(static_cast<int>(t));
+        EXPECT_EQ(found[b], expected) << b;
+        EXPECT_EQ(patches.triangles_in(boxes[b], brick.vertices_mm), expected) << b;
+        EXPECT_EQ(expected.empty(), b == 4) << b;
+    }
 }
 
 TEST(SurfacePatches, BoxesThatTouchMeet) {

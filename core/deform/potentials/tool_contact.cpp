@@ -63,14 +63,16 @@ void ToolContact::add_points_of(int triangle, const Capsule& shape, int part,
 
 std::vector<PadContact> ToolContact::contacts_at(std::span<const Capsule> shapes,
                                                  std::span<const Vec3> positions_mm) const {
-    std::vector<PadContact> found;
+    std::vector<Box> boxes(shapes.size());
     for (std::size_t p = 0; p < shapes.size(); ++p) {
-        Box box;
-        for (const Vec3& end : shapes[p].axis()) box.add(end);
-        box.grow(shapes[p].radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
-        for (const int t : surface_.triangles_in(box, positions_mm))
-            add_points_of(t, shapes[p], static_cast<int>(p), positions_mm, found);
+        for (const Vec3& end : shapes[p].axis()) boxes[p].add(end);
+        boxes[p].grow(shapes[p].radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
     }
+    const std::vector<std::vector<int>> near = surface_.triangles_in(boxes, positions_mm);
+    std::vector<PadContact> found;
+    for (std::size_t p = 0; p < shapes.size(); ++p)
+        for (const int t : near[p])
+            add_points_of(t, shapes[p], static_cast<int>(p), positions_mm, found);
     return found;
 }
 
