@@ -20,7 +20,7 @@ OrientationMarker::OrientationMarker(vtkRenderWindow& window) : window_(window) 
     cube->SetYMinusFaceText("A");
     cube->SetZPlusFaceText("S");
     cube->SetZMinusFaceText("I");
-    cube->SetZFaceTextRotation(180);
+    cube->SetZFaceTextRotation(90);
     cube->SetFaceTextScale(0.6);
     cube->GetCubeProperty()->SetColor(0.30, 0.34, 0.40);
     cube->GetTextEdgesProperty()->SetColor(0.12, 0.14, 0.17);

@@ -122,6 +122,7 @@ struct SceneView::Parts {
     bool warned = false;
     bool at_rest = true;        // nothing is saved on pictures
     bool looked = false;        // a camera was chosen for the present tree
+    bool turned = false;        // since the last picture, to a view that was chosen
     double shown_aspect = 0.0;  // of the picture for which the camera was chosen or kept; 0: none
 };
 
@@ -203,10 +204,10 @@ void SceneView::render(double pixel_ratio) {
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
-    // While it moves the legend stays where it is.
+    // While it moves the legend stays where it is, unless one looks from elsewhere at once.
     parts_->annotations.update(
         parts_->picture_size(), eye, parts_->legend,
-        parts_->at_rest
+        std::exchange(parts_->turned, false) || parts_->at_rest
             ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
             : Legend::Count());
     parts_->orientation.update(eye, parts_->picture_size());
@@ -378,6 +379,7 @@ void SceneView::look_from(ViewDirection direction) {
     const SurfaceGeometry& surface = parts_->tree.surface();
     const bool empty = surface.triangles().empty();
     parts_->looked = !empty;
+    parts_->turned = true;
     parts_->shown_aspect = empty ? 0.0 : parts_->aspect();
     hepatica::look_from(camera(), direction, empty ? Vec3::Constant(-50) : surface.lower_mm(),
                         empty ? Vec3::Constant(50) : surface.upper_mm(), parts_->aspect());

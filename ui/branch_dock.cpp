@@ -92,7 +92,10 @@ BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    QHeaderView& head = *table_->horizontalHeader();
+    head.setSectionResizeMode(QHeaderView::Stretch);
+    head.setDefaultAlignment(Qt::AlignCenter | Qt::Alignment(Qt::TextWordWrap));
+    head.setMinimumHeight(2 * head.fontMetrics().height() + 8);  // long ones take two lines
     column->addWidget(table_);
     setWidget(content);
     connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {

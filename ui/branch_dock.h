@@ -44,6 +44,9 @@ class BranchDock : public QDockWidget {
 
     const std::vector<BranchRow>& rows() const { return rows_; }
 
+    // The colours again, as where the vertices have changed.
+    void colour_vessels();
+
   protected:
     void showEvent(QShowEvent* event) override;
 
@@ -51,7 +54,6 @@ class BranchDock : public QDockWidget {
     void read_labels();
     void show_rows(std::vector<BranchLabel> labels);
     void fill_table();
-    void colour_vessels();
 
     Callbacks callbacks_;
     QTableWidget* table_;

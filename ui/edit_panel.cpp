@@ -72,7 +72,7 @@ QWidget* EditPanel::make_tools() {
     tool_->setObjectName("EditTool");
     for (const EditTool& tool : tools) {
         tool_->addItem(Words::tr(tool.name));
-        tool_->setItemData(tool_->count() - 1, tool.tip, Qt::ToolTipRole);
+        tool_->setItemData(tool_->count() - 1, Words::tr(tool.tip), Qt::ToolTipRole);
     }
     form->addRow(Words::tr("does"), tool_);
     auto* tip = new QLabel(Words::tr(tools[0].tip), box);
@@ -92,7 +92,7 @@ QWidget* EditPanel::make_tools() {
     system_->setEnabled(false);
     form->addRow(Words::tr("System"), system_);
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
-        tip->setText(tools.at(static_cast<std::size_t>(index)).tip);
+        tip->setText(Words::tr(tools.at(static_cast<std::size_t>(index)).tip));
         system_->setEnabled(tool() == TreeEditKind::reassign_system ||
                             tool() == TreeEditKind::seed_system);
         if (callbacks_.tool_changed) callbacks_.tool_changed();

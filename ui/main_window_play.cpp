@@ -43,6 +43,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     welcome_->hide();
     scene.set_highlight({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
+    scene.set_vertex_segments({});
     ruler_->show_patient(patient_->patient);
     actions_->set_patient_shown(true);
     quality_->post_choices();
@@ -78,6 +79,7 @@ void MainWindow::match_anatomy() {
     patient_->anatomy = SurfaceAnatomy(
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
+    branches_->colour_vessels();  // as far as the branches of this patient are known
 }
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
@@ -106,8 +108,9 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
 
 void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches) {
     std::vector<std::uint8_t> of_vertices;
-    if (patient_ && !of_branches.empty())
-        for (std::size_t v = 0; v < patient_->patient->mesh.vertices_mm.size(); ++v) {
+    const std::size_t vertices = patient_ ? patient_->anatomy.vertex_systems().size() : 0;
+    if (!of_branches.empty())
+        for (std::size_t v = 0; v < vertices; ++v) {
             const int branch = patient_->anatomy.tree_point(static_cast<int>(v)).segment;
             of_vertices.push_back(branch < 0 ? 0 : of_branches[static_cast<std::size_t>(branch)]);
         }

@@ -3,6 +3,7 @@
 // ways to the rest.
 #include <QDockWidget>
 #include <QStatusBar>
+#include <memory>
 #include <utility>
 
 #include "ui/case_editing.h"
@@ -23,8 +24,13 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };
-    callbacks.failed = [this](const QString& doing, const Failure& failure) {
+    const auto said = std::make_shared<QString>();  // of the last failure
+    callbacks.failed = [this, said](const QString& doing, const Failure& failure) {
         fail(doing, failure);
+        *said = messages_->text();
+    };
+    callbacks.ct_read = [this, said] {
+        if (!said->isEmpty() && messages_->text() == *said) messages_->dismiss();
     };
     callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,
                             VesselPen::Answered answered) {

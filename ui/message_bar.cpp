@@ -40,7 +40,9 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::show_failure(const Failure& failure) {
     const auto escaped = [](const std::string& text) { return translated(text).toHtmlEscaped(); };
-    QString html = "<b>" + escaped(failure.problem) + "</b>";
+    QString problem = translated(failure.problem);
+    if (!problem.isEmpty()) problem[0] = problem[0].toUpper();
+    QString html = "<b>" + problem.toHtmlEscaped() + "</b>";
     if (!failure.place.empty()) html += "<br>" + Words::tr("in %1").arg(escaped(failure.place));
     if (!failure.remedy.empty()) html += "<br>" + escaped(failure.remedy);
     show_as("failure", html);

@@ -168,7 +168,8 @@ QPalette palette_of(const Theme& theme) {
     return palette;
 }
 
-// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer.
+// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer, and
+// disabled words are not written twice.
 class Style : public QProxyStyle {
   public:
     Style() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -176,6 +177,7 @@ class Style : public QProxyStyle {
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* data) const override {
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+        if (hint == SH_EtchDisabledText) return 0;
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
 };

@@ -201,6 +201,22 @@ TEST(LegendPlace, IsBesideTheVesselsHoweverTheyLie) {
     EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
 }
 
+TEST(LegendPlace, IsChosenAnewWhereOneLooksFromElsewhereWhileThePictureMoves) {
+    constexpr int width = 800, height = 600;
+    OsmesaContext context(width, height);
+    SceneView view(context.window());
+    view.show(fake_frame());
+    view.render();
+    const PictureBox at_first = view.legend_box();
+    view.drag_pan({400, 300}, {700, 560});
+    view.render();
+    ASSERT_NE(view.legend_box().bottom, at_first.bottom);
+    view.set_smoothing(Smoothing::none);
+    view.look_from(ViewDirection::anterior);
+    view.render();
+    EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
+}
+
 // 12 points of print are 16 of a screen with 96 dots to an inch: a line of the legend is never
 // lower, in a quarter of a small window neither, and twice as high where a point has two pixels.
 TEST(LegendPlace, HasLettersOfTwelvePointsOfPrint) {

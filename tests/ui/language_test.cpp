@@ -3,6 +3,8 @@
 #include "ui/language.h"
 
 #include <QAction>
+#include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -105,6 +107,19 @@ TEST_F(GermanWindow, SaysItsMenusInGerman) {
               QStringList({"&Datei", "&Üben", "&Ansicht", "&Messen", "&Lektion", "&Hilfe"}));
     EXPECT_EQ(window_.actions()[ActionId::save_case].text(), "Fall &speichern");
     EXPECT_EQ(window_.actions()[ActionId::save_case].shortcut(), QKeySequence("Ctrl+S"));
+}
+
+TEST_F(GermanWindow, SaysInGermanWhatEachEditIsFor) {
+    auto& tool = *window_.findChild<QComboBox*>("EditTool");
+    ASSERT_GT(tool.count(), 1);
+    const auto labels = tool.parentWidget()->findChildren<QLabel*>("quiet");
+    ASSERT_FALSE(labels.empty());
+    for (int i = tool.count() - 1; i >= 0; --i) {
+        tool.setCurrentIndex(i);
+        const QString tip = tool.itemData(i, Qt::ToolTipRole).toString();
+        EXPECT_FALSE(tip.startsWith("Click")) << tip.toStdString();
+        EXPECT_EQ(labels.front()->text(), tip);
+    }
 }
 
 void expect_accelerators_of_their_own(const QMenu& menu) {

@@ -43,6 +43,14 @@ TEST_F(Messages, a_text_shows_its_letters_as_they_are) {
     EXPECT_EQ(bar.findChild<QLabel*>()->textFormat(), Qt::RichText);
 }
 
+TEST_F(Messages, a_failure_begins_with_a_capital) {
+    MessageBar& bar = window_.messages();
+    bar.show_failure({"äther is no drug", "the list", "Choose another"});
+    EXPECT_TRUE(bar.text().startsWith("Äther is no drug")) << bar.text().toStdString();
+    bar.show_failure({"", "", ""});
+    EXPECT_EQ(bar.text(), "");
+}
+
 TEST_F(Messages, long_lines_of_the_log_wrap) {
     MessageLog& log = window_.log();
     log.add_warning("A", "short");

@@ -93,6 +93,11 @@ TEST_F(BrushOnSlices, IsLedByKeys) {
     take(erasing);
     QTest::keyClick(&axial(), Qt::Key_Minus);
     EXPECT_EQ(window_.findChild<QDoubleSpinBox*>("brushRadius")->value(), 3.5);
+    // As keyboards have it on which + takes Shift, and as a pad of numbers has it.
+    QTest::keyClick(&axial(), Qt::Key_Plus, Qt::ShiftModifier);
+    EXPECT_EQ(window_.findChild<QDoubleSpinBox*>("brushRadius")->value(), 4.0);
+    QTest::keyClick(&axial(), Qt::Key_Minus, Qt::KeypadModifier);
+    EXPECT_EQ(window_.findChild<QDoubleSpinBox*>("brushRadius")->value(), 3.5);
     EXPECT_NE(scene().systems().at(20, 25, 30), 0);
     QTest::keyClick(&axial(), Qt::Key_Return);
     EXPECT_EQ(scene().systems().at(20, 25, 30), 0);

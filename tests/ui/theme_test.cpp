@@ -3,6 +3,8 @@
 // stays.
 #include "ui/theme.h"
 
+#include <QApplication>
+#include <QStyle>
 #include <cmath>
 
 #include "tests/ui/fake_window_test.h"
@@ -56,6 +58,12 @@ TEST(Themes, KeepTextReadable) {
                 << theme.name << ", pair " << number++ << ": " << text.name().toStdString()
                 << " on " << ground.name().toStdString();
     }
+}
+
+// Words that cannot be chosen would else be written twice, one of them aside in white.
+TEST(Themes, WriteDisabledWordsOnce) {
+    apply_theme(*qApp);
+    EXPECT_EQ(QApplication::style()->styleHint(QStyle::SH_EtchDisabledText), 0);
 }
 
 TEST(Themes, AreFoundByNameAndBeginDark) {

@@ -224,10 +224,21 @@ TEST_F(TumourBrushOnSlices, IsUndoneAndDoneAgainLikeEveryCorrection) {
     EXPECT_FALSE(window_.isWindowModified());
     window_.actions()[ActionId::redo_edit].trigger();
     EXPECT_EQ(brush().organs().voxels, painted.voxels);
+    EXPECT_EQ(brush().chosen(), 1) << "the next stroke goes on with it again";
     stroke(15, 18);
+    EXPECT_EQ(tumours(), std::vector{1});
     EXPECT_NE(brush().organs().voxels, painted.voxels);
     window_.actions()[ActionId::undo_edit].trigger();
     EXPECT_EQ(brush().organs().voxels, painted.voxels);
+}
+
+TEST_F(TumourBrushOnSlices, GoesOnWithAnotherThatWasChosenSinceItWasTakenBack) {
+    begin();
+    stroke(5, 7);
+    window_.actions()[ActionId::undo_edit].trigger();
+    choose(0);
+    window_.actions()[ActionId::redo_edit].trigger();
+    EXPECT_EQ(brush().chosen(), 0);
 }
 
 // A case on disk with a liver, whose CT is known.

@@ -340,7 +340,11 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 }
 
 bool SliceView::sets_points_with(const QKeyEvent& event) const {
-    if (event.modifiers() & ~Qt::KeypadModifier) return false;
+    // On many keyboards + takes Shift.
+    const bool sizes = event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus;
+    const Qt::KeyboardModifiers part_of_key =
+        sizes ? Qt::KeypadModifier | Qt::ShiftModifier : Qt::KeypadModifier;
+    if (event.modifiers() & ~part_of_key) return false;
     switch (event.key()) {
         case Qt::Key_Plus:
         case Qt::Key_Minus:

@@ -16,7 +16,11 @@ void TumourBrush::show(std::shared_ptr<const Mask> canvas, Mask organs, std::siz
     led_.reset();
     strokes_ = strokes;
     strokes_before_ = std::min(strokes_before_, strokes_);
-    if (std::ranges::find(tumours_, chosen_, &Tumour::number) == tumours_.end()) chosen_ = 0;
+    const auto is_there = [&](int number) {
+        return std::ranges::find(tumours_, number, &Tumour::number) != tumours_.end();
+    };
+    if (chosen_ != 0 && !is_there(chosen_)) gone_ = std::exchange(chosen_, 0);
+    if (chosen_ == 0 && gone_ != 0 && is_there(gone_)) chosen_ = std::exchange(gone_, 0);
     tell();
 }
 
@@ -27,7 +31,7 @@ void TumourBrush::show_none(std::string why_none) {
     why_none_ = std::move(why_none);
     led_.reset();
     strokes_ = strokes_before_ = 0;
-    chosen_ = 0;
+    chosen_ = gone_ = 0;
     tell();
 }
 
@@ -44,6 +48,7 @@ void TumourBrush::set_mode(BrushMode mode) {
 
 void TumourBrush::choose(int tumour) {
     chosen_ = tumour;
+    gone_ = 0;
     tell();
 }
 

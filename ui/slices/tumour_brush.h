@@ -76,6 +76,7 @@ class TumourBrush {
     std::size_t strokes_ = 0, strokes_before_ = 0;
     BrushMode mode_ = BrushMode::away;
     int chosen_ = 0;
+    int gone_ = 0;                 // it was chosen when it was taken back; 0: none
     std::optional<TreeEdit> led_;  // the stroke that is being led
     std::size_t changes_ = 0;      // of voxels, by it
     std::vector<std::function<void()>> watchers_;

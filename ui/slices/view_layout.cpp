@@ -23,6 +23,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       keeper_(settings,
               {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                    scene_.show(std::move(ct), std::move(systems), patient_->tree);
+                   callbacks_.ct_read();
                    want_segments();
                    tumours_.want();
                    tumours_.show_again();

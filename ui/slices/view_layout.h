@@ -33,6 +33,7 @@ class ViewLayout : public QWidget {
         // To be marked in the three-dimensional view; none: nothing is.
         std::function<void(const std::optional<Vec3>&)> crosshair;
         std::function<void(const QString& doing, const Failure&)> failed;
+        std::function<void()> ct_read = [] {};  // what was said of an earlier one no longer holds
         // A vessel was drawn through these places of the CT, which stays until it is answered.
         std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
         std::function<void()> stop_drawing;
