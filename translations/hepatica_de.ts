@@ -7363,5 +7363,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>%1, edit %2</source>
         <translation>%1, Korrektur %2</translation>
     </message>
+    <message>
+        <source>Branch %1 (%2) is an end and takes %3 % of the flow: it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
+        <translation>Ast %1 (%2) ist ein Ende und nimmt %3 % des Flusses: Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
+    </message>
 </context>
 </TS>

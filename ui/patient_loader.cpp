@@ -29,6 +29,8 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     OpenedPatient opened = open_patient(request, job);
     for (std::string& warning : opened.warnings) warning = in_window_words(std::move(warning));
     LoadedPatient loaded = play(opened.patient, job);
+    for (std::string& warning : warnings_of_ends(opened.patient->tree, loaded.flow_shares))
+        opened.warnings.push_back(std::move(warning));
     static_cast<OpenedPatient&>(loaded) = std::move(opened);
     return loaded;
 }

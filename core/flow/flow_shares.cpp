@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/base/vascular_system.h"
 #include "core/flow/flow_solution.h"
 
 namespace hepatica {
@@ -40,6 +41,32 @@ std::vector<double> flow_shares(const VesselTree& tree) {
     } catch (const Error&) {
         return {};
     }
+}
+
+std::vector<std::string> warnings_of_ends(const VesselTree& tree,
+                                          const std::vector<double>& shares) {
+    constexpr double too_much = 0.5;
+    constexpr int fewest_ends = 4;
+    std::vector<std::string> warnings;
+    if (shares.size() != tree.segments.size()) return warnings;
+    const auto followers = children(tree);
+    std::vector<int> root(shares.size()), ends(shares.size(), 0);
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+        const int parent = tree.segments[s].parent;
+        root[s] = parent < 0 ? static_cast<int>(s) : root[static_cast<std::size_t>(parent)];
+        if (followers[s].empty()) ++ends[static_cast<std::size_t>(root[s])];
+    }
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+        if (!followers[s].empty() || !(shares[s] > too_much) ||
+            ends[static_cast<std::size_t>(root[s])] < fewest_ends)
+            continue;
+        warnings.push_back("Branch " + std::to_string(s + 1) + " (" +
+                           title_of(tree.segments[s].system) + ") is an end and takes " +
+                           std::to_string(std::lround(100.0 * shares[s])) +
+                           " % of the flow: it may be cut off there, or blood may come in by it. "
+                           "Delete it, or set the root there; else drugs go the wrong way.");
+    }
+    return warnings;
 }
 
 }  // namespace hepatica
