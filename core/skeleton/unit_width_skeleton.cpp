@@ -142,7 +142,7 @@ Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& 
             const double length =
                 here.length +
                 std::sqrt(squared_distance(object_.index_in_mask(p), object_.index_in_mask(q)));
-            const auto [entry, is_new] = reached.try_emplace(q, Reached{length, p, false});
+            const auto [entry, is_new] = reached.try_emplace(q);
             if (!is_new && (entry->second.closed || entry->second.length <= length)) continue;
             entry->second = {length, p, false};
             open.emplace(length + estimate(q), q);

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/parallel.h"
+#include "core/image/dicom_slices.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "tests/image/dicom_folder.h"
@@ -333,6 +334,27 @@ TEST(Dicom, ReadsTheSameForAnyNumberOfThreadsAndStopsWhenCancelled) {
     const TemporaryFolder out;
     EXPECT_THROW(write_dicom_series(out / "ct", folder.volume(), {}, job), Cancelled);
     EXPECT_TRUE(fs::is_empty(out.path()));
+}
+
+// DICOM counts rows and columns in 16 bits.
+TEST(DicomWriter, RefusesMoreRowsOrColumnsThanCanBeCounted) {
+    const TemporaryFolder out;
+    Job job;
+    for (const std::size_t axis : {0u, 1u}) {
+        Grid grid = small_grid();
+        grid.dims = {1, 1, 1};
+        grid.dims[axis] = 65535;
+        write_dicom_series(out / "most", Volume(grid), {}, job);
+        const auto slice = read_dicom_slice(out / "most" / "slice_0001.dcm");
+        ASSERT_TRUE(slice);
+        EXPECT_EQ(slice->columns, grid.dims[0]);
+        EXPECT_EQ(slice->rows, grid.dims[1]);
+        grid.dims[axis] = 65536;
+        const std::string message =
+            refusal([&] { write_dicom_series(out / "more", Volume(grid), {}, job); });
+        EXPECT_NE(message.find("65536 pixels"), std::string::npos) << message;
+        EXPECT_FALSE(fs::exists(out / "more"));
+    }
 }
 
 }  // namespace

@@ -111,6 +111,19 @@ TEST(DicomPadding, BecomesAirAndIsCounted) {
     EXPECT_TRUE(mentions(remarks, "2 of 1287 voxels are padding"));
 }
 
+TEST(DicomPadding, IsSaidOfASingleVoxelAndOfNone) {
+    Volume volume(small_grid(), 40);
+    for (const bool padded : {false, true}) {
+        if (padded) volume.voxels[700] = -2000;
+        const DicomFolder folder(volume);
+        folder.edit_all(padding_value, word(-2000));
+        ReadRemarks remarks;
+        folder.read(&remarks);
+        EXPECT_EQ(mentions(remarks, "1 of 1287 voxels are padding"), padded);
+        EXPECT_EQ(mentions(remarks, "padding"), padded);
+    }
+}
+
 TEST(DicomPadding, MayBeARangeAndIsNoObjectOfAMask) {
     Volume volume(small_grid(), 40);
     for (std::size_t i = 0; i < 10; ++i) volume.voxels[i] = static_cast<std::int16_t>(-2000 + i);

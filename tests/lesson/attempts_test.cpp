@@ -94,6 +94,7 @@ TEST(Attempts, OfADamagedFileAreRefusedByTheirPlace) {
         return std::string("nothing");
     };
     EXPECT_EQ(problem_of("\"2026\"", "\"2027\""), "nothing");
+    EXPECT_EQ(problem_of("{", ""), "a.result.json is not JSON");
     EXPECT_THAT(problem_of("hepatica-result", "other"), HasSubstr("format is \"other\""));
     EXPECT_THAT(problem_of("\"version\": 1", "\"version\": 2"), HasSubstr("version is 2"));
     EXPECT_THAT(problem_of("\"passed\": false", "\"passed\": 0"), HasSubstr("passed is 0, not"));

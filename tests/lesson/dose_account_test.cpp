@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/scene/drug_arrival.h"
 #include "tests/mesh/random_tree.h"
 
@@ -113,6 +114,13 @@ TEST(TargetRegion, IsTheAnatomyBeyondThePlace) {
     EXPECT_FALSE(region.contains({children(tree())[0][1], 1.0}));
     EXPECT_FALSE(region.contains_end_of(0));
     EXPECT_TRUE(region.contains_end_of(branch));
+}
+
+TEST(TargetRegion, OfASegmentThatTheTreeLacksIsRefused) {
+    const int count = static_cast<int>(tree().segments.size());
+    EXPECT_NO_THROW(TargetRegion(tree(), {count - 1, 0.0}));
+    for (const int segment : {-1, count, count + 1})
+        EXPECT_THROW(TargetRegion(tree(), {segment, 0.0}), InputError) << segment;
 }
 
 }  // namespace

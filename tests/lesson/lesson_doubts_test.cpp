@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -64,6 +65,26 @@ TEST(LessonDoubts, MissesATarget) {
     lesson.target.reset();
     EXPECT_THAT(doubts_about(lesson), testing::Each(HasSubstr("needs a target")));
     EXPECT_FALSE(doubts_about(lesson).empty());
+}
+
+TEST(LessonDoubts, MissesATargetForEachQuantityThatSpeaksOfOne) {
+    using enum Quantity;
+    Lesson lesson = find_lesson("embolization");
+    lesson.target.reset();
+    lesson.limits.clear();
+    lesson.pass.clear();
+    lesson.steps = {new_step()};
+    const auto needs_target = [&](Quantity quantity) {
+        lesson.steps[0].goal = {{quantity, -1, true, 0.5}};
+        return std::ranges::any_of(doubts_about(lesson), [](const std::string& doubt) {
+            return doubt.find("needs a target") != std::string::npos;
+        });
+    };
+    for (const Quantity quantity :
+         {dose_target_g, dose_elsewhere_g, dose_target_share, target_filled, elsewhere_filled})
+        EXPECT_TRUE(needs_target(quantity)) << words_of(quantity).words;
+    for (const Quantity quantity : {injected_g, delivered_g, reflux_g, drug_present})
+        EXPECT_FALSE(needs_target(quantity)) << words_of(quantity).words;
 }
 
 TEST(LessonDoubts, KnowsThatAPointBelongsToOnePatient) {

@@ -69,6 +69,17 @@ TEST_F(PlayEventsTest, AToolTouchesAndAShortBreakIsTheSameTouch) {
     EXPECT_THAT(see({RemoveTool{}}), ElementsAre("Tool put away"));
 }
 
+TEST_F(PlayEventsTest, EveryToolHasItsName) {
+    const auto taken = [&](const char* kind) {
+        return see({AddTool{kind, 2.0, 10.0, Vec3::UnitZ(), Vec3::Zero(), {}}});
+    };
+    EXPECT_THAT(taken("sphere"), ElementsAre("Probe taken"));
+    EXPECT_THAT(taken("capsule"), ElementsAre("Rod probe taken"));
+    EXPECT_THAT(taken("hook"), ElementsAre("Hook taken"));
+    EXPECT_THAT(taken("forceps"), ElementsAre("Forceps taken"));
+    EXPECT_EQ(last_, PlayEventKind::tool);
+}
+
 TEST_F(PlayEventsTest, DrugsCutsAndReturnsAreNamed) {
     EXPECT_THAT(see({InjectDrug{}, CutLine{}, Blade{}, RemoveDrug{}}),
                 ElementsAre("Injected", "Cut line drawn", "Blade drawn", "Drug taken out"));

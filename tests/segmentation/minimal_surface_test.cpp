@@ -125,6 +125,32 @@ TEST(FitSurface, LooksForThePeakWithinItsReachAndInsideTheVessel) {
     }
 }
 
+// What lies a layer of high peaks aside of the axis changes, mirrored or turned, with it.
+TEST(FitSurface, LooksEquallyFarToEverySide) {
+    SurfaceOptions options = by_the_image();
+    options.level_share = 0.5;
+    options.peak_reach_mm = 1.0;  // two voxels
+    const auto found_beside = [&](int axis, int layer) {
+        FloatVolume rise(surface_grid(), 60.0f);
+        for (std::size_t i = 0; i < rise.voxels.size(); ++i)
+            if (rise.grid.index_of(i)[static_cast<std::size_t>(axis)] == layer)
+                rise.voxels[i] = 160.0f;
+        Job job;
+        return fit_surface(blurred_vessel(), rise, tube(3.0), Mask(surface_grid(), 1), deviation,
+                           options, job);
+    };
+    const Mask low = found_beside(0, 11), high = found_beside(0, 16), turned = found_beside(1, 11),
+               turned_high = found_beside(1, 16);
+    for (int z = 0; z < 24; ++z)
+        for (int y = 0; y < 28; ++y)
+            for (int x = 0; x < 28; ++x) {
+                ASSERT_EQ(high.at(27 - x, y, z), low.at(x, y, z)) << x << " " << y << " " << z;
+                ASSERT_EQ(turned.at(y, x, z), low.at(x, y, z)) << x << " " << y << " " << z;
+                ASSERT_EQ(turned_high.at(y, 27 - x, z), low.at(x, y, z)) << x << " " << y;
+            }
+    EXPECT_NE(low.voxels, high.voxels);
+}
+
 TEST(FitSurface, StaysInTheLiver) {
     Mask liver(surface_grid(), 1);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 #include "tests/support/test_masks.h"
 
@@ -65,6 +66,20 @@ TEST(MultiLayer, FindsATubeAndItsAxisAndNothingElse) {
     }
     EXPECT_GT(2.0 * both / sum, 0.9);  // the piece of 4 mm counts as none
     for (int z = 0; z < 40; ++z) EXPECT_GE(layers[z], 1) << z;
+}
+
+TEST(MultiLayer, ItsProgressRisesToItsEndAndNotBeyond) {
+    Job job;
+    std::vector<double> said;
+    job.observe([&](JobEvent event) {
+        if (event == JobEvent::progress) said.push_back(job.progress().fraction);
+    });
+    detect_by_layers(tissue_with([](const Vec3&) { return false; }), Mask(layer_grid(), 1), job);
+    ASSERT_FALSE(said.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(said));
+    EXPECT_EQ(said.front(), 0.0);
+    EXPECT_GT(said.back(), 0.95);
+    EXPECT_LE(said.back(), 1.0);
 }
 
 TEST(MultiLayer, TakesTheUsersThresholdAndStaysInTheLiver) {

@@ -216,6 +216,31 @@ TEST(EnclosedTissue, IsWhatMostWaysOutMeetTheOrgan) {
     EXPECT_EQ(value_at(found, middle + Vec3(40, 0, 0)), 0);  // the organ itself
 }
 
+// Nine of the 26 ways lead out through one side: the other 17 are 65 of 100. With the opposite side
+// open as well eight are left.
+TEST(EnclosedTissue, MayLieOpenToOneSideWhicheverItIsButNotToTwo) {
+    const Grid grid = grid_of(50, 50, 50, 3.0);
+    const Vec3 middle(75, 75, 75);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int open : {-1, 1, 2}) {
+            FloatVolume smooth(grid, -100.0f);
+            Mask organ(grid);
+            for (std::size_t i = 0; i < organ.voxels.size(); ++i) {
+                const auto [x, y, z] = grid.index_of(i);
+                const Vec3 p = grid.to_mm(x, y, z);
+                const double along = p[axis] - middle[axis];
+                const bool tumour = in_ball(p, middle, 20);
+                const bool away = (open == 2 ? std::abs(along) : open * along) > 10.0;
+                organ.voxels[i] = in_ball(p, middle, 50) && !tumour && !away;
+                if (tumour) smooth.voxels[i] = 50.0f;
+                if (organ.voxels[i] != 0) smooth.voxels[i] = 110.0f;
+            }
+            Job job;
+            EXPECT_EQ(value_at(enclosed_tissue(smooth, organ, job), middle), open == 2 ? 0 : 1)
+                << "axis " << axis << ", open " << open;
+        }
+}
+
 // Nothing is known of a slab between inside and outside: the border lies where a surface is cheap.
 TEST(OrganBorder, RunsWhereTheImageHasAnEdge) {
     const Grid grid = grid_of(40, 16, 16, 2.0);

@@ -21,8 +21,13 @@ using test::small_patient;
 // A session on a thread of its own, and what it says of its frames.
 class Running {
   public:
-    explicit Running(const SceneSpec& spec = default_scene()) : session_(new_session(spec)) {
-        session_->on_frame([this] { ++told_; });
+    explicit Running(const SceneSpec& spec = default_scene(),
+                     std::chrono::milliseconds held_up = std::chrono::milliseconds(0))
+        : session_(new_session(spec)) {
+        session_->on_frame([this, held_up] {
+            ++told_;
+            std::this_thread::sleep_for(held_up);
+        });
         thread_ = std::jthread([this](const std::stop_token& stop) { session_->run(stop); });
     }
 
@@ -77,6 +82,19 @@ TEST(RestingSession, MakesNoStepsAndNoFramesUntilACommandComes) {
     running.session().post(ReleaseGrab{});
     ASSERT_TRUE(running.comes_to_rest());
     running.expect_nothing_happens();
+}
+
+// Each step stands for a tenth of a millisecond and takes more than one.
+TEST(RunningSession, SaysThatItIsSlowerThanTheClock) {
+    SceneSpec spec = default_scene();
+    spec.dt_s = 1e-4;
+    Running running(spec, std::chrono::milliseconds(1));
+    const Vec3 start = middle_of(small_patient()->tree, 1);
+    running.session().post(GrabPoint{start});
+    running.session().post(MoveGrab{start + Vec3(3, 0, 0), 1.0});
+    EXPECT_TRUE(running.comes_to(
+        [](const Frame& frame) { return frame.statistics.real_time_factor < 0.2; }));
+    EXPECT_GT(running.newest().statistics.real_time_factor, 0.0);
 }
 
 TEST(RestingSession, AnInjectionThatHasRunOutIsRest) {

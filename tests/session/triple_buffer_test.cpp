@@ -22,6 +22,23 @@ TEST(TripleBuffer, HandsOverTheNewestAndOnlyOnce) {
     EXPECT_EQ(buffer.front(), 3);
 }
 
+TEST(TripleBuffer, WhatIsReadStaysWhateverIsWrittenMeanwhile) {
+    TripleBuffer<int> buffer;
+    for (int value = 1; value < 20; ++value) {
+        buffer.back() = value;
+        buffer.publish();
+        EXPECT_TRUE(buffer.update());
+        for (int later = 0; later <= value % 4; ++later) {
+            buffer.back() = 100;
+            EXPECT_EQ(buffer.front(), value) << later << " were published since";
+            buffer.publish();
+            EXPECT_EQ(buffer.front(), value);
+        }
+        EXPECT_TRUE(buffer.update());
+        EXPECT_EQ(buffer.front(), 100);
+    }
+}
+
 // A torn or reordered value would show as entries that differ or a number that falls. Run it under
 // the thread sanitizer too (preset tsan).
 TEST(TripleBuffer, NeverTearsAndNeverGoesBackBetweenTwoThreads) {

@@ -107,6 +107,22 @@ TEST(MeshSkeleton, FollowsABar) {
     EXPECT_LE(std::count(children.begin(), children.end(), 0), skeleton.size() / 5);  // twigs
 }
 
+// Powers of two scale without rounding.
+TEST(MeshSkeleton, GrowsWithItsMesh) {
+    const auto body = test::make_bar(60.0, 4.0, 30, 2);
+    const CoarseSkeleton skeleton = skeleton_of_mesh(body.mesh);
+    for (const double factor : {1.0 / 64.0, 16.0}) {
+        TetMesh scaled = body.mesh;
+        for (Vec3& x : scaled.vertices_mm) x *= factor;
+        const CoarseSkeleton found = skeleton_of_mesh(scaled);
+        ASSERT_EQ(found.parent, skeleton.parent) << factor;
+        for (int n = 0; n < found.size(); ++n) {
+            EXPECT_EQ(found.positions_mm[n], factor * skeleton.positions_mm[n]);
+            EXPECT_EQ(found.radii_mm[n], factor * skeleton.radii_mm[n]);
+        }
+    }
+}
+
 TEST(MeshSkeleton, OneTreePerPieceAndATwigPerFork) {
     auto body = test::make_brick_tree(3, 3.0, 1.2);
     const int before = static_cast<int>(body.mesh.vertices_mm.size());

@@ -23,8 +23,9 @@ constexpr double bar_length_mm = 8.0;
 // A bar along x whose length is changed by `strain`, as if nothing held its sides.
 class StretchedBar {
   public:
-    explicit StretchedBar(double strain, bool fixed_end = false)
-        : body_(build_body(description(fixed_end), ElementModel::corotated, ElementOrder::linear)),
+    explicit StretchedBar(double strain, double held_below_mm = 0.0)
+        : body_(build_body(description(held_below_mm), ElementModel::corotated,
+                           ElementOrder::linear)),
           live_(body_),
           assembly_(body_, small::Tangent::rotated, &live_),
           tension_(body_, assembly_.plan(), live_) {
@@ -62,11 +63,11 @@ class StretchedBar {
     const TensionStiffness& tension() const { return tension_; }
 
   private:
-    static BodyDescription description(bool fixed_end) {
+    static BodyDescription description(double held_below_mm) {
         BodyDescription bar;
         bar.mesh = kuhn_brick(Vec3(bar_length_mm, 1.0, 1.0), {8, 1, 1});
-        if (fixed_end)
-            for (const Vec3& p : bar.mesh.vertices_mm) bar.fixed.push_back(p[0] < 0.5 ? 1 : 0);
+        for (const Vec3& p : bar.mesh.vertices_mm)
+            bar.fixed.push_back(p[0] < held_below_mm ? 1 : 0);
         return bar;
     }
     double work(const std::vector<Vec3>& d, double step) {
@@ -114,6 +115,14 @@ TEST(TensionStiffness, IsNothingAtRestAndUnderPressure) {
     EXPECT_TRUE(StretchedBar(0.05).tension().any());
 }
 
+// Elements of which all nodes are held lie among those that move.
+TEST(TensionStiffness, IsNothingAtRestHoweverMuchIsHeld) {
+    for (const double held_below_mm : {0.5, 2.5, 4.5, 7.5}) {
+        EXPECT_FALSE(StretchedBar(0.0, held_below_mm).tension().any()) << held_below_mm;
+        EXPECT_TRUE(StretchedBar(0.05, held_below_mm).tension().any()) << held_below_mm;
+    }
+}
+
 TEST(TensionStiffness, IsPositiveAndLeavesTranslationsFree) {
     const StretchedBar bar(0.05);
     const std::vector<Vec3> shift(bar.body().node_count(), Vec3(1.0, -2.0, 3.0));
@@ -128,7 +137,7 @@ TEST(TensionStiffness, IsPositiveAndLeavesTranslationsFree) {
 }
 
 TEST(TensionStiffness, LeavesRowsAndColumnsOfHeldNodesAlone) {
-    const StretchedBar bar(0.05, true);
+    const StretchedBar bar(0.05, 0.5);
     const BlockMatrix matrix = bar.matrix();
     int others = 0;
     for (int i = 0; i < matrix.rows(); ++i)

@@ -349,6 +349,21 @@ TEST(TreeSwc, ReadsFilesOfOtherPrograms) {
     EXPECT_EQ(tree.segments[0].radii_mm.front(), 2.0);
 }
 
+// -1 is the parent of a root, and 0 a number like any other.
+TEST(TreeSwc, SamplesMayBeCountedFromZero) {
+    const std::string samples[] = {"0 2 0 0 0 2 -1\n1 2 0 5 0 1.5 0\n2 2 0 9 0 1 1\n",
+                                   "1 2 0 0 0 2 -1\n2 2 0 5 0 1.5 1\n3 2 0 9 0 1 2\n"};
+    VesselTree trees[2];
+    for (int i = 0; i < 2; ++i) {
+        write_text(scratch("counted.swc"), samples[i]);
+        trees[i] = read_tree(scratch("counted.swc"));
+        ASSERT_EQ(trees[i].segments.size(), 1u);
+    }
+    EXPECT_EQ(trees[0].segments[0].points_mm, trees[1].segments[0].points_mm);
+    EXPECT_EQ(trees[0].segments[0].points_mm.size(), 3u);
+    EXPECT_EQ(trees[0].segments[0].radii_mm, trees[1].segments[0].radii_mm);
+}
+
 TEST(TreeFiles, OfNoPatientAreRefusedByValue) {
     const auto says = [](const char* name, const std::string& text) -> std::string {
         write_text(scratch(name), text);

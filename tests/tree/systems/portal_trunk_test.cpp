@@ -42,10 +42,12 @@ TEST(PortalTrunk, BranchesOffWhereThePortalVeinIsNearest) {
 }
 
 TEST(PortalTrunk, GoesOnFromAnEnd) {
-    VesselGraph graph = two_veins();
-    lead_trunk_to(Vec3(70, 0, 0), graph);
-    ASSERT_EQ(graph.links.size(), 2u);
-    EXPECT_NEAR(total_mm(graph), 130.0, 1e-9);
+    for (const Vec3& entry : {Vec3(70, 0, 0), Vec3(-10, 0, 0)}) {
+        VesselGraph graph = two_veins();
+        lead_trunk_to(entry, graph);
+        ASSERT_EQ(graph.links.size(), 2u) << entry.transpose();
+        EXPECT_NEAR(total_mm(graph), 130.0, 1e-9) << entry.transpose();
+    }
 }
 
 TEST(PortalTrunk, StaysAsItIsWhereNothingIsNearOrItIsThereAlready) {

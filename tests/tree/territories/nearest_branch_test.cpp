@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -75,6 +76,38 @@ TEST(NearestBranch, GoesRoundAFissure) {
     EXPECT_EQ(nearest.at(16, 2, 15), 7);  // 3 mm from the first as the crow flies, 12 from this
     EXPECT_EQ(nearest.at(15, 2, 15), no_owner);
     EXPECT_EQ(nearest.at(16, 29, 15), 3);  // beyond the door the first is nearer
+}
+
+// The organ leaves out a vessel's lumen, which leads from its centreline to both sides. Within one
+// layer of voxels there is no way round.
+TEST(NearestBranch, LeadsThroughTheLumenInASingleLayer) {
+    for (std::size_t flat = 0; flat < 3; ++flat) {
+        const std::size_t along = (flat + 1) % 3, across = (flat + 2) % 3;
+        Grid grid = cube(30, 1.0);
+        grid.dims[flat] = 1;
+        Mask organ(grid, 1);
+        for (std::size_t i = 0; i < organ.voxels.size(); ++i)
+            if (std::abs(grid.index_of(i)[across] - 12) <= 2) organ.voxels[i] = 0;
+        const auto place = [&](double a, double b) {
+            Vec3 at = Vec3::Zero();
+            at[static_cast<Eigen::Index>(along)] = a;
+            at[static_cast<Eigen::Index>(across)] = b;
+            return at;
+        };
+        VesselTree tree = vessels({{place(2, 12), place(27, 12)}, {place(2, 26), place(27, 26)}});
+        tree.segments[0].radii_mm = {3.0, 3.0};
+        Job job;
+        const auto nearest = nearest_branch(organ, tree, std::vector<std::int32_t>{3, 7}, job);
+        const auto owner_at = [&](double b) {
+            const Vec3 at = place(15, b);
+            return nearest.at(static_cast<int>(at.x()), static_cast<int>(at.y()),
+                              static_cast<int>(at.z()));
+        };
+        EXPECT_EQ(owner_at(12), no_owner);
+        EXPECT_EQ(owner_at(16), 3) << "4 mm from the one, 10 from the other; flat " << flat;
+        EXPECT_EQ(owner_at(8), 3);
+        EXPECT_EQ(owner_at(22), 7);
+    }
 }
 
 TEST(NearestBranch, ReachesIslandsInAStraightLine) {
