@@ -248,7 +248,7 @@ TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     EXPECT_EQ(hash_of(read_case(cases_ / "gift.hep")), hash_of(*test::small_patient()));
     const auto before = fs::last_write_time(cases_ / "gift.hep");
     dialog().take_in(file);
-    EXPECT_TRUE(window_.messages().text().contains("there is a case of this name already"));
+    EXPECT_TRUE(window_.messages().text().contains("There is a case of this name already"));
     EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
 }
 
@@ -262,7 +262,7 @@ TEST_F(LibraryTest, says_that_a_folder_holds_no_case_or_cannot_be_read) {
     EXPECT_FALSE(dialog().findChild<QPushButton*>("libraryOpen")->isEnabled());
     settings_.set_library_folder(to_text(empty / "gone"));
     dialog().open_library();
-    EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("cannot be read"); }));
+    EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("Cannot be read"); }));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_F(Window, a_dropped_file_that_cannot_be_read_says_what_where_and_what_to_do
     static_cast<QObject&>(window_).event(&drop);
     EXPECT_TRUE(testing::wait_for([this] { return !window_.messages().text().isEmpty(); }));
     const QString text = window_.messages().text();
-    EXPECT_TRUE(text.contains("this is no image")) << text.toStdString();
+    EXPECT_TRUE(text.contains("This is no image")) << text.toStdString();
     EXPECT_TRUE(text.contains(bad)) << text.toStdString();
     EXPECT_TRUE(text.contains("give a CT"));
     EXPECT_FALSE(window_.has_patient());
