@@ -29,8 +29,9 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job) {
     OpenedPatient opened = open_patient(request, job);
     for (std::string& warning : opened.warnings) warning = in_window_words(std::move(warning));
     LoadedPatient loaded = play(opened.patient, job);
-    for (std::string& warning : warnings_of_ends(opened.patient->tree, loaded.flow_shares))
-        opened.warnings.push_back(std::move(warning));
+    // First: of many, the window shows the first two at once.
+    const auto of_ends = warnings_of_ends(opened.patient->tree, loaded.flow_shares);
+    opened.warnings.insert(opened.warnings.begin(), of_ends.begin(), of_ends.end());
     static_cast<OpenedPatient&>(loaded) = std::move(opened);
     return loaded;
 }
