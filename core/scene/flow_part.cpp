@@ -52,6 +52,8 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
     drug_.computing = false;
     const std::stop_callback told(stop, [&run] { run->cancel(); });
     DrugArrival arrival = run->take();
+    // Whether the run or the stop was faster, the outcome is the same.
+    if (stop.stop_requested()) throw Cancelled();
     start(run->injection(), std::move(arrival));
 }
 

@@ -247,6 +247,16 @@ TEST(FlowPart, WaitingForAnInjectionHearsAStop) {
     EXPECT_FALSE(made.part.computing());
 }
 
+TEST(FlowPart, AStopIsHeardThoughTheInjectionIsDone) {
+    const VesselTree& tree = test::small_patient()->tree;
+    Shown made(tree);
+    made.part.inject(unlike_blood);
+    while (!made.part.injection_ready()) std::this_thread::yield();
+    EXPECT_THROW(made.part.finish_injection(test::asked_to_stop()), Cancelled);
+    EXPECT_EQ(made.part.drug().arrival_s, nullptr);
+    EXPECT_FALSE(made.part.computing());
+}
+
 TEST(FlowPart, AnotherInjectionRemovingTheDrugAndTheEndCancelWhatIsComputed) {
     const VesselTree tree = slow_tree();
     const auto start = std::chrono::steady_clock::now();
