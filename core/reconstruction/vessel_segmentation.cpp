@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/image/filters.h"
+#include "core/image/morphology.h"
 #include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
 #include "core/reconstruction/round_lumen.h"

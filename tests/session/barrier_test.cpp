@@ -105,6 +105,7 @@ TEST(Barrier, AFailedStepGoesBackToTheLastGoodState) {
         Faulty play;
         play.play(60);
         const std::vector<Vec3> snapshot = play.shape();
+        play.session->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(0, 5, 0)});
         play.play(15);
         EXPECT_NE(play.shape(), snapshot);
         EXPECT_FALSE(play.frame().statistics.diverged);

@@ -83,6 +83,7 @@ TEST_F(StoppedStep, IsNeitherShownNorRecordedNorCounted) {
 TEST_F(StoppedStep, TheNextGoesBackToTheLastGoodStateAndAReplayAgrees) {
     play(60);
     const std::vector<Vec3> snapshot = shape();
+    session_->post(MoveGrab{middle_of(small_patient()->tree, 0) + Vec3(0, 5, 0)});
     play(15);
     EXPECT_NE(shape(), snapshot);
     session_->post(SetTether{7.0});

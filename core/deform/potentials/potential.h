@@ -40,6 +40,12 @@ class Potential {
     virtual void add_forces(std::span<const Vec3> positions_mm,
                             std::span<Vec3> forces_un) const = 0;
 
+    // Told before stiffness is asked for: the sum of all forces on the body there, elastic and of
+    // all potentials, from which a potential with a kink can tell on which side of it the iterate
+    // will end. It holds until the next call or end_step().
+    virtual void foresee(std::span<const Vec3> /*positions_mm*/,
+                         std::span<const Vec3> /*forces_un*/) {}
+
     // Adds factor * stiffness [uN/mm], positive semidefinite. Pairs of nodes that have no block in
     // the matrix are lumped on the diagonal: stiffer in the step, the same at rest.
     virtual void add_stiffness(std::span<const Vec3> positions_mm, double factor,

@@ -147,6 +147,11 @@ void PotentialList::add_forces(std::span<const Vec3> positions_mm,
     for (const auto& potential : all_) potential->add_forces(positions_mm, forces_un);
 }
 
+void PotentialList::foresee(std::span<const Vec3> positions_mm,
+                            std::span<const Vec3> forces_un) const {
+    for (const auto& potential : all_) potential->foresee(positions_mm, forces_un);
+}
+
 void PotentialList::add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                   BlockMatrix& matrix) const {
     for (const auto& potential : all_) potential->add_stiffness(positions_mm, factor, matrix);

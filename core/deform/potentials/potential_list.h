@@ -70,6 +70,7 @@ class PotentialList {
     // Sums over all, as in Potential.
     double energy(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm) const;
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const;
+    void foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) const;
     void add_stiffness(std::span<const Vec3> positions_mm, double factor,
                        BlockMatrix& matrix) const;
     void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,

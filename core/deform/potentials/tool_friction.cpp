@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/deform/potentials/point_stiffness.h"
 
@@ -10,6 +11,7 @@ namespace hepatica {
 namespace {
 
 constexpr double creep_edges_per_s = 1e-5;
+constexpr double slowing = 0.05;
 
 }  // namespace
 
@@ -64,8 +66,24 @@ Mat3 ToolFriction::stiffness_of(const Grip& grip, std::span<const Vec3> position
     if (y == 0.0) return 2.0 * grip.limit_un / e * plane;
     const Vec3 s = slip / y;
     const double across = y < e ? (2.0 - y / e) / e : 1.0 / y;
-    const double along = y < e ? 2.0 * (1.0 - y / e) / e : 0.0;
+    const double along = y < e ? 2.0 * (1.0 - y / e) / e : (grip.slows ? 1.0 / y : 0.0);
     return grip.limit_un * (across * (plane - s * s.transpose()) + along * s * s.transpose());
+}
+
+// What slips is about to stick where the other forces that act on it fall short of friction by
+// `slowing` of that. Both are shared out to the nodes.
+void ToolFriction::foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) {
+    std::unordered_map<int, double> limit_un;
+    for (const Grip& grip : grips_)
+        for (int a = 0; a < 3; ++a) limit_un[grip.nodes[a]] += grip.weights[a] * grip.limit_un;
+    for (Grip& grip : grips_) {
+        const Vec3 slip = slip_of(grip, positions_mm);
+        double pressing = 0.0;
+        for (int a = 0; a < 3; ++a)
+            if (const double limit = limit_un[grip.nodes[a]]; limit > 0.0)
+                pressing += grip.weights[a] * forces_un[grip.nodes[a]].dot(slip) / limit;
+        grip.slows = pressing < -slowing * slip.norm();
+    }
 }
 
 std::vector<ToolFriction::PointForce> ToolFriction::point_forces(

@@ -4,9 +4,12 @@
 //   mu N (y - e/3) of energy,   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
 // whose force grows to mu N over e = dt * creep and is mu N beyond (Li et al. 2020, eq. 15). Slip
 // is the motion of the touching point along the surface less that of the tool. With the normals,
-// weights and forces of the beginning, force and stiffness are exact and the stiffness positive
-// semidefinite. What sticks creeps slower than 1e-5 mean edges a second, which is sleep. Its term
-// of the ledger is `friction_loss`.
+// weights and forces of the beginning the force is exact, and so is the stiffness, positive
+// semidefinite, of what sticks and of what slips on. What slips but is about to stick would by that
+// go past the point where it sticks, however far, and the energy's kink there would cut the whole
+// body's step to nothing. So its stiffness is mu N / y in all directions of the plane: the least
+// that bounds the energy from above, so that no step goes too far. What sticks creeps slower than
+// 1e-5 mean edges a second, which is sleep. Its term of the ledger is `friction_loss`.
 #pragma once
 
 #include <vector>
@@ -38,6 +41,7 @@ class ToolFriction final : public Potential {
 
     double energy(std::span<const Vec3> positions_mm,
                   std::span<const Vec3> reference_mm) const override;
+    void foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) override;
     void add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                              std::span<const int> piece_of_node,
                              std::span<double> energy_nj) const override;
@@ -56,8 +60,9 @@ class ToolFriction final : public Potential {
         std::array<int, 3> nodes;
         std::array<double, 3> weights;
         Vec3 normal;
-        double limit_un;  // mu N
-        Vec3 anchor_mm;   // where the tool takes the point
+        double limit_un;     // mu N
+        Vec3 anchor_mm;      // where the tool takes the point
+        bool slows = false;  // it slips, but is about to stick
     };
     static Vec3 point_of(const Grip& grip, std::span<const Vec3> positions_mm);
     static Vec3 slip_of(const Grip& grip, std::span<const Vec3> positions_mm);

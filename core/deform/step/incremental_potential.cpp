@@ -84,10 +84,14 @@ double IncrementalPotential::value(const StepUnderway& step) const {
            step.potentials.energy(step.positions, step.start.positions_mm);
 }
 
-void IncrementalPotential::descent(const StepUnderway& step, std::vector<Vec3>& residual) {
-    const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
+void IncrementalPotential::find_force(const StepUnderway& step) {
     force_ = elastic_force_;
     step.potentials.add_forces(step.positions, force_);
+}
+
+void IncrementalPotential::descent(const StepUnderway& step, std::vector<Vec3>& residual) {
+    const double dt = step.dt_s, alpha = body_.damping.alpha_per_s;
+    find_force(step);
     const bool damped = !step.damping_force.empty();
     residual.resize(force_.size());
     for_each_node(residual.size(), [&](std::size_t i) {
@@ -117,6 +121,7 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     for_each_node(step.positions.size(), [&](std::size_t i) {
         matrix_.block[matrix_.diagonal[i]].diagonal().array() += inertia * body_.mass_g[i];
     });
+    step.potentials.foresee(step.positions, force_);
     step.potentials.add_stiffness(step.positions, dt * dt, matrix_);
     cut_held(matrix_);
     for (int i = 0; i < matrix_.rows(); ++i)

@@ -42,10 +42,12 @@ class IncrementalPotential {
     double value(const StepUnderway& step) const;
     // -dt times the gradient: M (v_n - w) + dt f(x) - dt B w, with the step's damping_force.
     void descent(const StepUnderway& step, std::vector<Vec3>& residual);
-    // Elastic and of the potentials, at the last descent [uN].
+    // Elastic and of the potentials [uN]: what descent() and assemble() are made from. Found by
+    // either of the first two.
+    void find_force(const StepUnderway& step);
     const std::vector<Vec3>& force() const { return force_; }
 
-    // A at the present iterate.
+    // A at the present iterate, whose force is found.
     void assemble(const StepUnderway& step);
     BlockMatrix& matrix() { return matrix_; }
     // Which elements are taut, at the positions of the last evaluation, and whether any is.

@@ -22,6 +22,7 @@ constexpr double shortest_step_length = 1e-3;
 // fall in a step, so that a direction from just above it goes much too far.
 constexpr double shortest_onto_pad = 1e-7;
 constexpr double at_rest = 1e-9;    // a move in mean edges that is rounding errors alone
+constexpr double no_move = 1e-12;   // in mean edges: less than positions can hold
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
 
 // Iterates added to a linearly implicit step from rest that had to be shortened, until one is taken
@@ -182,6 +183,7 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
         potential_.find_tension(origin.taut_mm);
     }
     potential_.evaluate(step.positions);
+    potential_.find_force(step);
     potential_.assemble(step);
     if (taut) potential_.add_tension(step.dt_s);
     if (error.any()) error.add_to(potential_, body_, step.dt_s);
@@ -191,6 +193,7 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
     step.iterate = 1;
     step.positions = origin.iterate_mm;
     potential_.evaluate(step.positions);
+    potential_.find_force(step);
     potential_.assemble(step);
 }
 
@@ -340,7 +343,13 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
                       [&](std::size_t i) { direction_[i] += step.start.velocities_mm_per_s[i]; });
         keep_linearised_work(step);
     }
-    return search_line(step);
+    return still(step) || search_line(step);
+}
+
+// From rest to rest: no position would change, and so no length of the direction need be tried.
+bool NewtonStep::still(const StepUnderway& step) const {
+    return settings_.line_search && step.iterate == 0 && !step.predicted &&
+           std::isfinite(step.value) && longest_move_mm(step) <= no_move * body_.mean_edge_mm;
 }
 
 void NewtonStep::find_damping_along(const StepUnderway& step) {

@@ -86,6 +86,7 @@ class NewtonStep {
     void keep_linearised_work(StepUnderway& step);
     double free_length(const StepUnderway& step) const;
     bool meets_pads(const StepUnderway& step) const;
+    bool still(const StepUnderway& step) const;
     bool search_line(StepUnderway& step);
     bool try_step_length(StepUnderway& step, double step_length, double slope);
     double longest_move_mm(const StepUnderway& step) const;

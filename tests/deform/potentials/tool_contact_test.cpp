@@ -229,6 +229,51 @@ TEST(ToolFriction, DoesNotRubWhatHasComeToWhereTheToolWas) {
     EXPECT_GT(size_of(force), 0.0);
 }
 
+// The friction of a ball that presses a shaken brick, told what forces there are on the body:
+// `share` of what friction gives.
+class ForeseenFriction : public testing::Test {
+  protected:
+    void foresee(double share) {
+        list_.set_tool(pressing(false));
+        list_.begin_step({body_.rest_positions_mm, {}}, 1.0 / 60.0, {});
+        std::vector<Vec3> rubbed(x_.size(), Vec3::Zero());
+        friction().add_forces(x_, rubbed);
+        ASSERT_GT(size_of(rubbed), 0.0);
+        for (Vec3& f : rubbed) f *= share;
+        list_.foresee(x_, rubbed);
+    }
+    const Potential& friction() const { return *list_.all().back(); }
+    // By how much the energy at x + u exceeds what force and stiffness at x make of it.
+    double above_model(const std::vector<Vec3>& u) const {
+        std::vector<Vec3> force(x_.size(), Vec3::Zero()), product(x_.size(), Vec3::Zero());
+        friction().add_forces(x_, force);
+        friction().add_product(x_, 1.0, u, BlockMatrix{}, product);
+        std::vector<Vec3> moved = x_;
+        for (std::size_t i = 0; i < u.size(); ++i) moved[i] += u[i];
+        const double model = friction().energy(x_, x_) - dot(force, u) + 0.5 * dot(u, product);
+        return friction().energy(moved, moved) - model;
+    }
+
+    Body body_ = touchable_brick();
+    PotentialList list_{body_};
+    std::vector<Vec3> x_ = shaken(body_, 0.02, 4);
+};
+
+// So the whole way that the model proposes cannot raise friction's energy by more than it says.
+TEST_F(ForeseenFriction, WhatIsAboutToStickHasAStiffnessThatBoundsTheEnergy) {
+    foresee(1.0);  // nothing but friction acts: it will hold
+    for (unsigned seed = 0; seed < 40; ++seed)
+        EXPECT_LE(above_model(random_field(x_.size(), 0.3, seed)), 1e-9) << seed;
+}
+
+TEST_F(ForeseenFriction, WhatIsPressedOnSlipsOnWithoutStiffness) {
+    foresee(-1.0);                           // the others outweigh it
+    const Vec3 on = -Vec3(3, -2, 0) / 60.0;  // as it slips: the tool goes the other way
+    const std::vector<Vec3> slides(x_.size(), on), turns(x_.size(), Vec3(-10.0 * on));
+    EXPECT_NEAR(above_model(slides), 0.0, 0.01 * friction().energy(x_, x_));
+    EXPECT_GT(above_model(turns), friction().energy(x_, x_));
+}
+
 // A tetrahedron's top under a ball so wide that it is flat there: A p g / (1 - g). A is what
 // the top's corners stand for, a third of all their triangles.
 TEST(ToolContact, ThePadsLawInClosedForm) {

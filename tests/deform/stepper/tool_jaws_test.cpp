@@ -233,7 +233,10 @@ TEST(ToolJaws, CloseUntilTheirForce) {
     stepper->set_tool(tool);
     stepper->open_tool(0.0);
     StepReport last;
-    for (int k = 0; k < 600; ++k) last = stepper->step(frame_s);
+    for (int k = 0; k < 600; ++k) {
+        last = stepper->step(frame_s);
+        EXPECT_FALSE(last.shortened) << k << ": where they begin to hold, friction turns";
+    }
     EXPECT_GT(last.tool.grip_un, 0.8e6);
     EXPECT_LT(last.tool.grip_un, 1.02e6);
     EXPECT_LT(stepper->tool()->opening_mm, 6.2);
