@@ -68,7 +68,7 @@ constexpr std::array<std::pair<const char*, const char*>, 3> models{{
 }  // namespace
 
 InjectPanel::InjectPanel(std::function<void(Command)> post, QWidget* parent)
-    : QWidget(parent), post_(std::move(post)) {
+    : QWidget(parent), post_(std::move(post)), chosen_speed_(FlowSpec{}.drug_speed) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_settings());
     column->addWidget(make_clock());
@@ -168,7 +168,7 @@ QWidget* InjectPanel::make_clock() {
     speed_->setObjectName("speed");
     speed_->setToolTip(Words::tr("Seconds of the drug's clock per second of the simulation"));
     connect(speed_, &QDoubleSpinBox::valueChanged, this,
-            [this](double factor) { post_(SetDrugSpeed{factor}); });
+            [this](double factor) { ask_for_speed(factor); });
     form->addRow(Words::tr("Speed"), speed_);
     column->addLayout(form);
     return box;
@@ -232,7 +232,24 @@ void InjectPanel::ask_for_time(double time_s) {
     post_(SetDrugTime{time_s});
 }
 
+void InjectPanel::ask_for_speed(double factor) {
+    asked_speed_ = factor;
+    if (free_play_) chosen_speed_ = factor;
+    post_(SetDrugSpeed{factor});
+}
+
+// Where it is shown already, the number may just be being typed over.
+void InjectPanel::show_speed(double factor) {
+    constexpr double last_digit = 0.01;
+    const double bounded = std::clamp(factor, speed_->minimum(), speed_->maximum());
+    if (std::abs(bounded - speed_->value()) <= 0.5 * last_digit) return;
+    const QSignalBlocker silent(speed_);
+    speed_->setValue(bounded);
+}
+
 void InjectPanel::show_drug(const DrugView& drug) {
+    if (asked_speed_ == drug.speed) asked_speed_.reset();
+    if (!asked_speed_) show_speed(drug.speed);
     const bool heard = asked_time_s_ == drug.time_s;
     if (heard || drug.version != drug_.version || !drug.arrival_s) asked_time_s_.reset();
     drug_ = drug;
@@ -259,8 +276,12 @@ void InjectPanel::show_hover(const QString& text) {
                                    : text);
 }
 
-void InjectPanel::post_choices() {
-    if (speed_->value() != FlowSpec{}.drug_speed) post_(SetDrugSpeed{speed_->value()});
+void InjectPanel::begin_play(bool free) {
+    free_play_ = free;
+    asked_speed_.reset();
+    if (!free) return;
+    show_speed(chosen_speed_);
+    if (chosen_speed_ != FlowSpec{}.drug_speed) ask_for_speed(chosen_speed_);
 }
 
 void InjectPanel::toggle_playing() {

@@ -36,8 +36,9 @@ class InjectPanel : public QWidget {
     // Of what is shown and typed; an injection is given in grams per second all the same.
     void set_units(FlowUnits units);
     std::function<void(FlowUnits)> on_units;  // the user chose others, which are set already
-    // Tells a simulation that has just begun what the user had chosen before.
-    void post_choices();
+    // A simulation has begun. In free play it is told what the user had chosen there before; a
+    // lesson and a review have a speed of their own.
+    void begin_play(bool free);
 
   private:
     void choose_preset(int index);
@@ -48,6 +49,8 @@ class InjectPanel : public QWidget {
     QWidget* make_clock();
     QLayout* make_units();
     void ask_for_time(double time_s);
+    void ask_for_speed(double factor);
+    void show_speed(double factor);
 
     std::function<void(Command)> post_;
     QComboBox* preset_ = nullptr;
@@ -67,6 +70,9 @@ class InjectPanel : public QWidget {
     DrugView drug_;  // of the newest frame
     // What the slider asked for and no frame has shown yet: until then frames do not move it.
     std::optional<double> asked_time_s_;
+    std::optional<double> asked_speed_;  // likewise, of the field
+    double chosen_speed_;                // by the user in free play
+    bool free_play_ = true;
 };
 
 }  // namespace hepatica

@@ -47,7 +47,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     ruler_->show_patient(patient_->patient);
     actions_->set_patient_shown(true);
     quality_->post_choices();
-    inject_->post_choices();
+    inject_->begin_play(true);
     view_->mouse().hand().begin_again();
     tool_panel_->forget_tear();
     follow_simulation();
@@ -96,10 +96,8 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
     view_->show_frame(frame());
-    if (free) {  // a lesson has settings of its own
-        quality_->post_choices();
-        inject_->post_choices();
-    }
+    if (free) quality_->post_choices();  // a lesson has settings of its own
+    inject_->begin_play(free);
     view_->mouse().hand().begin_again();
     tool_panel_->forget_tear();
     (*actions_)[ActionId::pull_mode].trigger();

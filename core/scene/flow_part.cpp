@@ -16,7 +16,8 @@ namespace hepatica {
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec, const BodyTopology& topology)
-    : tree_(tree), topology_(topology), speed_(spec.drug_speed) {
+    : tree_(tree), topology_(topology) {
+    drug_.speed = spec.drug_speed;
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
     std::vector<TreePoint> on_tree;
@@ -117,14 +118,14 @@ void FlowPart::set_time(double time_s) {
 void FlowPart::set_speed(double factor) {
     if (!(factor > 0.0) || !std::isfinite(factor))
         throw InputError("is " + number_text(factor), "speed of the drug", "Give more than 0");
-    speed_ = factor;
+    drug_.speed = factor;
 }
 
 void FlowPart::step(double dt_s) {
     follow_topology();
     drop_ended_runs();
     if (!drug_.playing) return;
-    const double next_s = drug_.time_s + speed_ * dt_s;
+    const double next_s = drug_.time_s + drug_.speed * dt_s;
     drug_.playing = next_s < drug_.end_s;
     // A time beyond the end that somebody has set stays as it was set.
     drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
@@ -136,7 +137,7 @@ FlowCheckpoint FlowPart::checkpoint() const {
     if (run_) checkpoint.computing = run_->injection();
     checkpoint.time_s = drug_.time_s;
     checkpoint.playing = drug_.playing;
-    checkpoint.speed = speed_;
+    checkpoint.speed = drug_.speed;
     checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_};
     return checkpoint;
 }
@@ -193,7 +194,7 @@ std::uint64_t FlowPart::state_hash() const {
     };
     add(injected_ ? &*injected_ : nullptr);
     add(run_ ? &run_->injection() : nullptr);
-    const std::array<double, 3> clock{drug_.time_s, speed_, drug_.playing ? 1.0 : 0.0};
+    const std::array<double, 3> clock{drug_.time_s, drug_.speed, drug_.playing ? 1.0 : 0.0};
     hasher.add(std::span<const double>(clock));
     return hasher.value();
 }

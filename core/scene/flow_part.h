@@ -73,7 +73,7 @@ class FlowPart {
     const DrugView& drug() const { return drug_; }
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
-    double speed() const { return speed_; }
+    double speed() const { return drug_.speed; }
     // Largest imbalance of a node in the flow last injected, over what is injected.
     double mass_error_relative() const { return mass_error_relative_; }
 
@@ -88,7 +88,6 @@ class FlowPart {
     const BodyTopology& topology_;
     // Replaced and never changed, because a run may be reading it.
     std::shared_ptr<const std::vector<TreePoint>> places_;
-    double speed_;
     double mass_error_relative_ = 0.0;
     DrugView drug_;
     std::optional<Injection> injected_;               // what drug_ shows

@@ -57,6 +57,7 @@ struct DrugView {
                          // stops by itself
     bool playing = false;    // the drug's clock runs whenever the world is not paused; false where
                              // nothing was injected, and from end_s on
+    double speed = 1.0;      // of its clock: seconds of the drug per second of the simulation
     bool computing = false;  // another injection is being computed and will take this one's place
 };
 

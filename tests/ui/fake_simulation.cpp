@@ -26,6 +26,7 @@ void FakeSimulation::on_frame(std::function<void()> tell) {
 
 bool FakeSimulation::update_frame() {
     for (const Command& command : std::exchange(waiting_, {})) apply(command);
+    frame_.drug.speed = drug_speed_;
     if (std::exchange(diverges_, false)) stop();
     if (frame_.drug.playing && !frame_.statistics.paused) frame_.drug.time_s += 1.0 / 60.0;
     frame_.tear = tear_;
@@ -62,6 +63,8 @@ void FakeSimulation::apply(const Command& command) {
         frame_.drug.playing = play->playing;
     } else if (const auto* time = std::get_if<SetDrugTime>(&command)) {
         frame_.drug.time_s = time->time_s;
+    } else if (const auto* speed = std::get_if<SetDrugSpeed>(&command)) {
+        drug_speed_ = speed->factor;
     } else if (std::holds_alternative<RemoveDrug>(command)) {
         frame_.drug = {};
     } else if (const auto* hold = std::get_if<SetPaused>(&command)) {

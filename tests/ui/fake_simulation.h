@@ -47,6 +47,7 @@ class FakeSimulation : public Simulation {
     std::vector<Command> commands_;
     std::vector<Command> waiting_;
     std::unique_ptr<QTimer> timer_;
+    double drug_speed_ = 1.0;
     bool diverges_ = false;
     std::optional<TearView> tear_;
 };

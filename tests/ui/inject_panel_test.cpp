@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QSlider>
 #include <vector>
 
@@ -74,6 +75,40 @@ TEST(InjectPanel, ANewInjectionIsFollowedFromItsBeginning) {
     panel.show_drug({});
     panel.show_drug(drug);
     EXPECT_EQ(time.value(), 50);
+}
+
+// A lesson has a speed of its own; what the user chose in free play outlasts it.
+TEST(InjectPanel, ShowsTheSpeedOfTheSessionAndKeepsWhatWasChosenInFreePlay) {
+    std::vector<Command> posted;
+    InjectPanel panel([&](Command command) { posted.push_back(std::move(command)); });
+    QDoubleSpinBox& speed = *panel.findChild<QDoubleSpinBox*>("speed");
+    const auto show = [&panel](double factor) {
+        DrugView drug;
+        drug.speed = factor;
+        panel.show_drug(drug);
+    };
+    const auto last_posted = [&posted] { return std::get<SetDrugSpeed>(posted.back()).factor; };
+    speed.setValue(2.0);
+    EXPECT_EQ(last_posted(), 2.0);
+    show(1.0);  // begun before
+    EXPECT_EQ(speed.value(), 2.0);
+    show(2.0);  // has heard of it
+    panel.begin_play(false);
+    show(4.0);
+    EXPECT_EQ(speed.value(), 4.0);
+    EXPECT_EQ(posted.size(), 1u) << "what is shown is no choice";
+    speed.setValue(8.0);
+    EXPECT_EQ(last_posted(), 8.0);
+    show(4.0);
+    EXPECT_EQ(speed.value(), 8.0);
+    show(8.0);
+    panel.begin_play(true);
+    EXPECT_EQ(last_posted(), 2.0);
+    show(1.0);
+    EXPECT_EQ(speed.value(), 2.0);
+    show(2.0);
+    EXPECT_EQ(speed.value(), 2.0);
+    EXPECT_EQ(posted.size(), 3u);
 }
 
 }  // namespace

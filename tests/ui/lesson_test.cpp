@@ -3,6 +3,7 @@
 // has the score that the window showed.
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -292,6 +293,19 @@ TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {
     EXPECT_FALSE(window_.lessons().playing());
     paint();
     EXPECT_TRUE(window_.lessons().isHidden());
+}
+
+TEST_F(LessonWindowTest, the_panel_shows_how_fast_the_lessons_drug_runs) {
+    const auto* speed = window_.findChild<QDoubleSpinBox*>("speed");
+    Lesson lesson = new_lesson();
+    lesson.scene.flow = FlowSpec{.drug_speed = 4.0};
+    const std::string file = folder_.filePath("lesson.json").toStdString();
+    write_lesson(file, lesson);
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_TRUE(wait_for([&] { return speed->value() == 4.0; }));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(wait_for([&] { return speed->value() == 1.0; }));
 }
 
 TEST_F(LessonWindowTest, leaving_offers_the_patient_from_before) {
