@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <iomanip>
 #include <locale>
-#include <set>
 #include <sstream>
 
 namespace hepatica {
@@ -83,21 +82,26 @@ void add_warnings(std::vector<LegendRow>& rows) {
 }  // namespace
 
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
-                       const std::vector<std::uint8_t>& segments) {
-    std::set<VascularSystem> shown;
-    std::set<int> numbers;
-    const std::size_t count = std::max(systems.size(), segments.size());
+                       const std::vector<std::uint8_t>& segments, const DrugView& drug) {
+    // Arrays, because this is asked of every vertex in every frame while a drug runs.
+    std::array<bool, 256> system_shown{}, segment_shown{};
+    const auto place = [](VascularSystem system) { return static_cast<std::size_t>(system); };
+    const std::size_t arrivals = drug.arrival_s ? drug.arrival_s->size() : 0;
+    std::size_t count = std::max(systems.size(), segments.size());
+    if (count == 0) count = std::max<std::size_t>(1, arrivals);
     for (std::size_t v = 0; v < count; ++v) {
+        if (v < arrivals && (*drug.arrival_s)[v] <= drug.time_s) continue;
         if (v < segments.size() && segments[v] != 0)
-            numbers.insert(segments[v]);
+            segment_shown[segments[v]] = true;
         else
-            shown.insert(v < systems.size() ? systems[v] : VascularSystem::unknown);
+            system_shown[place(v < systems.size() ? systems[v] : VascularSystem::unknown)] = true;
     }
-    if (count == 0) shown.insert(VascularSystem::unknown);
     content.systems.clear();
     std::ranges::copy_if(vascular_systems, std::back_inserter(content.systems),
-                         [&](VascularSystem system) { return shown.contains(system); });
-    content.segments.assign(numbers.begin(), numbers.end());
+                         [&](VascularSystem system) { return system_shown[place(system)]; });
+    content.segments.clear();
+    for (std::size_t segment = 1; segment < segment_shown.size(); ++segment)
+        if (segment_shown[segment]) content.segments.push_back(static_cast<int>(segment));
 }
 
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings) {
@@ -122,10 +126,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Torn", palette::torn);
     if (content.warned) add_warnings(rows);
-    if (content.injected) {
-        add_drug(content, rows);
-        return rows;
-    }
+    if (content.injected) add_drug(content, rows);
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
         swatch(with_capital(title_of(system)), palette::vessel_system(system));

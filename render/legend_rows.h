@@ -33,9 +33,10 @@ struct LegendContent {
 };
 
 // The systems and segments among vertices as TreeActor colours them; vertices of which no system is
-// given are of an unknown one.
+// given are of an unknown one. Where the drug has come it covers them: what it has covered wholly
+// is not shown.
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
-                       const std::vector<std::uint8_t>& segments);
+                       const std::vector<std::uint8_t>& segments, const DrugView& drug = {});
 // What the frame adds: drug, tool, pull, tear.
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings);
 
@@ -49,7 +50,7 @@ struct LegendRow {
     bool faint = false;                                 // an explanation of the row above
 };
 
-// From top to bottom. While a drug is shown its colours stand in for the systems'.
+// From top to bottom. The drug's colours stand above those that it has not covered.
 std::vector<LegendRow> legend_rows(const LegendContent& content, const PictureWords& words = {});
 
 // A rectangle of the picture in device pixels, y upwards.

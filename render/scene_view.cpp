@@ -84,6 +84,7 @@ struct SceneView::Parts {
         const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.6, 1.0);
         return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room};
     }
+    void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
     // The driver is asked once, when a volume is shown first.
     void prepare_volume() {
         if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));
@@ -114,6 +115,7 @@ struct SceneView::Parts {
     std::optional<ClipPlane> clip;
     std::vector<VascularSystem> systems;
     std::vector<std::uint8_t> segments;
+    DrugView drug;  // of the newest frame
     LegendContent legend;
     ViewLook look = dark_look;
     double pixel_ratio = 1.0;
@@ -130,7 +132,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     vtkRenderer& renderer = *parts_->renderer;
     renderer.SetGradientBackground(true);
     set_look(dark_look);
-    set_colours_shown(parts_->legend, {}, {});
+    parts_->find_colours_shown();
     renderer.AutomaticLightCreationOff();
     // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
     // one from the right, and a weak one from below, which keeps undersides readable where a card
@@ -161,6 +163,10 @@ bool SceneView::show(const Frame& frame) {
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
     set_frame_shown(parts_->legend, frame, parts_->warned);
+    if (frame.drug.arrival_s || parts_->drug.arrival_s) {
+        parts_->drug = frame.drug;
+        parts_->find_colours_shown();
+    }
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
@@ -215,14 +221,14 @@ void SceneView::render(double pixel_ratio) {
 }
 
 void SceneView::set_vertex_systems(std::vector<VascularSystem> systems) {
-    set_colours_shown(parts_->legend, systems, parts_->segments);
     parts_->systems = systems;
+    parts_->find_colours_shown();
     parts_->tree.set_vertex_systems(std::move(systems));
 }
 
 void SceneView::set_vertex_segments(std::vector<std::uint8_t> segments) {
-    set_colours_shown(parts_->legend, parts_->systems, segments);
     parts_->segments = segments;
+    parts_->find_colours_shown();
     parts_->tree.set_vertex_segments(std::move(segments));
 }
 

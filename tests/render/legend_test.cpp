@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "render/osmesa_context.h"
@@ -71,12 +72,12 @@ TEST(LegendRows, NumberTheLiversSegmentsInTheirColours) {
 }
 
 // Colour, axis and mark go with the square root of the arrival time, and the axis says so.
-TEST(LegendRows, ShowTheDrugInPlaceOfTheSystems) {
+TEST(LegendRows, ShowTheDrugAboveTheSystems) {
     LegendContent content = content_of(fake_frame(0.0, 0.8));  // of 3.2 s
-    set_colours_shown(content, {VascularSystem::portal}, {});
+    content.systems = {VascularSystem::portal};
     EXPECT_EQ(texts_of(content),
               (std::vector<std::string>{"Drug arrival (s)", "axis: square root of time",
-                                        "The drug's front"}));
+                                        "The drug's front", "Portal vein"}));
     const LegendRow ramp = legend_rows(content)[0];
     EXPECT_EQ(ramp.at_right, "now 0.8");
     EXPECT_DOUBLE_EQ(ramp.marker.value(), 0.5);
@@ -87,6 +88,34 @@ TEST(LegendRows, ShowTheDrugInPlaceOfTheSystems) {
     EXPECT_TRUE(std::ranges::is_sorted(ramp.colours, {}, [](const Colour& colour) {
         return 0.21 * colour[0] + 0.72 * colour[1] + 0.07 * colour[2];
     })) << "a perceptual ramp";
+}
+
+// What the drug has not reached keeps its colour in the picture, and its entry.
+TEST(LegendRows, NameASystemUntilTheDrugCoversAllOfIt) {
+    constexpr auto portal = VascularSystem::portal, hepatic = VascularSystem::hepatic;
+    constexpr float never = std::numeric_limits<float>::infinity();
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(std::vector{1.0f, 2.0f, never});
+    LegendContent content;
+    const auto systems_at = [&](double time_s) {
+        drug.time_s = time_s;
+        set_colours_shown(content, {portal, portal, hepatic}, {}, drug);
+        return content.systems;
+    };
+    EXPECT_EQ(systems_at(0.5), (std::vector{portal, hepatic}));
+    EXPECT_EQ(systems_at(1.5), (std::vector{portal, hepatic})) << "half of it";
+    EXPECT_EQ(systems_at(2.0), std::vector{hepatic});
+    set_colours_shown(content, {portal, portal, hepatic}, {2, 7, 0}, drug);
+    EXPECT_TRUE(content.segments.empty());
+    drug.time_s = 1.5;
+    set_colours_shown(content, {portal, portal, hepatic}, {2, 7, 0}, drug);
+    EXPECT_EQ(content.segments, std::vector{7});
+    EXPECT_EQ(content.systems, std::vector{hepatic});
+    set_colours_shown(content, {}, {}, drug);
+    EXPECT_EQ(content.systems, std::vector{VascularSystem::unknown});
+    drug.arrival_s = std::make_shared<const std::vector<float>>(3, 1.0f);
+    set_colours_shown(content, {}, {}, drug);
+    EXPECT_TRUE(content.systems.empty());
 }
 
 TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {

@@ -37,11 +37,11 @@ class SceneElements : public ::testing::Test {
         return picture();
     }
 
-    // Of the legend of a drug as it was drawn last, by its points from the top: four lines of 22
+    // Of the legend of a drug as it was drawn last, by its points from the top: five lines of 22
     // and a bar of 10 with a gap of 5.
     Box of_legend(const char* element, double from_pt, double to_pt) const {
         const PictureBox legend = view_.legend_box();
-        const double point = (legend.top - legend.bottom) / 103.0;
+        const double point = (legend.top - legend.bottom) / 125.0;
         const double top = height - legend.top;
         return {element, static_cast<int>(legend.left), static_cast<int>(top + from_pt * point),
                 static_cast<int>(legend.right), static_cast<int>(top + to_pt * point)};
@@ -121,15 +121,15 @@ TEST_F(SceneElements, the_drug_and_the_place_of_its_front_are_seen) {
 TEST_F(SceneElements, each_annotation_is_seen) {
     view_.set_caption("Patient");
     const Picture full = picture_of(fake_frame(1.0, 0.5));
-    EXPECT_NEAR(view_.legend_box().top - view_.legend_box().bottom, 0.8 * 103.0, 1e-9);
+    EXPECT_NEAR(view_.legend_box().top - view_.legend_box().bottom, 0.8 * 125.0, 1e-9);
     view_.set_annotations_visible(false);
     const Picture bare = picture();
     for (const Box& box :
          {of_legend("legend's title", 0, 22), of_legend("legend's colours", 22, 32),
           of_legend("legend's ticks", 37, 59), of_legend("legend's axis", 59, 81),
-          of_legend("legend's front", 81, 103), Box{"scale's label", 140, 214, 180, 223},
-          Box{"scale's bar", 118, 223, 189, 232}, Box{"orientation", 10, 190, 50, 230},
-          Box{"caption", 5, 5, 80, 25}}) {
+          of_legend("legend's front", 81, 103), of_legend("legend's system", 103, 125),
+          Box{"scale's label", 140, 214, 180, 223}, Box{"scale's bar", 118, 223, 189, 232},
+          Box{"orientation", 10, 190, 50, 230}, Box{"caption", 5, 5, 80, 25}}) {
         const Picture without = with_box_of(bare, box, full);
         EXPECT_FALSE(look_alike(without, full))
             << box.element << ": " << worst_tile_difference(without, full);
