@@ -16,12 +16,16 @@
 #include <map>
 #include <set>
 
+#include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
+#include "core/lesson/lesson_writer.h"
 #include "tests/ui/fake_window_test.h"
 #include "tests/ui/speaks.h"
 #include "tests/ui/translations.h"
 #include "ui/actions.h"
+#include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_editor/new_parts.h"
 #include "ui/message_bar.h"
 
@@ -162,6 +166,28 @@ TEST_F(GermanWindow, BeginsANewLessonInGerman) {
     EXPECT_EQ(lesson.marks.front().name, "Marke 1");
     EXPECT_EQ(free_mark_name_in_words(lesson), "Marke 2");
     EXPECT_EQ(new_step_in_words().text, "Was der Übende tun soll.");
+}
+
+TEST_F(GermanWindow, CopiesALessonOfTheProgramInGerman) {
+    LessonEditor& editor = window_.lesson_editor();
+    for (const BuiltInLesson& entry : built_in_lessons()) {
+        SCOPED_TRACE(entry.id);
+        editor.findChild<QAction*>(QString("beginWith_") + entry.id)->trigger();
+        const Lesson copy = editor.document().lesson(), english = find_lesson(entry.id);
+        const auto expect_german = [](const std::string& said, const std::string& in_english) {
+            EXPECT_EQ(said, translated(in_english).toStdString());
+            EXPECT_TRUE(in_english.empty() || said != in_english) << said;
+        };
+        expect_german(copy.name, english.name);
+        expect_german(copy.about, english.about);
+        for (std::size_t m = 0; m < english.marks.size(); ++m)
+            expect_german(copy.marks[m].name, english.marks[m].name);
+        for (std::size_t s = 0; s < english.steps.size(); ++s) {
+            expect_german(copy.steps[s].text, english.steps[s].text);
+            expect_german(copy.steps[s].hint, english.steps[s].hint);
+        }
+        EXPECT_NO_THROW(lesson_of(text_of(copy), "the copy"));
+    }
 }
 
 TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {

@@ -212,7 +212,7 @@ bool LessonEditor::may_end() {
 void LessonEditor::begin_with(const std::string& id) {
     take_what_is_typed();
     if (document_.dirty() && !ways_.may_discard()) return;
-    document_.begin(id.empty() ? new_lesson_in_words() : find_lesson(id));
+    document_.begin(id.empty() ? new_lesson_in_words() : built_in_lesson_in_words(id));
     about_->forget();
     changed(true);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
 #include "ui/core_words.h"
 
 namespace hepatica {
@@ -13,17 +14,25 @@ void say(std::string& text) {
     text = translated(text).toStdString();
 }
 
-}  // namespace
-
-Lesson new_lesson_in_words() {
-    Lesson lesson = new_lesson();
+Lesson in_words(Lesson lesson) {
     say(lesson.name);
+    say(lesson.about);
     for (LessonMark& mark : lesson.marks) say(mark.name);
     for (LessonStep& step : lesson.steps) {
         say(step.text);
         say(step.hint);
     }
     return lesson;
+}
+
+}  // namespace
+
+Lesson new_lesson_in_words() {
+    return in_words(new_lesson());
+}
+
+Lesson built_in_lesson_in_words(const std::string& id) {
+    return in_words(find_lesson(id));
 }
 
 LessonStep new_step_in_words() {
