@@ -1858,10 +1858,6 @@
         <translation>Fall öffnen (ein Ordner NAME.hep)</translation>
     </message>
     <message>
-        <source>The CT of this patient: a volume, or any one file of its DICOM folder</source>
-        <translation>Das CT dieses Patienten: ein Volumen oder eine beliebige Datei seines DICOM-Ordners</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -7366,6 +7362,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Branch %1 (%2) is an end and takes %3 % of the flow: it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
         <translation>Ast %1 (%2) ist ein Ende und nimmt %3 % des Flusses: Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
+    </message>
+    <message>
+        <source>The CT of this patient</source>
+        <translation>Das CT dieses Patienten</translation>
+    </message>
+    <message>
+        <source>Where is this patient&apos;s CT?</source>
+        <translation>Wo liegt das CT dieses Patienten?</translation>
+    </message>
+    <message>
+        <source>Choose the folder of its DICOM series, or the file of a volume.</source>
+        <translation>Wählen Sie den Ordner seiner DICOM-Serie oder die Datei eines Volumens.</translation>
     </message>
 </context>
 </TS>

@@ -145,7 +145,6 @@ class MainWindow : public QMainWindow {
     void ask_for_case();
     void offer_unsaved_work();
     void open_unsaved_work();
-    std::optional<std::filesystem::path> ask_where_ct_lies();
     void ask_for_ct(bool folder);
     std::optional<std::filesystem::path> ask_for_recording();
     void ask_for_reconstruction();

@@ -27,6 +27,7 @@
 #include "ui/patient_wizard.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
+#include "ui/questions.h"
 #include "ui/review_dock.h"
 #include "ui/save_case_dialog.h"
 #include "ui/second_view.h"
@@ -99,14 +100,6 @@ void MainWindow::ask_for_case() {
     if (!folder.isEmpty()) open(folder);
 }
 
-std::optional<std::filesystem::path> MainWindow::ask_where_ct_lies() {
-    const QString file = QFileDialog::getOpenFileName(
-        this, Words::tr("The CT of this patient: a volume, or any one file of its DICOM folder"),
-        settings_.last_folder(), Words::tr("All files (*)"));
-    if (file.isEmpty()) return std::nullopt;
-    return to_path(file);
-}
-
 void MainWindow::ask_for_reconstruction() {
     PatientWizard wizard(settings_.last_folder(), this);
     wizard.set_ct(to_text(keeper_->workspace().image()));
@@ -126,7 +119,7 @@ void MainWindow::ask_where_to_archive() {
     fs::path ct = to_path(settings_.place_of_image(digest));
     std::error_code ignored;
     if (!fs::is_directory(ct, ignored)) {  // a volume file is no DICOM folder
-        const auto place = ask_where_ct_lies();
+        const auto place = ask_where_ct_lies(*this, settings_);
         if (!place) return;
         ct = *place;
     }

@@ -11,6 +11,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/questions.h"
 #include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
@@ -20,7 +21,7 @@ namespace hepatica {
 
 void MainWindow::build_slices(QWidget* parent) {
     ViewLayout::Callbacks callbacks;
-    callbacks.ask_for_ct = [this] { return ask_where_ct_lies(); };
+    callbacks.ask_for_ct = [this] { return ask_where_ct_lies(*this, settings_); };
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
         if (view_->scene().set_crosshair(place)) view_->draw_again();
     };

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/questions.h"
 #include "ui/slices/view_layout.h"
 #include "ui/volume_bar.h"
 #include "ui/volume_keeper.h"
@@ -69,7 +70,7 @@ void MainWindow::show_volume_look() {
 void MainWindow::say_why_no_volume(const Failure& failure) {
     log_->add_failure(Words::tr("CT as volume"), failure);
     messages_->show_notice(in_one_sentence(failure), Words::tr("Choose the CT…"), [this] {
-        if (const auto place = ask_where_ct_lies()) volume_->read_from(*place);
+        if (const auto place = ask_where_ct_lies(*this, settings_)) volume_->read_from(*place);
     });
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/questions.h"
 
+#include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "ui/core_words.h"
+#include "ui/paths.h"
 #include "ui/save_case_dialog.h"
 #include "ui/series_dialog.h"
 #include "ui/words.h"
@@ -54,6 +57,26 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
         return dialog.chosen();
     };
     return questions;
+}
+
+std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings) {
+    const QString title = Words::tr("The CT of this patient");
+    QMessageBox box(QMessageBox::Question, "Hepatica", Words::tr("Where is this patient's CT?"),
+                    QMessageBox::Cancel, &parent);
+    box.setInformativeText(
+        Words::tr("Choose the folder of its DICOM series, or the file of a volume."));
+    QPushButton* folder = box.addButton(Words::tr("Folder…"), QMessageBox::AcceptRole);
+    QPushButton* file = box.addButton(Words::tr("File…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(folder);
+    box.exec();
+    QString place;
+    if (box.clickedButton() == folder)
+        place = QFileDialog::getExistingDirectory(&parent, title, settings.last_folder());
+    else if (box.clickedButton() == file)
+        place = QFileDialog::getOpenFileName(&parent, title, settings.last_folder(),
+                                             Words::tr("All files (*)"));
+    if (place.isEmpty()) return std::nullopt;
+    return to_path(place);
 }
 
 }  // namespace hepatica

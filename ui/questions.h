@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that keep a patient from being lost, and which series is meant, as dialogs.
+// The questions that keep a patient from being lost, which series is meant, and where a CT lies, as
+// dialogs.
 #pragma once
+
+#include <filesystem>
+#include <optional>
 
 #include "ui/patient_keeper.h"
 #include "ui/settings.h"
@@ -11,5 +15,9 @@ namespace hepatica {
 
 // Both must outlive what is returned.
 PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& settings);
+
+// The folder of a DICOM series or a file, as the person says: no dialog of the desktop takes both.
+// None: not after all.
+std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 // The window driven as a person does: mouse, keys, drops. Runs under Xvfb.
 #include "ui/main_window.h"
 
+#include <QAbstractButton>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
@@ -139,27 +140,47 @@ TEST_F(Window, saves_the_picture_it_shows_under_any_name_and_names_the_folder_it
     EXPECT_THROW(window_.save_picture("/proc/hepatica/a.png"), InputError);
 }
 
+// Whose dialogs are answered by clicks on buttons of a text and by names of files, in this order.
+class ArchiveWindow : public Window {
+  protected:
+    void archive(QStringList answers) {
+        open_built_in();
+        QTimer answering;
+        QObject::connect(&answering, &QTimer::timeout, [&answers] {
+            QWidget* asking = QApplication::activeModalWidget();
+            if (asking == nullptr || answers.isEmpty()) return;
+            if (auto* dialog = qobject_cast<QFileDialog*>(asking)) {
+                dialog->findChild<QLineEdit*>()->setText(answers.takeFirst());
+                QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+                return;
+            }
+            for (auto* button : asking->findChildren<QAbstractButton*>())
+                if (button->text() == answers.front()) {
+                    answers.removeFirst();
+                    return button->click();
+                }
+        });
+        answering.start(20);
+        QAction& action = window_.actions()[ActionId::archive_case];
+        EXPECT_TRUE(action.isEnabled());
+        action.trigger();
+        ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+        EXPECT_TRUE(answers.isEmpty());
+    }
+};
+
 // Where the CT lies is asked where nobody knows; a file in its folder is enough.
-TEST_F(Window, exports_a_segmentation_of_the_ct_whose_place_it_asks_for) {
-    open_built_in();
+TEST_F(ArchiveWindow, asks_for_the_file_of_a_ct_whose_place_nobody_knows) {
     const QString slice = folder_.filePath("slice.dcm");
     QFile(slice).open(QIODevice::WriteOnly);
-    QStringList answers{slice, folder_.filePath("vessels")};
-    QTimer answering;
-    QObject::connect(&answering, &QTimer::timeout, [&answers] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (dialog == nullptr || answers.isEmpty()) return;
-        dialog->findChild<QLineEdit*>()->setText(answers.takeFirst());
-        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-    });
-    answering.start(20);
-    QAction& action = window_.actions()[ActionId::archive_case];
-    EXPECT_TRUE(action.isEnabled());
-    action.trigger();
-    ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
-    EXPECT_TRUE(answers.isEmpty());
+    archive({"File…", slice, folder_.filePath("vessels")});
     EXPECT_EQ(archived_[0], to_path(folder_.path()));
     EXPECT_EQ(archived_[1], to_path(folder_.filePath("vessels.dcm")));
+}
+
+TEST_F(ArchiveWindow, takes_the_folder_of_a_dicom_series) {
+    archive({"Folder…", folder_.path(), folder_.filePath("vessels")});
+    EXPECT_EQ(archived_[0], to_path(folder_.path()));
 }
 
 TEST_F(Window, saves_the_case_beside_its_work) {
