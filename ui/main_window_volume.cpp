@@ -43,7 +43,8 @@ void MainWindow::connect_volume() {
         statusBar()->showMessage(translated(now.stage) + "…", 2000);
     };
     screen.failed = [this](const Failure& failure) { say_why_no_volume(failure); };
-    volume_ = std::make_unique<VolumeKeeper>(settings_, std::move(screen));
+    volume_ =
+        std::make_unique<VolumeKeeper>(settings_, view_layout_->ct_readings(), std::move(screen));
     SliceScene& slices = view_layout_->slices();
     volume_look_.window = slices.window();
     slices.on_change([this, &slices] {

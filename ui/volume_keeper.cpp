@@ -9,12 +9,13 @@
 
 namespace hepatica {
 
-VolumeKeeper::VolumeKeeper(Settings& settings, Screen screen)
+VolumeKeeper::VolumeKeeper(Settings& settings, CtReadings& readings, Screen screen)
     : screen_(std::move(screen)),
-      reader_(settings, {[this](std::shared_ptr<const Volume> ct, const Mask& /*systems*/) {
-                             cut_out(std::move(ct));
-                         },
-                         screen_.progress, screen_.failed}) {}
+      reader_(settings, readings,
+              {[this](std::shared_ptr<const Volume> ct, const Mask& /*systems*/) {
+                   cut_out(std::move(ct));
+               },
+               screen_.progress, screen_.failed}) {}
 
 void VolumeKeeper::show_patient(std::shared_ptr<const PatientCase> patient,
                                 const std::filesystem::path& folder,

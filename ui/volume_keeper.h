@@ -14,7 +14,8 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit. The settings must outlive it.
+// UI thread; needs Qt's event loop and nothing else of the toolkit. Settings and readings must
+// outlive it.
 class VolumeKeeper {
   public:
     struct Screen {
@@ -24,7 +25,7 @@ class VolumeKeeper {
         std::function<void(const JobProgress&)> progress;
         std::function<void(const Failure&)> failed;  // wanted, but not found or not read
     };
-    VolumeKeeper(Settings& settings, Screen screen);
+    VolumeKeeper(Settings& settings, CtReadings& readings, Screen screen);
 
     // Another patient, or none: see CtKeeper::show().
     void show_patient(std::shared_ptr<const PatientCase> patient,

@@ -16,8 +16,10 @@ namespace {
 
 class VolumeOfCt : public SlicesTest {
   protected:
+    CtReadings readings_;
     VolumeKeeper keeper_{
         settings_,
+        readings_,
         {[this](std::shared_ptr<const Volume> ct) { shown_ = std::move(ct); },
          [this] { return of_slices_; }, [this](const JobProgress&) { reads_ = true; },
          [this](const Failure& failure) { failed_ = failure.problem; }}};
@@ -44,6 +46,31 @@ TEST_F(VolumeOfCt, IsReadWhereItIsWantedAndForgottenWhereItIsNot) {
     keeper_.show_patient(nullptr, {}, {});
     EXPECT_EQ(shown_, nullptr);
     EXPECT_FALSE(keeper_.making());
+}
+
+// Slices and volume, wanted at once.
+TEST_F(VolumeOfCt, IsReadOnceForAllWhoWaitForIt) {
+    std::vector<std::shared_ptr<const Volume>> found;
+    CtKeeper::Screen screen;
+    screen.found = [&](std::shared_ptr<const Volume> ct, const Mask&) { found.push_back(ct); };
+    screen.progress = [](const JobProgress&) {};
+    screen.failed = [](const Failure& failure) { ADD_FAILURE() << failure.problem; };
+    CtKeeper first(settings_, readings_, screen), second(settings_, readings_, screen);
+    for (CtKeeper* keeper : {&first, &second}) {
+        keeper->show(patient_, {}, file_);
+        keeper->want();
+    }
+    keeper_.show_patient(patient_, {}, file_);
+    keeper_.set_wanted(true);
+    keeper_.set_wanted(false);  // the others wait on
+    ASSERT_TRUE(wait_for([&] { return !first.reading() && !second.reading(); }));
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0], found[1]);
+    found.clear();
+    first.read_from(file_);
+    first.show(nullptr, {}, {});
+    EXPECT_FALSE(first.reading());
+    EXPECT_TRUE(readings_.present.expired()) << "nobody waits for it";
 }
 
 TEST_F(VolumeOfCt, IsCutOutOfWhatTheSlicesHaveRead) {

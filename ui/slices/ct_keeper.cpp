@@ -10,7 +10,7 @@ namespace hepatica {
 
 void CtKeeper::show(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& folder,
                     const std::filesystem::path& image) {
-    job_.reset();
+    leave();
     tried_ = false;
     patient_ = std::move(patient);
     folder_ = folder;
@@ -29,21 +29,52 @@ void CtKeeper::want() {
 void CtKeeper::read_from(const std::filesystem::path& place) {
     if (!patient_) return;
     tried_ = true;
+    leave();
+    reading_ = readings_.present.lock();
+    const bool joins = reading_ && reading_->patient == patient_ && reading_->folder == folder_ &&
+                       reading_->place == place;
+    if (!joins) {
+        reading_ = std::make_shared<CtReading>(CtReading{patient_, folder_, place, {}, nullptr});
+        readings_.present = reading_;
+        begin_reading();
+    }
+    reading_->waiting.push_back(this);
+}
+
+// Whoever began it may not wait for it any more when it ends.
+void CtKeeper::begin_reading() {
+    const auto each_waiting = [present = std::weak_ptr(reading_)](const auto& what) {
+        const std::shared_ptr<CtReading> reading = present.lock();
+        if (!reading) return;
+        for (CtKeeper* keeper : std::vector(reading->waiting)) what(*keeper);
+    };
+    const auto tell = [each_waiting](const auto& what) {
+        each_waiting([&what](const CtKeeper& keeper) { what(keeper.screen_); });
+    };
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = screen_.progress;
-    callbacks.failed = screen_.failed;
-    callbacks.cancelled = [] {};
-    callbacks.ended = [this] { job_.reset(); };
-    job_ = std::make_unique<BackgroundJob>(
-        [this, place, patient = patient_, folder = folder_](Job& job) -> std::function<void()> {
+    callbacks.progress = [tell](const JobProgress& now) {
+        tell([&now](const Screen& screen) { screen.progress(now); });
+    };
+    callbacks.failed = [tell](const Failure& failure) {
+        tell([&failure](const Screen& screen) { screen.failed(failure); });
+    };
+    callbacks.ended = [each_waiting] { each_waiting([](CtKeeper& keeper) { keeper.leave(); }); };
+    reading_->job = std::make_unique<BackgroundJob>(
+        [tell, &settings = settings_, place = reading_->place, patient = patient_,
+         folder = folder_](Job& job) -> std::function<void()> {
             auto ct = std::make_shared<const Volume>(image_of(*patient, place, job));
             auto systems = std::make_shared<Mask>(system_voxels(*patient, folder));
-            return [this, place, ct, systems, digest = patient->source.image_sha256] {
-                if (!place.empty()) settings_.remember_image(digest, to_text(place));
-                screen_.found(ct, std::move(*systems));
+            return [tell, &settings, place, ct, systems, digest = patient->source.image_sha256] {
+                if (!place.empty()) settings.remember_image(digest, to_text(place));
+                tell([&](const Screen& screen) { screen.found(ct, *systems); });
             };
         },
         std::move(callbacks));
+}
+
+void CtKeeper::leave() {
+    if (reading_) std::erase(reading_->waiting, this);
+    reading_.reset();
 }
 
 }  // namespace hepatica

@@ -20,7 +20,7 @@ namespace hepatica {
 ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent)
     : QWidget(parent),
       callbacks_(std::move(callbacks)),
-      keeper_(settings,
+      keeper_(settings, readings_,
               {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                    scene_.show(std::move(ct), std::move(systems), patient_->tree);
                    callbacks_.ct_read();

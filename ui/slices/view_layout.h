@@ -71,6 +71,8 @@ class ViewLayout : public QWidget {
     void choose_threshold();
     ThresholdDialog& threshold() { return *threshold_; }
     SliceScene& slices() { return scene_; }
+    // For whoever wants the same CT, too.
+    CtReadings& ct_readings() { return readings_; }
     SliceView& slice_view(SliceDirection direction) {
         return *views_[static_cast<std::size_t>(direction)];
     }
@@ -88,6 +90,7 @@ class ViewLayout : public QWidget {
 
     Callbacks callbacks_;
     SliceScene scene_;
+    CtReadings readings_;
     CtKeeper keeper_;
     SegmentKeeper segments_;
     TumourKeeper tumours_;
