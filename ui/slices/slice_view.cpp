@@ -25,11 +25,13 @@ QString title_of(SliceDirection direction) {
     return Words::tr(names[static_cast<std::size_t>(direction)]);
 }
 
-// Readable on every grey.
-void write_shaded(QPainter& painter, const QRectF& box, Qt::Alignment where, const QString& text,
-                  const QColor& colour) {
+// Readable on every grey, white bone among them: with a dark outline all around.
+void write_outlined(QPainter& painter, const QRectF& box, Qt::Alignment where, const QString& text,
+                    const QColor& colour) {
     painter.setPen(Qt::black);
-    painter.drawText(box.translated(1, 1), static_cast<int>(where), text);
+    for (const int right : {-1, 0, 1})
+        for (const int down : {-1, 0, 1})
+            painter.drawText(box.translated(right, down), static_cast<int>(where), text);
     painter.setPen(colour);
     painter.drawText(box, static_cast<int>(where), text);
 }
@@ -123,7 +125,7 @@ void SliceView::paint_segment_numbers(QPainter& painter) const {
     for (const SegmentNumber& number : segment_numbers_) {
         const Vec3 there =
             slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
-        write_shaded(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
+        write_outlined(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
                      Qt::AlignCenter, QString::number(number.segment),
                      colour_of(palette::liver_segment(number.segment)).lighter(125));
     }
@@ -213,7 +215,7 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
         return;
     paint_line(painter, line);
     const QPointF beside = line.back() + QPointF(7, -5);
-    write_shaded(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
+    write_outlined(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
                  Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
                  colour_of_marks);
 }
@@ -229,7 +231,7 @@ void SliceView::paint_words(QPainter& painter) const {
     const auto [left, right, top, bottom] = stack().edges();
     const QRectF inside = QRectF(rect()).adjusted(8, 6, -8, -6);
     const auto write = [&](Qt::Alignment where, const QString& text) {
-        write_shaded(painter, inside, where, text, colour_of(palette::text));
+        write_outlined(painter, inside, where, text, colour_of(palette::text));
     };
     write(Qt::AlignLeft | Qt::AlignVCenter, QChar(left));
     write(Qt::AlignRight | Qt::AlignVCenter, QChar(right));
