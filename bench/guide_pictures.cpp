@@ -48,7 +48,7 @@ class GuidePictures : Photographer {
     void volume() {
         QAction& action = window().actions()[ActionId::toggle_volume];
         action.trigger();
-        until([this] { return window().findChild<QWidget*>("volumeBar")->isVisible(); });
+        until([this] { return window().findChild<QWidget*>("volumeBar")->isEnabled(); });
         settle();
         save("volume");
         action.trigger();

@@ -213,7 +213,7 @@ class WindowBench {
         turn_and_rest("without the CT");
         window_.actions()[ActionId::toggle_volume].trigger();
         const auto* bar = window_.findChild<QWidget*>("volumeBar");
-        if (!run_until([&] { return bar->isVisible(); })) return false;
+        if (!run_until([&] { return bar->isEnabled(); })) return false;
         turn_and_rest("vessels and bones");
         auto* preset = window_.findChild<QComboBox*>("volumePreset");
         preset->setCurrentIndex(1);

@@ -146,7 +146,7 @@ void LessonDock::patient_shown(bool built_in, const fs::path& asked_for) {
     // Not on whoever was opened in the place of the lesson's own patient.
     const bool fits = !waits_for_.empty() ? same_place(asked_for, waits_for_)
                                           : lesson_ && (lesson_->patient == "any" || built_in);
-    // Once what says that the patient is being opened has gone, which takes room.
+    // Once he is shown everywhere, and nothing says any more that he is being opened.
     if (std::exchange(waits_, false) && fits)
         return QTimer::singleShot(0, this, [this] { begin(); });
     hide();

@@ -143,8 +143,6 @@ void MainWindow::build_view() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    messages_ = new MessageBar(centre);
-    progress_ = new ProgressStrip([this] { cancel_job(); }, centre);
     view_ = new VtkWidget(
         {[this](Command command) { post(std::move(command)); },
          [this](const SurfacePick& pick) { inject(pick); },
@@ -169,17 +167,17 @@ void MainWindow::build_view() {
          [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); }},
         centre);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
-    column->addWidget(messages_);
     build_volume(centre);
     column->addWidget(volume_bar_);
     build_slices(centre);
+    messages_ = new MessageBar(&view_layout_->pictures());
+    progress_ = new ProgressStrip([this] { cancel_job(); }, &view_layout_->pictures());
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
     second_view_ = new SecondView(*view_, centre);
     row->addWidget(view_layout_, 1);
     row->addWidget(second_view_, 1);
     column->addLayout(row, 1);
-    column->addWidget(progress_);
     setCentralWidget(centre);
     welcome_ = new Welcome(*actions_, view_);
     log_ = new MessageLog(this);

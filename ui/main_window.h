@@ -124,6 +124,7 @@ class MainWindow : public QMainWindow {
     void build_volume(QWidget* parent);
     void connect_volume();
     void say_why_no_volume(const Failure& failure);
+    void show_volume_bar();
     void show_volume_look();
 
     // main_window_slices.cpp: slices of the CT, and corrections.

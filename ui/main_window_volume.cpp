@@ -34,7 +34,8 @@ void MainWindow::build_volume(QWidget* parent) {
 void MainWindow::connect_volume() {
     VolumeKeeper::Screen screen;
     screen.show = [this](std::shared_ptr<const Volume> ct) {
-        volume_bar_->setVisible(ct != nullptr);
+        volume_bar_->setEnabled(ct != nullptr);
+        show_volume_bar();
         view_->scene().set_volume(std::move(ct));
         view_->draw_again();
     };
@@ -61,7 +62,13 @@ void MainWindow::connect_volume() {
     actions_->on(ActionId::toggle_volume, [this, &action] {
         settings_.set_volume_shown(action.isChecked());
         volume_->set_wanted(action.isChecked());
+        show_volume_bar();
     });
+}
+
+// From when the CT is asked for: it does not push the pictures down once that is read.
+void MainWindow::show_volume_bar() {
+    volume_bar_->setVisible(volume_->wanted() && patient_);
 }
 
 void MainWindow::show_volume_look() {

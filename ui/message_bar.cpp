@@ -14,8 +14,8 @@
 
 namespace hepatica {
 
-MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), label_(new QLabel(this)), offer_(new QPushButton(this)) {
+MessageBar::MessageBar(QWidget* pictures)
+    : OverlayBar(Qt::TopEdge, pictures), label_(new QLabel(this)), offer_(new QPushButton(this)) {
     setObjectName("messageBar");
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
@@ -35,7 +35,6 @@ MessageBar::MessageBar(QWidget* parent)
     row->addWidget(label_, 1);
     row->addWidget(offer_, 0, Qt::AlignTop);
     row->addWidget(close, 0, Qt::AlignTop);
-    hide();
 }
 
 void MessageBar::show_failure(const Failure& failure) {

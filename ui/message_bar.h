@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line above the view that says what went wrong, where, and what to do; it stays until it is
-// dismissed or replaced, and never stands in the way. Where something can be done at once, it has a
-// button for it.
+// The line over the top of the pictures that says what went wrong, where, and what to do; it stays
+// until it is dismissed or replaced, and moves nothing. Where something can be done at once, it has
+// a button for it.
 #pragma once
 
-#include <QFrame>
 #include <functional>
 
 #include "ui/background_job.h"
+#include "ui/overlay_bar.h"
 
 class QLabel;
 class QPushButton;
 
 namespace hepatica {
 
-class MessageBar : public QFrame {
+class MessageBar : public OverlayBar {
   public:
-    explicit MessageBar(QWidget* parent = nullptr);
+    explicit MessageBar(QWidget* pictures);
 
     void show_failure(const Failure& failure);
     void show_notice(const QString& text);

@@ -12,8 +12,8 @@
 
 namespace hepatica {
 
-ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
-    : QFrame(parent),
+ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
+    : OverlayBar(Qt::BottomEdge, pictures),
       title_(new QLabel(this)),
       stage_(new QLabel(this)),
       waiting_(new QLabel(this)),
@@ -37,7 +37,6 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* parent)
     row->addWidget(waiting_);
     row->addWidget(bar_);
     row->addWidget(cancel_);
-    hide();
 }
 
 void ProgressStrip::start(const QString& title) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line below the view while a job runs: its stage in words, how far it is, what waits
-// behind it, and Cancel.
+// The line over the foot of the pictures while a job runs: its stage in words, how far it is, what
+// waits behind it, and Cancel.
 #pragma once
 
-#include <QFrame>
 #include <functional>
 
 #include "core/base/job.h"
+#include "ui/overlay_bar.h"
 
 class QLabel;
 class QProgressBar;
@@ -14,9 +14,9 @@ class QPushButton;
 
 namespace hepatica {
 
-class ProgressStrip : public QFrame {
+class ProgressStrip : public OverlayBar {
   public:
-    explicit ProgressStrip(std::function<void()> cancel, QWidget* parent = nullptr);
+    ProgressStrip(std::function<void()> cancel, QWidget* pictures);
 
     void start(const QString& title);
     void show_waiting(int jobs);  // behind the one that runs

@@ -310,6 +310,75 @@ TEST_F(Slices, OfACaseThatIsOpenedAgainAreFound) {
     EXPECT_TRUE(testing::wait_for([this] { return !scene().empty(); }));
 }
 
+// Somebody may be painting: what comes and goes by itself lies over the pictures.
+TEST_F(Slices, StayWhereTheyAreWhileMessagesComeAndGo) {
+    show_slices();
+    auto* progress = window_.findChild<QWidget*>("progressStrip");
+    const auto places = [this] {
+        QApplication::processEvents();
+        std::vector<QRect> places;
+        for (const QWidget* shown : {static_cast<QWidget*>(&view(SliceDirection::axial)),
+                                     static_cast<QWidget*>(&window_.view())})
+            places.emplace_back(shown->mapToGlobal(QPoint()), shown->size());
+        return places;
+    };
+    const auto before = places();
+    MessageBar& messages = window_.messages();
+    messages.show_notice("A word");
+    progress->show();
+    EXPECT_EQ(places(), before);
+    const QWidget& pictures = views().pictures();
+    EXPECT_EQ(messages.geometry().topLeft(), QPoint(0, 0));
+    EXPECT_EQ(messages.width(), pictures.width());
+    EXPECT_EQ(progress->geometry().bottomRight(), pictures.rect().bottomRight());
+    const int one_line = messages.height();
+    messages.show_notice(QString("many words ").repeated(60));
+    EXPECT_EQ(places(), before);
+    EXPECT_GT(messages.height(), one_line) << "they wrap";
+    window_.resize(window_.width() - 100, window_.height());
+    QApplication::processEvents();
+    EXPECT_EQ(messages.width(), pictures.width());
+    window_.resize(window_.width() + 100, window_.height());
+    messages.dismiss();
+    progress->hide();
+    EXPECT_EQ(places(), before);
+}
+
+// Every letter has something dark on all sides of it.
+TEST_F(Slices, WriteWordsThatCanBeReadOnWhiteBone) {
+    show_slices();
+    scene().set_window({-5000.0, 10.0});  // everything is white
+    SliceView& axial = view(SliceDirection::axial);
+    ASSERT_TRUE(testing::wait_for([&] { return axial.width() > 200; }));  // its final place
+    turn_wheel(axial, 8, Qt::ControlModifier);                            // up to the view's edges
+    const QImage shown = axial.grab(QRect(2, 2, 70, 30)).toImage();
+    int letters = 0;
+    const auto expect_dark_around = [&](int count, const auto& pixel_at) {
+        int begin = -1, end = -1, dark_begin = -1, dark_end = -1;
+        for (int i = 0; i < count; ++i) {
+            const QRgb pixel = pixel_at(i);
+            if (qBlue(pixel) - qRed(pixel) > 6 && qRed(pixel) > 200) {  // as letters are
+                begin = begin < 0 ? i : begin;
+                end = i;
+            } else if (qGray(pixel) < 60) {
+                dark_begin = dark_begin < 0 ? i : dark_begin;
+                dark_end = i;
+            }
+        }
+        if (begin < 0) return;
+        ++letters;
+        EXPECT_GE(dark_begin, 0);
+        EXPECT_LT(dark_begin, begin);
+        EXPECT_GT(dark_end, end);
+    };
+    EXPECT_EQ(shown.pixel(shown.width() - 1, shown.height() - 1), qRgb(255, 255, 255));
+    for (int y = 0; y < shown.height(); ++y)
+        expect_dark_around(shown.width(), [&](int x) { return shown.pixel(x, y); });
+    for (int x = 0; x < shown.width(); ++x)
+        expect_dark_around(shown.height(), [&](int y) { return shown.pixel(x, y); });
+    EXPECT_GT(letters, 20);
+}
+
 TEST_F(Slices, SayWhatIsMissingWhereNobodyKnowsTheCt) {
     views().show_patient(patient_, {}, {});
     QTest::keyClick(&window_, Qt::Key_F7);

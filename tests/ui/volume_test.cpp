@@ -110,7 +110,7 @@ class VolumeInWindow : public SlicesTest {
     void show_volume() {
         window_.volume().show_patient(patient_, {}, file_);
         QTest::keyClick(&window_, Qt::Key_V, Qt::ShiftModifier);
-        ASSERT_TRUE(wait_for([this] { return bar().isVisible(); }));
+        ASSERT_TRUE(wait_for([this] { return bar().isEnabled(); }));
     }
 };
 
@@ -119,6 +119,7 @@ TEST_F(VolumeInWindow, ComesAndGoesByItsKeyAndIsRemembered) {
     EXPECT_FALSE(bar().isVisible());
     const QImage without = window_.view().picture();
     show_volume();
+    EXPECT_TRUE(bar().isVisible());
     EXPECT_TRUE(action().isChecked());
     EXPECT_TRUE(settings_.volume_shown());
     EXPECT_NE(window_.view().picture(), without);
@@ -129,6 +130,19 @@ TEST_F(VolumeInWindow, ComesAndGoesByItsKeyAndIsRemembered) {
     MainWindow next(settings_, {});
     EXPECT_TRUE(next.actions()[ActionId::toggle_volume].isChecked());
     EXPECT_TRUE(next.volume().wanted());
+}
+
+// The bar has its place from when the key is pressed: a CT that is read moves nothing.
+TEST_F(VolumeInWindow, PushesThePicturesDownOnlyWithItsKey) {
+    window_.volume().show_patient(patient_, {}, file_);
+    QTest::keyClick(&window_, Qt::Key_V, Qt::ShiftModifier);
+    EXPECT_TRUE(bar().isVisible());
+    EXPECT_FALSE(bar().isEnabled());
+    QApplication::processEvents();
+    const QPoint before = views().mapToGlobal(QPoint());
+    ASSERT_TRUE(wait_for([this] { return bar().isEnabled(); }));
+    QApplication::processEvents();
+    EXPECT_EQ(views().mapToGlobal(QPoint()), before);
 }
 
 TEST_F(VolumeInWindow, LooksAsItsBarSays) {
@@ -161,7 +175,7 @@ TEST_F(VolumeInWindow, SaysWhyThereIsNone) {
     EXPECT_TRUE(window_.messages().text().contains("not known where this patient's CT lies"))
         << window_.messages().text().toStdString();
     EXPECT_TRUE(window_.messages().findChild<QPushButton*>("offer")->isVisible());
-    EXPECT_FALSE(bar().isVisible());
+    EXPECT_FALSE(bar().isEnabled());
 }
 
 TEST(VolumeSettings, AreKeptAndTakeNoNonsense) {

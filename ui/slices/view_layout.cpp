@@ -109,21 +109,21 @@ void ViewLayout::build(QWidget* view) {
     column->setSpacing(0);
     bar_ = new SliceBar(scene_, callbacks_.correction, this);
     column->addWidget(bar_);
-    auto* area = new QWidget(this);
-    column->addWidget(area, 1);
-    grid_ = new QGridLayout(area);
+    pictures_ = new QWidget(this);
+    column->addWidget(pictures_, 1);
+    grid_ = new QGridLayout(pictures_);
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setSpacing(2);
     for (const SliceDirection direction :
          {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal}) {
-        auto* slice = new SliceView(scene_, direction, area);
+        auto* slice = new SliceView(scene_, direction, pictures_);
         slice->on_hover([this](const Vec3& place) { bar_->show_place(place); });
         slice->on_say([this](const QString& text) { bar_->say(text); });
         slice->on_correct([this](const Vec3& place) { callbacks_.correct(place); });
         slice->on_double_click([this, slice] { enlarge(enlarged_ ? nullptr : slice); });
         views_[static_cast<std::size_t>(direction)] = slice;
     }
-    notice_ = new QWidget(area);
+    notice_ = new QWidget(pictures_);
     notice_->setObjectName("sliceNotice");
     auto* words = new QVBoxLayout(notice_);
     notice_text_ = new QLabel(notice_);

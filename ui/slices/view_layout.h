@@ -70,6 +70,8 @@ class ViewLayout : public QWidget {
     // Opens the dialog of more or fewer vessels, for the slices that are or will be shown.
     void choose_threshold();
     ThresholdDialog& threshold() { return *threshold_; }
+    // What holds the view and the slices, below their bar.
+    QWidget& pictures() { return *pictures_; }
     SliceScene& slices() { return scene_; }
     // For whoever wants the same CT, too.
     CtReadings& ct_readings() { return readings_; }
@@ -100,6 +102,7 @@ class ViewLayout : public QWidget {
     std::array<SliceView*, 3> views_{};
     SliceBar* bar_ = nullptr;
     ThresholdDialog* threshold_ = nullptr;
+    QWidget* pictures_ = nullptr;
     QWidget* notice_ = nullptr;  // in the place of the slices
     QLabel* notice_text_ = nullptr;
     QPushButton* choose_ = nullptr;
