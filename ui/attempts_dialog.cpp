@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/on_screen.h"
 #include "ui/plot_panel.h"
 #include "ui/words.h"
 
@@ -77,7 +78,7 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
       look_back_(new QPushButton(Words::tr("Look &back on it"))),
       save_(new QPushButton(Words::tr("Save as &CSV…"))) {
     setWindowTitle(Words::tr("Attempts"));
-    resize(860, 560);
+    resize_on_screen(*this, {860, 560});
     title_->setObjectName("attemptsTitle");
     title_->setWordWrap(true);
     table_->setObjectName("attempts");

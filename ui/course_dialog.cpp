@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/on_screen.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -41,7 +42,7 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
       table_(new QTableWidget),
       start_(new QPushButton(Words::tr("&Begin the lesson"))) {
     setWindowTitle(Words::tr("Course"));
-    resize(720, 420);
+    resize_on_screen(*this, {720, 420});
     title_->setObjectName("courseTitle");
     table_->setObjectName("course");
     table_->setAccessibleName(Words::tr("Lessons of the course"));

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/base/program_files.h"
+#include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/words.h"
 
@@ -36,7 +37,7 @@ Guide::Guide(QWidget* parent)
     : QDialog(parent), browser_(new QTextBrowser(this)), folder_(folder_of_pages()) {
     setWindowTitle(Words::tr("Guide"));
     setObjectName("guide");
-    resize(860, 740);
+    resize_on_screen(*this, {860, 740});
     browser_->setFrameShape(QFrame::NoFrame);
     browser_->setAccessibleName(Words::tr("Page of the guide"));
     auto* first = new QPushButton(Words::tr("First page"), this);

@@ -8,6 +8,7 @@
 
 #include "ui/actions.h"
 #include "ui/guide.h"
+#include "ui/on_screen.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -26,7 +27,7 @@ void show_cheat_sheet(QWidget& parent) {
     auto* sheet = new QDialog(&parent);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->setWindowTitle(Words::tr("Keys and mouse"));
-    sheet->resize(620, 640);
+    resize_on_screen(*sheet, {620, 640});
     auto* text = new QTextBrowser(sheet);
     text->setFrameShape(QFrame::NoFrame);
     text->setHtml(Actions::cheat_sheet());

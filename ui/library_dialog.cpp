@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/patient/patient_case.h"
 #include "ui/case_lessons.h"
+#include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/words.h"
 
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 LibraryDialog::LibraryDialog(Settings& settings, Ways ways, QWidget* parent)
     : QDialog(parent), settings_(settings), ways_(std::move(ways)) {
     setWindowTitle(Words::tr("Library of cases"));
-    resize(940, 560);
+    resize_on_screen(*this, {940, 560});
     build();
 }
 

@@ -35,6 +35,7 @@
 #include "ui/liver_keeper.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
@@ -103,7 +104,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     : settings_(settings) {
     setWindowTitle("Hepatica");
     setAcceptDrops(true);
-    resize(1280, 820);
+    resize_on_screen(*this, {1280, 820});
     actions_ = std::make_unique<Actions>(*this, *menuBar());
     status_ = std::make_unique<StatusLine>(*statusBar());
     build_view();
@@ -126,6 +127,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
+    resize_on_screen(*this, size());
     review_->hide();  // there is nothing to look back on yet
     lessons_->hide();
     offer_unsaved_work();

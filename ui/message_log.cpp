@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/core_words.h"
+#include "ui/on_screen.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -36,7 +37,7 @@ class WrappingDelegate : public QStyledItemDelegate {
 
 MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget(this)) {
     setWindowTitle(Words::tr("Messages"));
-    resize(820, 380);
+    resize_on_screen(*this, {820, 380});
     list_->setHeaderLabels(
         {Words::tr("Time"), Words::tr("Kind"), Words::tr("About"), Words::tr("Message")});
     list_->setRootIsDecorated(false);

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "ui/core_words.h"
+#include "ui/on_screen.h"
 #include "ui/series_thumbnails.h"
 #include "ui/words.h"
 
@@ -73,7 +74,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     : QDialog(parent), list_(new QTreeWidget(this)), warnings_(new QLabel(this)) {
     setWindowTitle(Words::tr("Choose a series"));
     setMinimumSize(760, 280);
-    resize(960, 460);
+    resize_on_screen(*this, {960, 460});
     auto* column = new QVBoxLayout(this);
     column->addWidget(
         new QLabel(Words::tr("The folder holds several CT series. Which one is to be read?")));

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QTabWidget>
 
 #include "core/base/error.h"
@@ -33,6 +34,21 @@ class LessonEditorWindowTest : public testing::WindowTest {
     LessonEditor& editor() { return window_.lesson_editor(); }
     void click(const char* name) { editor().findChild<QPushButton*>(name)->click(); }
 };
+
+// There is no window manager that would push them back.
+TEST_F(LessonEditorWindowTest, lies_wholly_on_the_screen_as_the_first_window_does) {
+    const QRect screen = window_.screen()->availableGeometry();
+    MainWindow first(settings_, {});
+    EXPECT_LE(first.width(), screen.width());
+    EXPECT_LE(first.height(), screen.height());
+    window_.move(screen.right() - 300, screen.bottom() - 200);
+    for (int time = 0; time < 2; ++time) {
+        editor().show_editor();
+        EXPECT_TRUE(wait_for([&] { return screen.contains(editor().frameGeometry()); }));
+        editor().resize(2 * screen.size());
+        editor().hide();
+    }
+}
 
 TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
     editor().show_editor();

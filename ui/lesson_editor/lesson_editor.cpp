@@ -6,12 +6,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -26,6 +24,7 @@
 #include "ui/lesson_editor/places_page.h"
 #include "ui/lesson_editor/rules_page.h"
 #include "ui/lesson_editor/steps_page.h"
+#include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/push_button.h"
 #include "ui/words.h"
@@ -49,7 +48,7 @@ LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* 
       doubts_(new QLabel),
       keep_(new QTimer(this)) {
     setObjectName("lessonEditor");
-    resize(640, 700);
+    resize_on_screen(*this, {640, 700});
     keep_->setSingleShot(true);
     keep_->setInterval(500);
     connect(keep_, &QTimer::timeout, this, [this] { keep_now(); });
@@ -134,16 +133,14 @@ void LessonEditor::build_buttons(QWidget& foot) {
 
 void LessonEditor::show_editor() {
     // Over the panels at the right: the vessels stay to be seen and clicked on.
-    if (const QWidget* window = parentWidget(); window && !isVisible()) {
-        constexpr int frame = 40;  // of the window's title
-        const QRect room = screen()->availableGeometry().adjusted(0, frame, 0, 0);
-        resize(size().boundedTo(room.size()));
-        const QPoint wanted = window->mapToGlobal(QPoint(window->width() - width(), frame));
-        move(std::clamp(wanted.x(), room.left(), room.right() + 1 - width()),
-             std::clamp(wanted.y(), room.top(), room.bottom() + 1 - height()));
-    }
+    const QWidget* window = isVisible() ? nullptr : parentWidget();
     show();
-    changed(true);
+    changed(true);  // what it says decides how large it is at least
+    if (window != nullptr) {
+        constexpr int title = 40;
+        place_on_screen(*this, window->mapToGlobal(QPoint(window->width() - width(), title)),
+                        title);
+    }
     raise();
     activateWindow();
 }

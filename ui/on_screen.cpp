@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/on_screen.h"
+
+#include <QLayout>
+#include <QScreen>
+#include <QWidget>
+#include <algorithm>
+
+namespace hepatica {
+
+void resize_on_screen(QWidget& window, const QSize& wanted) {
+    window.resize(wanted.boundedTo(window.screen()->availableSize()));
+}
+
+void place_on_screen(QWidget& window, const QPoint& wanted, int title) {
+    const QRect room = window.screen()->availableGeometry().adjusted(0, title, 0, 0);
+    window.resize(window.size().boundedTo(room.size()));
+    // What is in it may need more than that, which is known only then.
+    if (window.layout() != nullptr) window.layout()->activate();
+    const auto nearest = [](int wanted, int low, int high) {
+        return std::max(low, std::min(wanted, high));
+    };
+    window.move(nearest(wanted.x(), room.left(), room.right() + 1 - window.width()),
+                nearest(wanted.y(), room.top(), room.bottom() + 1 - window.height()));
+}
+
+}  // namespace hepatica
