@@ -20,6 +20,7 @@
 #include <sstream>
 #include <utility>
 
+#include "render/orientation_marker.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -84,7 +85,7 @@ double round_length_below(double length) {
 }
 
 Annotations::Annotations(vtkRenderer& renderer)
-    : legend_(renderer), bar_points_(vtkSmartPointer<vtkPoints>::New()) {
+    : renderer_(renderer), legend_(renderer), bar_points_(vtkSmartPointer<vtkPoints>::New()) {
     bar_ = quads_actor(bar_points_, 3, renderer);
     bar_label_ = text_actor(renderer);
     bar_label_->GetTextProperty()->SetJustificationToCentered();
@@ -110,17 +111,40 @@ void Annotations::set_caption(const std::string& text) {
 
 void Annotations::update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
                          const Legend::Count& count) {
-    Shown now{size.width,           size.height,           size.pixel_ratio, size.legend_point,
-              camera.GetDistance(), camera.GetViewAngle(), visible_,         legend,
+    Shown now{size.width,
+              size.height,
+              size.pixel_ratio,
+              size.legend_point,
+              size.letter_point,
+              camera.GetDistance(),
+              camera.GetViewAngle(),
+              visible_,
+              legend,
               caption_text_};
     if (now == shown_ && !count) return;
     shown_ = std::move(now);
     legend_.update(visible_ ? legend_rows(legend, words_) : std::vector<LegendRow>{},
                    {size.width, size.height, size.legend_point}, look_, count);
+    update_caption(size);
     update_scale_bar(size, camera);
-    const double r = size.pixel_ratio;
-    place_text(*caption_, visible_ ? caption_text_ : std::string(), margin_pt * r,
-               size.height - margin_pt * r, 12.0 * r, look_.faint_text);
+}
+
+void Annotations::update_caption(const PictureSize& size) {
+    const double margin = margin_pt * size.pixel_ratio;
+    place_text(*caption_, visible_ ? caption_text_ : std::string(), margin, size.height - margin,
+               annotation_letters_pt * size.letter_point, look_.faint_text);
+    if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
+}
+
+bool Annotations::has_room(vtkTextActor& text, const PictureSize& size) {
+    double extent[4];  // left, right, bottom, top, from its place
+    text.GetBoundingBox(&renderer_, extent);
+    const double* place = text.GetPosition();
+    const PictureBox box{place[0] + extent[0], place[1] + extent[2], place[0] + extent[1],
+                         place[1] + extent[3]};
+    const bool at_foot = box.bottom < 0.5 * size.height;
+    const double left = at_foot ? OrientationMarker::right_edge(size) : 0.0;
+    return box.left >= left && box.right <= size.width && !overlap(box, legend_.box());
 }
 
 void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
@@ -128,25 +152,32 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const double tangent = std::tan(0.5 * camera.GetViewAngle() * pi / 180.0);
     const double mm_per_pixel = 2.0 * camera.GetDistance() * tangent / std::max(size.height, 1);
     const double longest_mm = mm_per_pixel * std::min(140.0 * r, 0.3 * size.width);
-    const bool shown = visible_ && std::isfinite(longest_mm) && longest_mm > 0.0;
+    bool shown = visible_ && std::isfinite(longest_mm) && longest_mm > 0.0;
+    bar_label_->SetVisibility(shown);
     bar_->SetVisibility(shown);
-    if (!shown) return place_text(*bar_label_, "", 0, 0, 1, look_.text);
+    if (!shown) return;
     const double length_mm = round_length_below(longest_mm);
     const double width = length_mm / mm_per_pixel;
-    const double x = 0.5 * (size.width - width);
-    const double y = margin_pt * r;
-    set_quad(*bar_points_, 0, x, y, x + width, y + 1.5 * r);
-    set_quad(*bar_points_, 1, x, y, x + 1.5 * r, y + 6.0 * r);
-    set_quad(*bar_points_, 2, x + width - 1.5 * r, y, x + width, y + 6.0 * r);
-    bar_points_->Modified();
-    const int decimals = length_mm < 1.0 ? 1 : 0;
+    const double x = 0.5 * (size.width - width), y = margin_pt * r;
+    draw_scale_bar(x, y, width, r);
+    const std::string length = formatted(length_mm, length_mm < 1.0 ? 1 : 0);
     // Nearer things look larger: the bar holds where the camera turns about. A narrow picture has
     // no room to say so.
-    const bool wide = size.width > 640.0 * size.legend_point;
-    const std::string label =
-        formatted(length_mm, decimals) + (wide ? " mm at the depth of the view's centre" : " mm");
-    place_text(*bar_label_, said(words_, label), x + 0.5 * width, y + 8.0 * r, 12.0 * r,
-               look_.text);
+    for (const char* unit : {" mm at the depth of the view's centre", " mm"}) {
+        place_text(*bar_label_, said(words_, length + unit), 0.5 * size.width, y + 8.0 * r,
+                   annotation_letters_pt * size.letter_point, look_.text);
+        shown = has_room(*bar_label_, size);
+        if (shown) break;
+    }
+    bar_label_->SetVisibility(shown);
+    bar_->SetVisibility(shown);
+}
+
+void Annotations::draw_scale_bar(double x, double y, double width, double point) {
+    set_quad(*bar_points_, 0, x, y, x + width, y + 1.5 * point);
+    set_quad(*bar_points_, 1, x, y, x + 1.5 * point, y + 6.0 * point);
+    set_quad(*bar_points_, 2, x + width - 1.5 * point, y, x + width, y + 6.0 * point);
+    bar_points_->Modified();
 }
 
 }  // namespace hepatica

@@ -20,13 +20,17 @@ class vtkTextActor;
 namespace hepatica {
 
 // Size of the picture in device pixels, and of one point of the annotations in pixels: of those
-// that shrink in small pictures, and of the legend, which must stay readable.
+// that shrink in small pictures, of the legend, which shrinks less, and of letters, which do not.
 struct PictureSize {
     int width = 0;
     int height = 0;
     double pixel_ratio = 1.0;
     double legend_point = 1.0;
+    double letter_point = 1.0;
 };
+
+// Of the caption and the scale: 9 points of print. What has no room in that size is left out.
+inline constexpr double annotation_letters_pt = 12.0;
 
 // Draws into the two-dimensional layer of one renderer; not thread-safe.
 class Annotations {
@@ -47,14 +51,20 @@ class Annotations {
     // Everything that the marks show or depend on.
     struct Shown {
         int width = 0, height = 0;
-        double pixel_ratio = 0.0, legend_point = 0.0, distance_mm = 0.0, view_angle_deg = 0.0;
+        double pixel_ratio = 0.0, legend_point = 0.0, letter_point = 0.0;
+        double distance_mm = 0.0, view_angle_deg = 0.0;
         bool visible = false;
         LegendContent legend;
         std::string caption;
         bool operator==(const Shown&) const = default;
     };
+    void update_caption(const PictureSize& size);
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
+    void draw_scale_bar(double x, double y, double width, double point);
+    // Whether a text that has been placed has room there, and lies on nothing else.
+    bool has_room(vtkTextActor& text, const PictureSize& size);
 
+    vtkRenderer& renderer_;
     ViewLook look_ = dark_look;
     PictureWords words_;
     Shown shown_;

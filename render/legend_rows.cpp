@@ -145,6 +145,10 @@ std::vector<LegendRow> legend_rows(const LegendContent& content, const PictureWo
     return rows;
 }
 
+bool overlap(const PictureBox& a, const PictureBox& b) {
+    return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
+}
+
 std::size_t least_covered(const std::vector<int>& vertices_within) {
     return static_cast<std::size_t>(std::ranges::min_element(vertices_within) -
                                     vertices_within.begin());

@@ -57,6 +57,7 @@ std::vector<LegendRow> legend_rows(const LegendContent& content, const PictureWo
 struct PictureBox {
     double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;
 };
+bool overlap(const PictureBox& a, const PictureBox& b);
 
 // The place of the legend: the first of them that holds no vertex of a vessel, or else the one
 // that holds the fewest.

@@ -41,13 +41,20 @@ OrientationMarker::~OrientationMarker() {
     window_.RemoveRenderer(renderer_);
 }
 
+double OrientationMarker::inset(const PictureSize& size) {
+    return 8.0 * size.pixel_ratio;
+}
+
+double OrientationMarker::right_edge(const PictureSize& size) {
+    return inset(size) + std::min(84.0 * size.pixel_ratio, 0.25 * size.height);
+}
+
 void OrientationMarker::update(vtkCamera& camera, const PictureSize& size) {
-    const double edge = std::min(84.0 * size.pixel_ratio, 0.25 * size.height);
-    const double inset = 8.0 * size.pixel_ratio;
+    const double from_edge = inset(size), far_edge = right_edge(size);
     const double width = std::max(size.width, 1);
     const double height = std::max(size.height, 1);
-    renderer_->SetViewport(inset / width, inset / height, std::min(1.0, (inset + edge) / width),
-                           std::min(1.0, (inset + edge) / height));
+    renderer_->SetViewport(from_edge / width, from_edge / height, std::min(1.0, far_edge / width),
+                           std::min(1.0, far_edge / height));
     const Vec3 from = -4.2 * Vec3(camera.GetDirectionOfProjection());
     vtkCamera& eye = *renderer_->GetActiveCamera();
     eye.SetFocalPoint(0, 0, 0);

@@ -22,6 +22,9 @@ class OrientationMarker {
     // Turns the cube as the camera looks.
     void update(vtkCamera& camera, const PictureSize& size);
     void set_visible(bool visible) { renderer_->SetDraw(visible); }
+    // Of the cube in a picture of that size, in its pixels.
+    static double inset(const PictureSize& size);
+    static double right_edge(const PictureSize& size);
 
   private:
     vtkRenderWindow& window_;

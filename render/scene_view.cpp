@@ -80,9 +80,9 @@ struct SceneView::Parts {
         const int* size = window.GetSize();
         // In small pictures the annotations shrink, so that they do not cover the patient.
         const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
-        // Thumbnails apart, letters of the legend do not.
-        const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.6, 1.0);
-        return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room};
+        // The legend's letters shrink in thumbnails alone, and to 9 points of print at most.
+        const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.75, 1.0);
+        return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room, pixel_ratio};
     }
     void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
     // The driver is asked once, when a volume is shown first.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Caption and scale in small pictures: letters of at least 9 points of print, or none.
+#include "render/annotations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/osmesa_context.h"
+#include "render/scene_view.h"
+#include "tests/render/fake_frame.h"
+#include "tests/render/screenshot.h"
+
+namespace hepatica {
+namespace {
+
+// Of DejaVu Sans, in parts of its size, less what smoothing takes.
+constexpr double height_of_capitals = 0.66;
+
+// Rows from the first to the last in which two pictures differ; only from row `top` on.
+int height_of_difference(const Picture& a, const Picture& b, int top = 0) {
+    int first = a.height, last = -1;
+    for (int y = top; y < a.height; ++y) {
+        const auto row = 3 * static_cast<std::ptrdiff_t>(y) * a.width;
+        if (std::equal(a.rgb.begin() + row, a.rgb.begin() + row + 3 * a.width, b.rgb.begin() + row))
+            continue;
+        first = std::min(first, y);
+        last = y;
+    }
+    return std::max(0, last - first + 1);
+}
+
+Picture picture_of(int width, int height, const std::string& caption, bool annotated = true) {
+    OsmesaContext context(width, height);
+    SceneView view(context.window());
+    view.set_caption(caption);
+    view.set_annotations_visible(annotated);
+    view.show(testing::fake_frame());
+    view.render();
+    return read_picture(context.window());
+}
+
+TEST(Annotations, NameThePatientInLettersThatCanBeRead) {
+    for (const int height : {120, 240, 325, 700}) {
+        const Picture without = picture_of(447, height, "");
+        EXPECT_GE(height_of_difference(picture_of(447, height, "HEP"), without),
+                  height_of_capitals * annotation_letters_pt)
+            << height;
+        const std::string long_name(200, 'H');
+        EXPECT_EQ(picture_of(447, height, long_name).rgb, without.rgb) << "it has no room";
+    }
+}
+
+// The bar and its length above it, in the middle of the foot: both or none.
+TEST(Annotations, GiveTheScaleInLettersThatCanBeReadOrNone) {
+    constexpr int beside_the_cube = 57;
+    const auto height_of_scale = [](int width, int height) {
+        const auto foot = [&](bool annotated) {
+            Picture picture = picture_of(width, height, "", annotated);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    if (x < beside_the_cube || std::abs(x - width / 2) > 20)
+                        for (int c = 0; c < 3; ++c)
+                            picture.rgb[static_cast<std::size_t>(3 * (y * width + x) + c)] = 0;
+            return picture;
+        };
+        return height_of_difference(foot(true), foot(false), height - 40);
+    };
+    constexpr double bar = 6.0 * 0.6;
+    for (const int height : {120, 240, 325})
+        EXPECT_GE(height_of_scale(447, height), bar + height_of_capitals * annotation_letters_pt)
+            << height;
+    EXPECT_EQ(height_of_scale(130, 325), 0) << "the cube takes the room";
+}
+
+}  // namespace
+}  // namespace hepatica
