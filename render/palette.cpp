@@ -33,16 +33,19 @@ Colour vessel_system(VascularSystem system) {
     return {0.58, 0.60, 0.72};
 }
 
-// Okabe and Ito's colours for every kind of sight (2008), the black one replaced by grey.
+// Without blue, violet and red, which are the systems', and the light green of tumours. Found by a
+// search for the largest least distance between any two of them, and of each from those, in the
+// OKLab space (Ottosson 2020) as seen by normal and by colour-blind eyes (Machado et al. 2009).
+// Neighbours in the liver have colours far apart.
 Colour liver_segment(int segment) {
-    constexpr std::array<Colour, 8> colours{{{0.70, 0.70, 0.70},
-                                             {0.90, 0.62, 0.00},
-                                             {0.34, 0.71, 0.91},
-                                             {0.00, 0.62, 0.45},
-                                             {0.94, 0.89, 0.26},
-                                             {0.00, 0.45, 0.70},
-                                             {0.84, 0.37, 0.00},
-                                             {0.80, 0.47, 0.65}}};
+    constexpr std::array<Colour, 8> colours{{{0.50, 0.27, 0.36},
+                                             {1.00, 0.49, 0.01},
+                                             {0.68, 0.98, 0.97},
+                                             {0.01, 0.74, 0.45},
+                                             {0.93, 0.97, 0.02},
+                                             {0.57, 0.00, 0.60},
+                                             {0.12, 0.55, 0.48},
+                                             {0.89, 0.69, 0.89}}};
     return colours[static_cast<std::size_t>(std::clamp(segment, 1, 8) - 1)];
 }
 

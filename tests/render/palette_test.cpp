@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colours of the liver's segments are told apart, and from those of systems and tumours, by
+// normal and by colour-blind eyes.
+#include "render/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/vector.h"
+
+namespace hepatica {
+namespace {
+
+Vec3 linear(const Colour& colour) {
+    Vec3 light;
+    for (int c = 0; c < 3; ++c)
+        light[c] = colour[static_cast<std::size_t>(c)] <= 0.04045
+                       ? colour[static_cast<std::size_t>(c)] / 12.92
+                       : std::pow((colour[static_cast<std::size_t>(c)] + 0.055) / 1.055, 2.4);
+    return light;
+}
+
+// Ottosson 2020: distances in it are alike to the eye; 0.02 is just noticed side by side.
+Vec3 oklab(const Vec3& light) {
+    Mat3 cones, opponents;
+    cones << 0.4122214708, 0.5363325363, 0.0514459929, 0.2119034982, 0.6806995451, 0.1073969566,
+        0.0883024619, 0.2817188376, 0.6299787005;
+    opponents << 0.2104542553, 0.7936177850, -0.0040720468, 1.9779984951, -2.4285922050,
+        0.4505937099, 0.0259040371, 0.7827717662, -0.8086757660;
+    return opponents * (cones * light).unaryExpr([](double cone) { return std::cbrt(cone); });
+}
+
+// What eyes that lack one kind of cones see (Machado et al. 2009, severity 1).
+struct Sight {
+    const char* name;
+    Mat3 seen;
+    double least_distance;
+};
+
+std::vector<Sight> sights() {
+    Mat3 protan, deutan, tritan;
+    protan << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116,
+        1.051998;
+    deutan << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940,
+        0.968881;
+    tritan << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367,
+        0.303900;
+    return {{"normal", Mat3::Identity(), 0.14},
+            {"without red cones", protan, 0.10},
+            {"without green cones", deutan, 0.10},
+            {"without blue cones, which is rare", tritan, 0.05}};
+}
+
+double distance(const Colour& a, const Colour& b, const Sight& sight) {
+    const auto seen = [&sight](const Colour& colour) {
+        return oklab((sight.seen * linear(colour)).cwiseMax(0.0).cwiseMin(1.0));
+    };
+    return (seen(a) - seen(b)).norm();
+}
+
+TEST(Palette, TellsSegmentsFromEachOtherFromSystemsAndFromTumours) {
+    std::vector<Colour> others{palette::tumour};
+    for (const VascularSystem system : vascular_systems)
+        others.push_back(palette::vessel_system(system));
+    for (const Sight& sight : sights())
+        for (int segment = 1; segment <= 8; ++segment) {
+            SCOPED_TRACE(std::string(sight.name) + ", segment " + std::to_string(segment));
+            const Colour colour = palette::liver_segment(segment);
+            for (const Colour& other : others)
+                EXPECT_GE(distance(colour, other, sight), sight.least_distance);
+            for (int before = 1; before < segment; ++before)
+                EXPECT_GE(distance(colour, palette::liver_segment(before), sight),
+                          sight.least_distance)
+                    << before;
+        }
+}
+
+// A tint over the grey of a CT must be one.
+TEST(Palette, HasNoGreySegment) {
+    for (int segment = 1; segment <= 8; ++segment) {
+        const Vec3 seen = oklab(linear(palette::liver_segment(segment)));
+        EXPECT_GT(std::hypot(seen.y(), seen.z()), 0.05) << segment;
+    }
+}
+
+}  // namespace
+}  // namespace hepatica
