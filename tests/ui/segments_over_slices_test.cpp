@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
+#include <algorithm>
 
 #include "core/image/volume_writer.h"
 #include "core/patient/image_digest.h"
@@ -41,6 +42,13 @@ TEST(SegmentOverlay, TintsTheInsideThinlyAndTheBorderFirmly) {
         EXPECT_EQ(picture.pixelColor(edge), over(100, four, segment_border_opacity))
             << edge.x() << " " << edge.y();
     EXPECT_EQ(picture.pixelColor(6, 3), over(100, seven, segment_border_opacity));
+}
+
+TEST(SegmentOverlay, WritesNumbersLightEnoughForTheirDarkOutline) {
+    for (int segment = 1; segment <= 8; ++segment) {
+        const Colour number = colour_of_number(segment);
+        EXPECT_GE(*std::ranges::min_element(number), 0.6) << segment;
+    }
 }
 
 // A ring's middle is not in it.

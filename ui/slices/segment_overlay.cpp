@@ -6,8 +6,6 @@
 #include <functional>
 #include <optional>
 
-#include "render/palette.h"
-
 namespace hepatica {
 namespace {
 
@@ -51,6 +49,13 @@ void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels, const 
 }
 
 }  // namespace
+
+Colour colour_of_number(int segment) {
+    Colour light{};
+    const Colour own = palette::liver_segment(segment);
+    for (std::size_t c = 0; c < own.size(); ++c) light[c] = 0.35 * own[c] + 0.65;
+    return light;
+}
 
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels) {
     lay_labels(picture, labels, {segment_opacity, segment_border_opacity}, [](int label) {

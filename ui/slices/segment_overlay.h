@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/palette.h"
+
 namespace hepatica {
 
 // Of the inside, and of the pixels along the border, where two segments of one colour's lightness
@@ -22,6 +24,9 @@ void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels);
 
 // Tints it where a label is not 0, in the colour of tumours.
 void lay_tumours(QImage& picture, const std::vector<std::uint8_t>& numbers);
+
+// In which a segment's number is written, in a dark outline: its own, but light.
+Colour colour_of_number(int segment);
 
 struct SegmentNumber {
     int segment = 0;

@@ -126,8 +126,8 @@ void SliceView::paint_segment_numbers(QPainter& painter) const {
         const Vec3 there =
             slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
         write_outlined(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
-                     Qt::AlignCenter, QString::number(number.segment),
-                     colour_of(palette::liver_segment(number.segment)).lighter(125));
+                       Qt::AlignCenter, QString::number(number.segment),
+                       colour_of(colour_of_number(number.segment)));
     }
 }
 
@@ -216,8 +216,8 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
     paint_line(painter, line);
     const QPointF beside = line.back() + QPointF(7, -5);
     write_outlined(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
-                 Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
-                 colour_of_marks);
+                   Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
+                   colour_of_marks);
 }
 
 void SliceView::paint_measurements(QPainter& painter) const {
