@@ -28,6 +28,7 @@ void MainWindow::build_volume(QWidget* parent) {
             show_volume_look();
         },
         parent);
+    volume_bar_->setEnabled(false);
     volume_bar_->hide();
 }
 
