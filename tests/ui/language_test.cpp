@@ -11,6 +11,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QToolBar>
 #include <clocale>
 #include <map>
@@ -188,6 +189,17 @@ TEST_F(GermanWindow, CopiesALessonOfTheProgramInGerman) {
         }
         EXPECT_NO_THROW(lesson_of(text_of(copy), "the copy"));
     }
+}
+
+// Its words are longer: only when it is shown is it known how wide it is.
+TEST_F(GermanWindow, HasItsLessonEditorWhollyOnTheScreen) {
+    const QRect screen = window_.screen()->availableGeometry();
+    window_.move(screen.right() + 1 - window_.width(), screen.bottom() + 1 - window_.height());
+    LessonEditor& editor = window_.lesson_editor();
+    editor.show_editor();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&editor, patience_ms));
+    EXPECT_TRUE(screen.contains(editor.frameGeometry()))
+        << editor.frameGeometry().right() << " of " << screen.right();
 }
 
 TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {
