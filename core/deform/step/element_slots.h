@@ -38,6 +38,8 @@ class ElementSlots {
     double energy(std::span<const Vec3> positions_mm) const;
     // Adds the energy of every element at the last evaluate to the piece of its first node.
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
+    // Of the elements of one group at the last evaluation [nJ].
+    const std::vector<double>& energies(std::size_t group) const { return energy_[group]; }
     // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation, and
     // the energy [nJ] of all; others keep their entries, unless there are none. The body has no
     // other elements.

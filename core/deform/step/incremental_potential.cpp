@@ -14,6 +14,7 @@ IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tang
     : body_(body),
       live_(body),
       assembly_(body, tangent, &live_),
+      collapse_(body, assembly_.plan(), live_),
       elastic_force_(body.node_count(), Vec3::Zero()),
       force_(body.node_count(), Vec3::Zero()) {
     const AssemblyPlan& plan = assembly_.plan();
@@ -123,6 +124,10 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     });
     step.potentials.foresee(step.positions, force_);
     step.potentials.add_stiffness(step.positions, dt * dt, matrix_);
+    if (collapse_counts_) {
+        collapse_.find(assembly_.slots(), step.positions);
+        collapse_.add_to(matrix_, dt * dt);
+    }
     cut_held(matrix_);
     for (int i = 0; i < matrix_.rows(); ++i)
         if (held(i)) matrix_.block[matrix_.diagonal[i]] = Mat3::Identity();
@@ -147,6 +152,7 @@ void IncrementalPotential::damping_from(const StepUnderway& step, const std::vec
         damping[i] = product[i] - inertia * body_.mass_g[i] * d[i];
     });
     step.potentials.add_product(step.positions, -dt * dt, d, matrix_, damping);
+    collapse_.add_product(d, -dt * dt, damping);
     if (tension_added_) tension_->subtract_product(d, damping);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_node(d.size(), [&](std::size_t i) {
@@ -168,6 +174,7 @@ void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<cons
         damping_.block[damping_.diagonal[i]].diagonal().array() -= inertia * body_.mass_g[i];
     });
     step.potentials.add_stiffness(first_mm, -dt * dt, damping_);
+    collapse_.add_to(damping_, -dt * dt);
     if (tension_added_) tension_->add_to(damping_, -1.0);
     const double scale = beta / (dt * dt + dt * beta);
     for_each_live_row([&](int i) {

@@ -12,6 +12,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/step/assembly.h"
+#include "core/deform/step/collapse_stiffness.h"
 #include "core/deform/step/step_underway.h"
 #include "core/deform/step/tension_stiffness.h"
 
@@ -47,8 +48,13 @@ class IncrementalPotential {
     void find_force(const StepUnderway& step);
     const std::vector<Vec3>& force() const { return force_; }
 
-    // A at the present iterate, whose force is found.
+    // A at the present iterate, whose force is found; with that of collapsed elements, if they
+    // count. Neither the value nor its gradient has that, nor what damping_from() and
+    // keep_damping() find.
     void assemble(const StepUnderway& step);
+    void count_collapse(bool on) { collapse_counts_ = on; }
+    bool collapse_counts() const { return collapse_counts_; }
+    bool collapsed() const { return collapse_.any(); }
     BlockMatrix& matrix() { return matrix_; }
     // Which elements are taut, at the positions of the last evaluation, and whether any is.
     void find_tension(std::span<const Vec3> positions_mm) {
@@ -90,7 +96,9 @@ class IncrementalPotential {
     Assembly assembly_;
     std::optional<TensionStiffness> tension_;  // made where a setting asks for it
     bool tension_added_ = false;               // to the matrix
-    std::vector<int> cut_blocks_;              // beside the diagonal, with a held node
+    CollapseStiffness collapse_;               // of the matrix
+    bool collapse_counts_ = false;
+    std::vector<int> cut_blocks_;  // beside the diagonal, with a held node
     std::vector<int> assembled_rows_;
     BlockMatrix matrix_;
     BlockMatrix damping_;           // beta K_0

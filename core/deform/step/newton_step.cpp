@@ -21,8 +21,12 @@ constexpr double shortest_step_length = 1e-3;
 // Where a pad may be met on the way: what rests on it is pressed into it by far less than it would
 // fall in a step, so that a direction from just above it goes much too far.
 constexpr double shortest_onto_pad = 1e-7;
-constexpr double at_rest = 1e-9;    // a move in mean edges that is rounding errors alone
-constexpr double no_move = 1e-12;   // in mean edges: less than positions can hold
+// In mean edges: where not even such a move lowers the potential the body rests, by rounding errors
+// or at a kink of the potential; shorter steps would find it there, too.
+constexpr double at_rest = 1e-4;
+constexpr double no_move = 1e-12;  // in mean edges: less than positions can hold
+// In mean edges: the tension of a body that goes no further in a step does not cease within it.
+constexpr double calm_move = 0.1;
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
 
 // Iterates added to a linearly implicit step from rest that had to be shortened, until one is taken
@@ -48,6 +52,7 @@ NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
 void NewtonStep::set_settings(const NewtonSettings& settings) {
     settings_ = settings;
     velocity_error_.set(settings.velocity_error);
+    potential_.count_collapse(settings.tension);
 }
 
 void NewtonStep::keep_damping(const StepUnderway& step) {
@@ -138,6 +143,7 @@ MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
             .first_mm = first_mm_,
             .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
             .taut_mm = taut(step) ? step.start.positions_mm : std::vector<Vec3>{},
+            .collapse = potential_.collapse_counts(),
             .held = potential_.live().held(),
             .grabs = step.potentials.grabs(),
             .velocity_error = settings_.velocity_error};
@@ -178,6 +184,7 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
                       .positions = origin.first_mm};
     potential_.freeze(origin.held);
     potential_.forget_matrix();
+    potential_.count_collapse(origin.collapse);
     if (taut) {
         potential_.evaluate_forces(origin.taut_mm);
         potential_.find_tension(origin.taut_mm);
@@ -202,6 +209,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
     const std::vector<std::uint8_t> held = potential_.live().held();
     const auto back_to_present = [&] {
         if (origin) potential_.freeze(held);
+        potential_.count_collapse(settings_.tension);
         potential_.forget_matrix();
     };
     if (origin) assemble_again(checkpoint);
@@ -303,7 +311,8 @@ bool NewtonStep::search_line(StepUnderway& step) {
         throw_if_stopped(step.stop);
         if (!try_step_length(step, length, slope)) continue;
         step.step_length = length;
-        step.whole = step.iterate == 0 && !step.predicted && length == 1.0;
+        step.whole = step.iterate == 0 && !step.predicted && length == 1.0 &&
+                     !potential_.collapsed() && !taut(step);
         return true;
     }
     for (std::size_t i = 0; i < step.positions.size(); ++i)
@@ -344,6 +353,13 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
         keep_linearised_work(step);
     }
     return still(step) || search_line(step);
+}
+
+bool NewtonStep::calm(const StepUnderway& step) const {
+    double squared = 0.0;
+    for (const Vec3& v : step.start.velocities_mm_per_s)
+        squared = std::max(squared, v.squaredNorm());
+    return step.dt_s * std::sqrt(squared) < calm_move * body_.mean_edge_mm;
 }
 
 // From rest to rest: no position would change, and so no length of the direction need be tried.
@@ -455,7 +471,6 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
         const bool lower = iterate(step, report);
         const double longest = longest_move_mm(step);
         if (!lower) {
-            // At rest the potential is rounding errors, and no direction lowers it for certain.
             // Where the potential overflows, the direction means nothing.
             if (step.iterate == 0)
                 return std::isfinite(step.value) && longest <= at_rest * body_.mean_edge_mm;

@@ -65,7 +65,7 @@ class NewtonStep {
     MatrixOrigin origin_of(const StepUnderway& step) const;
     // Whether the first iterate's matrix has the resistance of taut elements to being turned.
     bool taut(const StepUnderway& step) const {
-        return settings_.tension && step.predicted && potential_.taut();
+        return settings_.tension && potential_.taut() && (step.predicted || calm(step));
     }
     void assemble_again(const SolverCheckpoint& checkpoint);
     void predict(StepUnderway& step);
@@ -87,6 +87,7 @@ class NewtonStep {
     double free_length(const StepUnderway& step) const;
     bool meets_pads(const StepUnderway& step) const;
     bool still(const StepUnderway& step) const;
+    bool calm(const StepUnderway& step) const;
     bool search_line(StepUnderway& step);
     bool try_step_length(StepUnderway& step, double step_length, double slope);
     double longest_move_mm(const StepUnderway& step) const;

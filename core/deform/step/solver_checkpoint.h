@@ -22,7 +22,8 @@ struct MatrixOrigin {
     std::vector<Vec3> first_mm;    // positions of the first iterate
     std::vector<Vec3> iterate_mm;  // positions of this iterate; empty where it is the first
     std::vector<Vec3>
-        taut_mm;  // where the tension of the first is of; empty where nothing was taut
+        taut_mm;            // where the tension of the first is of; empty where nothing was taut
+    bool collapse = false;  // collapsed elements counted
     std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
     std::vector<Grab> grabs;
     RayleighDamping velocity_error;  // E of eq. (11)

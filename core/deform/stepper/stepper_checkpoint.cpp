@@ -115,6 +115,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.first_mm);
     visit(value.iterate_mm);
     visit(value.taut_mm);
+    visit(value.collapse);
     visit(value.held);
     visit(value.grabs);
     visit(value.velocity_error.alpha_per_s);

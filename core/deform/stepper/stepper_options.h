@@ -22,9 +22,10 @@ struct StepperOptions {
     // limited so that at least a tenth of inertia and stiffness remains and the matrix stays
     // positive definite.
     RayleighDamping velocity_error{};
-    // Adds what taut elements resist being turned to the matrix of a step that begins at the
-    // present velocity, see TensionStiffness: such a step need not be shortened. `corotated` and
-    // one iterate only, on the processor; others are what they are without.
+    // Adds to the matrix of a step what taut elements resist being turned and what collapsed ones
+    // resist being widened, see TensionStiffness and CollapseStiffness: such a step need not be
+    // shortened. `corotated` and one iterate only, on the processor; others are what they are
+    // without.
     bool tension = true;
     // Takes the step of the publication unchanged, even where it creates energy. Otherwise such a
     // step is shortened, which the report says.

@@ -26,7 +26,7 @@ constexpr int steps_after = 60;
 
 enum class Variant { plain, newton, substeps, lagged };
 
-struct Case {
+struct PlayedBody {
     LinearSolverKind solver;
     ElementOrder order;
     bool live;
@@ -37,7 +37,7 @@ struct Case {
 // again.
 class Motion {
   public:
-    explicit Motion(const Case& c)
+    explicit Motion(const PlayedBody& c)
         : case_(c),
           body_(test::description_of(c.order == ElementOrder::linear
                                          ? test::make_bar(90.0, 3.0, 24, 1)
@@ -83,7 +83,7 @@ class Motion {
         stepper.set_grabs(std::span(&grab, 1));
     }
 
-    Case case_;
+    PlayedBody case_;
     BodyDescription body_;
     int tip_;
 };
@@ -131,7 +131,7 @@ Played play(const Motion& motion) {
     return run;
 }
 
-class StepperCheckpointTest : public testing::TestWithParam<Case> {};
+class StepperCheckpointTest : public testing::TestWithParam<PlayedBody> {};
 
 TEST_P(StepperCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
     const Motion motion(GetParam());
@@ -162,8 +162,8 @@ TEST_P(StepperCheckpointTest, ARestoredStepperGoesOnToTheLastBit) {
     }
 }
 
-std::vector<Case> all_cases() {
-    std::vector<Case> cases;
+std::vector<PlayedBody> all_cases() {
+    std::vector<PlayedBody> cases;
     for (const auto solver : {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton,
                               LinearSolverKind::cholesky, LinearSolverKind::automatic})
         for (const auto order : {ElementOrder::linear, ElementOrder::quadratic})
@@ -174,7 +174,7 @@ std::vector<Case> all_cases() {
     return cases;
 }
 
-std::string name_of_case(const testing::TestParamInfo<Case>& info) {
+std::string name_of_case(const testing::TestParamInfo<PlayedBody>& info) {
     const char* variants[] = {"plain", "newton", "substeps", "lagged"};
     std::string name(name_of(info.param.solver));
     std::ranges::replace(name, '-', '_');
@@ -257,6 +257,7 @@ TEST(StepperCheckpointBytes, EveryFieldCountsInTheHash) {
         {"reference", [](auto& c) { c.region->reference_mm.emplace_back(1.0, 2.0, 3.0); }},
         {"loss", [](auto& c) { c.unreported_loss += 1.0; }},
         {"no region", [](auto& c) { c.region.reset(); }},
+        {"origin collapse", [](auto& c) { c.solver.made_from->collapse ^= true; }},
         {"origin held", [](auto& c) { c.solver.made_from->held[0] ^= 1; }},
     };
     const StepperCheckpoint checkpoint = rich_checkpoint();
