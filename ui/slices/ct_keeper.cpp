@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slices/ct_keeper.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/opening/patient_image.h"
 #include "ui/paths.h"
@@ -46,7 +48,10 @@ void CtKeeper::begin_reading() {
     const auto each_waiting = [present = std::weak_ptr(reading_)](const auto& what) {
         const std::shared_ptr<CtReading> reading = present.lock();
         if (!reading) return;
-        for (CtKeeper* keeper : std::vector(reading->waiting)) what(*keeper);
+        // Whoever is told may make another leave.
+        for (CtKeeper* keeper : std::vector(reading->waiting))
+            if (std::ranges::find(reading->waiting, keeper) != reading->waiting.end())
+                what(*keeper);
     };
     const auto tell = [each_waiting](const auto& what) {
         each_waiting([&what](const CtKeeper& keeper) { what(keeper.screen_); });
