@@ -64,9 +64,11 @@ class Idle : public testing::WindowTest {
         ASSERT_TRUE(testing::wait_for([this] { return window_.frame().statistics.resting; }));
         Paintings paintings(window_.view());
         ASSERT_TRUE(comes_to_rest(paintings));
-        const std::uint64_t step = window_.frame().step;
+        // A busy machine may write the last step's figures beside the picture later than draw it.
         Paintings whole_window(window_);
-        paintings.count = 0;
+        ASSERT_TRUE(comes_to_rest(whole_window));
+        const std::uint64_t step = window_.frame().step;
+        paintings.count = whole_window.count = 0;
         turn_the_event_loop(500);
         EXPECT_EQ(paintings.count, 0);
         EXPECT_EQ(whole_window.count, 0);
