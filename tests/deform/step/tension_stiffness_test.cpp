@@ -203,6 +203,31 @@ TEST_F(LedByAHand, StepsOfATautBarNeedNotBeShortened) {
     EXPECT_LE(with.solves, without.solves);
 }
 
+// Drawn out to twice its length: its steps begin at rest, since each would go too far.
+TEST_F(LedByAHand, NorNeedThoseOfATautBarThatIsHeld) {
+    const auto cost = [&](bool tension) {
+        const auto played = stepper(tension);
+        Cost held;
+        for (int frame = 1; frame <= 200; ++frame) {
+            Grab grab{.vertices = {tip_, -1, -1, -1}};
+            grab.target_mm = body_.mesh.vertices_mm[tip_] +
+                             std::min(1.0, frame / double{stretched_in}) * Vec3(60.0, 20.0, 0.0);
+            grab.stiffness_un_per_mm = 1e6;
+            grab.force_limit_un = 1e9;
+            played->set_grabs(std::span(&grab, 1));
+            const StepReport report = played->step(frame_s);
+            if (frame <= stretched_in) continue;
+            held.shortened += report.shortened ? 1 : 0;
+            held.solves += report.linear_solves;
+        }
+        return held;
+    };
+    const Cost with = cost(true), without = cost(false);
+    EXPECT_LE(with.shortened, 3);
+    EXPECT_GE(without.shortened, 100);
+    EXPECT_LE(2 * with.solves, without.solves);
+}
+
 // The skeleton's preconditioner outlives its matrix: the checkpoint has what tension that one had.
 TEST_F(LedByAHand, GoesOnFromACheckpointToTheBit) {
     const auto played = stepper(true, LinearSolverKind::skeleton);
