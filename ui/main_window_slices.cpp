@@ -23,7 +23,7 @@ void MainWindow::build_slices(QWidget* parent) {
     ViewLayout::Callbacks callbacks;
     callbacks.ask_for_ct = [this] { return ask_where_ct_lies(*this, settings_); };
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
-        if (view_->scene().set_crosshair(place)) view_->draw_again();
+        if (view_->scene().set_crosshair(place)) view_->draw_soon();
     };
     const auto said = std::make_shared<QString>();  // of the last failure
     callbacks.failed = [this, said](const QString& doing, const Failure& failure) {

@@ -46,6 +46,9 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
         scene_->set_smoothing(Smoothing::cheap);
         update();
     });
+    soon_timer_.setSingleShot(true);
+    soon_timer_.setInterval(50);
+    connect(&soon_timer_, &QTimer::timeout, this, [this] { draw_again(); });
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] { picture_swapped(); });
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -144,6 +147,13 @@ void VtkWidget::draw_again() {
         rest_timer_.start();
     }
     update();
+}
+
+void VtkWidget::draw_soon() {
+    if (!software())
+        draw_again();
+    else if (!soon_timer_.isActive())
+        soon_timer_.start();
 }
 
 QImage VtkWidget::picture() {

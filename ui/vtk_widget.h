@@ -49,6 +49,9 @@ class VtkWidget : public QOpenGLWidget {
     // After every other change of the scene or the camera. Without a graphics card the picture is
     // drawn plainly while it moves and smoothed as soon as it rests.
     void draw_again();
+    // After what is led in the slices: without a graphics card not more than 20 times a second, so
+    // that the slices, which the person looks at, come first.
+    void draw_soon();
 
     // Draws anew and reads what is shown, at the screen's own resolution.
     QImage picture();
@@ -78,6 +81,7 @@ class VtkWidget : public QOpenGLWidget {
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
     QTimer rest_timer_;
+    QTimer soon_timer_;  // a picture is due when it ends
     QElapsedTimer since_painting_;
     PictureTime last_;           // of the last picture that was swapped
     double submitted_ms_ = 0.0;  // of the picture that is painted

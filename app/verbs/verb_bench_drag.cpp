@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -60,9 +61,23 @@ SceneSpec scene_of(const BenchDragChoices& options, const std::optional<Script>&
     return scene;
 }
 
-std::string csv_of(const std::string& motion, const HandPlay& played) {
+// Of the centreline, from the reference, in one frame after the other; empty without a reference.
+std::vector<double> missed_mm(const CentrelineMotion& motion, const CentrelineMotion& reference,
+                              std::size_t frames) {
+    std::vector<double> missed;
+    if (reference.empty()) return missed;
+    const std::size_t points = motion.size() / frames;
+    for (std::size_t begin = 0; begin < motion.size(); begin += points)
+        missed.push_back(motion_difference(std::span(motion).subspan(begin, points),
+                                           std::span(reference).subspan(begin, points))
+                             .rms_mm);
+    return missed;
+}
+
+std::string csv_of(const std::string& motion, const HandPlay& played,
+                   const std::vector<double>& missed) {
     std::ostringstream text;
-    int step = 0;
+    std::size_t step = 0;
     for (const HandFrame& frame : played.frames) {
         std::string message = frame.message;
         std::ranges::replace(message, '"', '\'');
@@ -70,8 +85,9 @@ std::string csv_of(const std::string& motion, const HandPlay& played) {
         text << motion << ',' << ++step << ',' << frame.time.cost_ms() << ',' << frame.time.wall_ms
              << ',' << frame.time.processor_ms << ',' << frame.newton_iterations << ','
              << frame.linear_solves << ',' << frame.linear_iterations << ',' << frame.live_elements
-             << ',' << (frame.asleep ? 1 : 0) << ',' << (frame.degraded ? 1 : 0) << ",\"" << message
-             << "\"\n";
+             << ',' << (frame.asleep ? 1 : 0) << ',' << (frame.degraded ? 1 : 0) << ',';
+        if (!missed.empty()) text << missed[step - 1];
+        text << ",\"" << message << "\"\n";
     }
     return text.str();
 }
@@ -98,6 +114,7 @@ Json row_of(const std::string& motion, const DragSummary& summary) {
             {"error", nullptr},
             {"error_rms_mm", nullptr},
             {"error_largest_mm", nullptr},
+            {"error_held", nullptr},
             {"degraded_because", summary.degraded_because}};
 }
 
@@ -108,8 +125,17 @@ struct Study {
     std::size_t tetrahedra = 0;
     std::string csv =
         "motion,step,ms,wall_ms,processor_ms,newton_iterations,solves,iterations,live_elements,"
-        "asleep,degraded,message\n";
+        "asleep,degraded,error_rms_mm,message\n";
 };
+
+// Without the swing after it has let go, which frames of a sixtieth of a second do not follow.
+double error_held(const CentrelineMotion& motion, const CentrelineMotion& reference,
+                  const HandMotion& played) {
+    const std::size_t vectors = motion.size() / static_cast<std::size_t>(played.steps) *
+                                static_cast<std::size_t>(played.held_steps);
+    return motion_difference(std::span(motion).first(vectors), std::span(reference).first(vectors))
+        .relative;
+}
 
 void measure(const BenchDragChoices& options, const std::string& name,
              const std::shared_ptr<const PatientCase>& patient, Study& study, Job& job) {
@@ -125,18 +151,19 @@ void measure(const BenchDragChoices& options, const std::string& name,
     study.element = element_name(trial.setting().model, trial.setting().order);
     const HandPlay played = trial.play(motion, job);
     Json row = row_of(name, summary_of(played));
-    study.csv += csv_of(name, played);
+    CentrelineMotion reference;
     if (!options.no_error) {
         job.begin_stage("Playing the reference of " + name);
-        const CentrelineMotion reference =
-            options.references.empty()
-                ? trial.reference(motion, reference_substeps, job)
-                : trial.kept_reference(motion, reference_substeps, options.references, job);
+        reference = options.references.empty()
+                        ? trial.reference(motion, reference_substeps, job)
+                        : trial.kept_reference(motion, reference_substeps, options.references, job);
         const MotionDifference difference = motion_difference(played.motion, reference);
         row["error"] = difference.relative;
         row["error_rms_mm"] = difference.rms_mm;
         row["error_largest_mm"] = difference.largest_mm;
+        row["error_held"] = error_held(played.motion, reference, motion);
     }
+    study.csv += csv_of(name, played, missed_mm(played.motion, reference, played.frames.size()));
     study.rows.push_back(std::move(row));
 }
 

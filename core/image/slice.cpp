@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace hepatica {
 namespace {
@@ -41,6 +43,91 @@ std::array<int, 3> nearest_axes(const Mat3& direction) {
         }
     } while (std::next_permutation(order.begin(), order.end()));
     return best;
+}
+
+// The pixels of a picture among the voxels of a grid, in its continuous indices.
+struct PlaneOfPixels {
+    Vec3 begin;                      // of the first pixel
+    Vec3 along_columns, along_rows;  // from one to the next
+    int columns, rows;
+};
+
+int nearest(double index) {
+    return static_cast<int>(std::floor(index + 0.5));
+}
+
+// The axes of the grid along which columns and rows run, where each runs along one alone.
+std::optional<std::array<int, 2>> axes_of(const PlaneOfPixels& plane) {
+    constexpr double most_off = 1e-6;  // voxels over the whole picture: rounding
+    const auto axis_of = [](const Vec3& step, int pixels) {
+        int axis = 0;
+        step.cwiseAbs().maxCoeff(&axis);
+        Vec3 others = step * pixels;
+        others[axis] = 0.0;
+        return others.norm() < most_off ? axis : -1;
+    };
+    const int across = axis_of(plane.along_columns, plane.columns);
+    const int down = axis_of(plane.along_rows, plane.rows);
+    if (across < 0 || down < 0 || across == down) return std::nullopt;
+    return std::array{across, down};
+}
+
+constexpr std::ptrdiff_t outside = -1;
+
+// How far each of evenly spaced indices along an axis of the grid is from its first voxel in
+// memory, or that it lies outside.
+std::vector<std::ptrdiff_t> offsets_along(const Grid& grid, int axis, double begin, double step,
+                                          int count) {
+    std::vector<std::ptrdiff_t> offsets;
+    const std::ptrdiff_t nx = grid.dims[0], ny = grid.dims[1];
+    const std::ptrdiff_t stride = axis == 0 ? 1 : axis == 1 ? nx : nx * ny;
+    for (int i = 0; i < count; ++i) {
+        const int index = nearest(begin + i * step);
+        offsets.push_back(index >= 0 && index < grid.dims[axis] ? index * stride : outside);
+    }
+    return offsets;
+}
+
+std::vector<std::uint8_t> no_labels(const PlaneOfPixels& plane) {
+    return std::vector<std::uint8_t>(static_cast<std::size_t>(plane.columns) *
+                                     static_cast<std::size_t>(plane.rows));
+}
+
+// Each axis is gone through once: some eight times as fast as place by place.
+std::vector<std::uint8_t> labels_along_axes(const Mask& labels, const PlaneOfPixels& plane,
+                                            const std::array<int, 2>& axes) {
+    auto found = no_labels(plane);
+    const auto [across, down] = axes;
+    const int third = 3 - across - down;
+    const std::ptrdiff_t first =
+        offsets_along(labels.grid, third, plane.begin[third], 0.0, 1).front();
+    if (first == outside) return found;
+    const auto right = offsets_along(labels.grid, across, plane.begin[across],
+                                     plane.along_columns[across], plane.columns);
+    const auto below =
+        offsets_along(labels.grid, down, plane.begin[down], plane.along_rows[down], plane.rows);
+    std::uint8_t* pixel = found.data();
+    for (const std::ptrdiff_t row : below) {
+        if (row != outside) {
+            const std::uint8_t* const line = labels.voxels.data() + first + row;
+            for (std::size_t column = 0; column < right.size(); ++column)
+                if (right[column] != outside) pixel[column] = line[right[column]];
+        }
+        pixel += right.size();
+    }
+    return found;
+}
+
+std::vector<std::uint8_t> labels_across_axes(const Mask& labels, const PlaneOfPixels& plane) {
+    auto found = no_labels(plane);
+    std::uint8_t* pixel = found.data();
+    for (int row = 0; row < plane.rows; ++row)
+        for (int column = 0; column < plane.columns; ++column, ++pixel) {
+            const Vec3 index = plane.begin + column * plane.along_columns + row * plane.along_rows;
+            const int x = nearest(index.x()), y = nearest(index.y()), z = nearest(index.z());
+            if (labels.grid.contains(x, y, z)) *pixel = labels.at(x, y, z);
+        }
+    return found;
 }
 
 }  // namespace
@@ -95,9 +182,6 @@ std::array<char, 4> SliceStack::edges() const {
 
 std::vector<std::uint8_t> grey_slice(const Volume& ct, const SliceStack& stack, int slice,
                                      const GreyWindow& window) {
-    std::vector<std::uint8_t> grey;
-    grey.reserve(static_cast<std::size_t>(stack.columns()) *
-                 static_cast<std::size_t>(stack.rows()));
     const double black = window.level_hu - 0.5 * window.width_hu;
     const double steps = 255.0 / window.width_hu;
     // A picture's columns and rows run along the grid's axes: even steps through its voxels.
@@ -105,36 +189,31 @@ std::vector<std::uint8_t> grey_slice(const Volume& ct, const SliceStack& stack, 
         const auto [x, y, z] = stack.voxel(column, row, slice);
         return static_cast<std::ptrdiff_t>(ct.grid.offset(x, y, z));
     };
-    const std::ptrdiff_t first = offset_of(0, 0);
-    const std::ptrdiff_t right = stack.columns() > 1 ? offset_of(1, 0) - first : 0;
+    const std::ptrdiff_t columns = stack.columns(), first = offset_of(0, 0);
+    const std::ptrdiff_t right = columns > 1 ? offset_of(1, 0) - first : 0;
     const std::ptrdiff_t down = stack.rows() > 1 ? offset_of(0, 1) - first : 0;
-    for (int row = 0; row < stack.rows(); ++row)
-        for (int column = 0; column < stack.columns(); ++column) {
-            const auto at = static_cast<std::size_t>(first + row * down + column * right);
-            const double value = std::clamp((ct.voxels[at] - black) * steps, 0.0, 255.0);
-            grey.push_back(static_cast<std::uint8_t>(value + 0.5));
+    std::vector<std::uint8_t> grey(static_cast<std::size_t>(columns * stack.rows()));
+    std::uint8_t* pixel = grey.data();
+    for (int row = 0; row < stack.rows(); ++row) {
+        const auto* voxel = ct.voxels.data() + first + row * down;
+        for (std::ptrdiff_t column = 0; column < columns; ++column) {
+            const double value = std::clamp((voxel[column * right] - black) * steps, 0.0, 255.0);
+            *pixel++ = static_cast<std::uint8_t>(value + 0.5);
         }
+    }
     return grey;
 }
 
 std::vector<std::uint8_t> label_slice(const Mask& labels, const SliceStack& stack, int slice) {
-    std::vector<std::uint8_t> found;
-    found.reserve(static_cast<std::size_t>(stack.columns()) *
-                  static_cast<std::size_t>(stack.rows()));
+    const Grid& grid = labels.grid;
     const auto index_at = [&](int column, int row) {
-        return labels.grid.to_index(stack.to_mm(Vec3(column, row, slice)));
+        return grid.to_index(stack.to_mm(Vec3(column, row, slice)));
     };
     const Vec3 begin = index_at(0, 0);
-    const Vec3 along_columns = index_at(1, 0) - begin, along_rows = index_at(0, 1) - begin;
-    for (int row = 0; row < stack.rows(); ++row)
-        for (int column = 0; column < stack.columns(); ++column) {
-            const Vec3 index = begin + column * along_columns + row * along_rows;
-            const int x = static_cast<int>(std::floor(index.x() + 0.5));
-            const int y = static_cast<int>(std::floor(index.y() + 0.5));
-            const int z = static_cast<int>(std::floor(index.z() + 0.5));
-            found.push_back(labels.grid.contains(x, y, z) ? labels.at(x, y, z) : 0);
-        }
-    return found;
+    const PlaneOfPixels plane{begin, index_at(1, 0) - begin, index_at(0, 1) - begin,
+                              stack.columns(), stack.rows()};
+    const auto axes = axes_of(plane);
+    return axes ? labels_along_axes(labels, plane, *axes) : labels_across_axes(labels, plane);
 }
 
 }  // namespace hepatica

@@ -12,7 +12,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double watched_s = 1.0;  // after the last action
+constexpr double watched_s = 1.0;  // after the last action, where it is let go
 
 int steps_in(double seconds) {
     return static_cast<int>(std::lround(seconds / frame_s));
@@ -73,6 +73,11 @@ double end_s(const Script& script) {
     return end_s;
 }
 
+HandMotion watched(std::string name, Script script, double afterwards_s) {
+    const double over_s = end_s(script);
+    return {std::move(name), std::move(script), steps_in(over_s + afterwards_s), steps_in(over_s)};
+}
+
 }  // namespace
 
 std::vector<std::string> hand_motion_names() {
@@ -91,20 +96,19 @@ HandMotion hand_motion(const std::string& name) {
         throw InputError("\"" + name + "\" is not known", "motion",
                          "Choose one of: pull, jerk, twist");
     script.name = name;
-    const int steps = steps_in(end_s(script) + watched_s);
-    return {name, std::move(script), steps};
+    return watched(name, std::move(script), watched_s);
 }
 
 HandMotion motion_of(const Script& script) {
-    return {"script", script, steps_in(end_s(script) + watched_s)};
+    return watched("script", script, watched_s);
 }
 
 HandMotion dial_motion() {
     const Vec3 way_mm(18, 24, 0);
     Script script = held_vessel();
     const double turned_s = move(script, 0.0, way_mm, 0.5);
-    const double back_s = move(script, turned_s, -way_mm, 0.5);
-    return {"dial", std::move(script), steps_in(back_s)};
+    move(script, turned_s, -way_mm, 0.5);
+    return watched("dial", std::move(script), 0.0);
 }
 
 }  // namespace hepatica

@@ -13,7 +13,8 @@ namespace hepatica {
 struct HandMotion {
     std::string name;
     Script script;
-    int steps = 0;  // of 1/60 s
+    int steps = 0;       // of 1/60 s
+    int held_steps = 0;  // of these until the last action is over: what follows is the swing
 };
 
 // pull:  by (30, 20, 0) mm in half a second, by (-30, -40, 10) mm in another;

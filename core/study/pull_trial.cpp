@@ -136,8 +136,7 @@ std::vector<Vec3> CentrelineProbes::places_mm(std::span<const Vec3> vertices_mm)
     return places;
 }
 
-MotionDifference motion_difference(const CentrelineMotion& motion,
-                                   const CentrelineMotion& reference) {
+MotionDifference motion_difference(std::span<const Vec3> motion, std::span<const Vec3> reference) {
     assert(motion.size() == reference.size() && !motion.empty());
     double missed = 0.0, moved = 0.0, furthest = 0.0;
     for (std::size_t i = 0; i < reference.size(); ++i) {

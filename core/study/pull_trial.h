@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/deform/body/body.h"
@@ -61,8 +62,7 @@ struct MotionDifference {
 
 // Of two motions with as many frames and probes, of which the reference is not at rest all the
 // time.
-MotionDifference motion_difference(const CentrelineMotion& motion,
-                                   const CentrelineMotion& reference);
+MotionDifference motion_difference(std::span<const Vec3> motion, std::span<const Vec3> reference);
 // The relative one.
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
 

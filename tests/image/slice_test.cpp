@@ -100,25 +100,38 @@ TEST(Slice, GreyRunsFromBlackToWhiteOverTheWindow) {
     }
 }
 
+// Each pixel asks for its own place, on grids along the picture's axes, swapped ones and oblique
+// ones.
 TEST(Slice, LabelsComeFromTheirOwnGrid) {
     Grid ct;
-    ct.dims = {20, 20, 20};
-    Mask labels(Grid{{3, 4, 5}, Vec3(2, 2, 2), Vec3(4.5, 6.5, 2.5)});
-    for (std::size_t i = 0; i < labels.voxels.size(); ++i)
-        labels.voxels[i] = static_cast<std::uint8_t>(i + 1);
-    for (const SliceDirection direction : directions) {
-        const SliceStack stack(ct, direction);
-        for (int slice = 0; slice < 20; ++slice) {
-            const auto found = label_slice(labels, stack, slice);
-            for (int row = 0; row < 20; ++row)
-                for (int column = 0; column < 20; ++column) {
-                    const Vec3 index = labels.grid.to_index(stack.to_mm(Vec3(column, row, slice)));
-                    const Vec3 nearest = (index.array() + 0.5).floor();
-                    const int x = static_cast<int>(nearest.x()), y = static_cast<int>(nearest.y()),
-                              z = static_cast<int>(nearest.z());
-                    const int expected = labels.grid.contains(x, y, z) ? labels.at(x, y, z) : 0;
-                    EXPECT_EQ(found[static_cast<std::size_t>(20 * row + column)], expected);
-                }
+    ct.dims = {20, 21, 22};
+    Mat3 swapped;
+    swapped << 0, 0, 1, -1, 0, 0, 0, 1, 0;
+    const Mat3 oblique = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (const Mat3& direction_of_labels : {Mat3(Mat3::Identity()), swapped, oblique}) {
+        Mask labels(Grid{{3, 4, 5}, Vec3(2, 2, 2), Vec3(4.5, 6.5, 2.5), direction_of_labels});
+        for (std::size_t i = 0; i < labels.voxels.size(); ++i)
+            labels.voxels[i] = static_cast<std::uint8_t>(i + 1);
+        for (const SliceDirection direction : directions) {
+            const SliceStack stack(ct, direction);
+            int labelled = 0;
+            for (int slice = 0; slice < stack.count(); ++slice) {
+                const auto found = label_slice(labels, stack, slice);
+                for (int row = 0; row < stack.rows(); ++row)
+                    for (int column = 0; column < stack.columns(); ++column) {
+                        const Vec3 index =
+                            labels.grid.to_index(stack.to_mm(Vec3(column, row, slice)));
+                        const Vec3 nearest = (index.array() + 0.5).floor();
+                        const int x = static_cast<int>(nearest.x()),
+                                  y = static_cast<int>(nearest.y()),
+                                  z = static_cast<int>(nearest.z());
+                        const int expected = labels.grid.contains(x, y, z) ? labels.at(x, y, z) : 0;
+                        labelled += expected > 0;
+                        EXPECT_EQ(found[static_cast<std::size_t>(stack.columns() * row + column)],
+                                  expected);
+                    }
+            }
+            EXPECT_GT(labelled, 100);
         }
     }
 }

@@ -45,6 +45,7 @@ TEST(HandMotion, PullGoesOutInHalfASecondAndAcrossInAnother) {
     EXPECT_LT((hand.from_start_mm[59] - Vec3(0, -20, 10)).norm(), 1e-9);
     EXPECT_EQ(hand.released_at, 60);
     EXPECT_EQ(pull.steps, 120);
+    EXPECT_EQ(pull.held_steps, 60) << "up to the step that lets go";
 }
 
 TEST(HandMotion, JerkIsBackAfterAFifthOfASecond) {
@@ -73,6 +74,7 @@ TEST(HandMotion, TheDialsGoesThirtyMillimetresAndBackInASecond) {
     EXPECT_NEAR(hand.from_start_mm[29].norm(), 30.0, 1e-9);
     EXPECT_LT(hand.from_start_mm[59].norm(), 1e-9);
     EXPECT_EQ(motion.steps, 60);
+    EXPECT_EQ(motion.held_steps, 60);
 }
 
 TEST(HandMotion, AScriptIsWatchedForASecondAfterItsLastAction) {
