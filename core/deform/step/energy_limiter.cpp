@@ -8,6 +8,10 @@
 namespace hepatica {
 namespace {
 
+// What moves more slowly than this on average rests: its energies are rounding errors, of either
+// sign.
+constexpr double resting_mm_per_s = 1e-6;
+
 // Stored energy and what friction took: a tool in motion may do that work in this step.
 double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
@@ -98,7 +102,9 @@ EnergyLimiter::EnergyLimiter(const Body& body, const AssemblyPlan& plan)
     : body_(body), piece_of_node_(connected_pieces(plan)) {
     for (std::size_t i = 0; i < piece_of_node_.size(); ++i) {
         nodes_.resize(std::max(nodes_.size(), static_cast<std::size_t>(piece_of_node_[i]) + 1));
+        mass_g_.resize(nodes_.size());
         nodes_[piece_of_node_[i]].push_back(static_cast<int>(i));
+        mass_g_[piece_of_node_[i]] += body.mass_g[i];
     }
 }
 
@@ -155,14 +161,15 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
     const auto& [before, now, rounding, least_nj, together] = energies;
     Outcome outcome;
     for (const std::vector<int>& group : coupled_pieces(potentials, together)) {
-        double excess = 0.0, size = 0.0, kinetic = 0.0;
+        double excess = 0.0, size = 0.0, kinetic = 0.0, mass_g = 0.0;
         for (const int p : group) {
             excess += now[p].energy - before[p].energy;
             size += std::abs(before[p].energy) + std::abs(now[p].energy) + now[p].kinetic;
             kinetic += now[p].kinetic;
+            mass_g += mass_g_[p];
         }
-        // At rest the energies are rounding errors, of either sign.
-        if (!(kinetic > 0.0) || !(excess > rounding * size + least_nj)) continue;
+        if (!(kinetic > 0.5 * mass_g * resting_mm_per_s * resting_mm_per_s)) continue;
+        if (!(excess > rounding * size + least_nj)) continue;
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
         for (const auto& potential : potentials.all()) potential->mark_held(positions_mm, marked);
         std::vector<int> nodes;

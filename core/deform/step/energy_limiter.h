@@ -3,7 +3,8 @@
 // linearised step may make energy where elements turn far. A piece that nothing holds keeps its
 // linear and angular momentum: only its motion relative to the rigid one about its centre of mass
 // is scaled. A piece that is held (fixed vertices, tissue, a grab) has no momentum of its own and
-// is scaled as a whole. Pieces that share no grab do not feel each other.
+// is scaled as a whole. Pieces that share no grab do not feel each other, and one that rests is
+// left alone.
 #pragma once
 
 #include <span>
@@ -79,6 +80,7 @@ class EnergyLimiter {
     const Body& body_;
     std::vector<int> piece_of_node_;
     std::vector<std::vector<int>> nodes_;  // of each piece
+    std::vector<double> mass_g_;           // likewise
     std::vector<Balance> before_;
 };
 

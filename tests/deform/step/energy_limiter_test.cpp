@@ -164,6 +164,33 @@ TEST(EnergyLimiter, OnePieceNeverBrakesAnother) {
     EXPECT_GT(compared, 120);
 }
 
+// A vessel that rests beside one that is pulled has nothing but rounding errors, which are no
+// energy that a step has made: nobody is told that the body was slowed down.
+TEST(EnergyLimiter, APieceThatRestsIsLeftAlone) {
+    BodyDescription two;
+    append(two, Vec3(8, 8, 8), {1, 1, 1}, Vec3::Zero(), false);
+    append(two, Vec3(8, 8, 8), {1, 1, 1}, Vec3(20, 0, 0), false);
+    const Body body = build_body(two, ElementModel::corotated, ElementOrder::linear);
+    const Assembly assembly(body);
+    const EnergyLimiter limiter(body, assembly.plan());
+    const PotentialList potentials(body);
+    const std::vector<std::uint8_t> held(body.mass_g.size(), 0);
+    const auto limited = [&](double speed_mm_per_s) {
+        std::vector<Vec3> velocities(body.mass_g.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < 8; ++i)
+            velocities[i] = speed_mm_per_s * (i % 2 == 0 ? Vec3::UnitX() : Vec3::UnitY());
+        const double kinetic = kinetic_energy(body, velocities);
+        const std::array<EnergyLimiter::Balance, 2> before{{{0.5 * kinetic, 0.5 * kinetic}, {}}};
+        const std::array<EnergyLimiter::Balance, 2> after{{{kinetic, kinetic}, {}}};
+        return limiter
+            .limit({.before = before, .after = after}, potentials, body.rest_positions_mm, held,
+                   velocities)
+            .limited;
+    };
+    EXPECT_FALSE(limited(1e-9));
+    EXPECT_TRUE(limited(1e-3));
+}
+
 // A grab that holds two pieces carries energy from one to the other: they count as one.
 TEST(EnergyLimiter, PiecesThatShareAGrabAreJoined) {
     BodyDescription two;
