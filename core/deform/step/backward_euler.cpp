@@ -8,6 +8,7 @@
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/momentum_check.h"
+#include "core/deform/step/rigid_motion.h"
 
 namespace hepatica {
 namespace {
@@ -99,6 +100,32 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
     return outcome.lost;
 }
 
+// The line search looks at all pieces together: what some of them lost may have paid for energy that
+// another one made, more than it can give back. Of such a piece the step is not taken: it flies on
+// as it is, with its momentum, or stands still where something holds it; unless it would meet
+// something.
+void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
+    const auto overdrawn =
+        limiter_.overdrawn(step, potential_.assembly(), potential_.live().held());
+    if (overdrawn.empty()) return;
+    std::vector<Vec3> velocity = step.velocity;
+    for (const auto& [nodes, flies] : overdrawn) {
+        std::vector<Vec3> ways(nodes.size(), Vec3::Zero());
+        if (flies) {
+            RigidMotion motion = rigid_motion(nodes, body_.mass_g, step.start.positions_mm,
+                                              step.start.velocities_mm_per_s);
+            // With what its weight and the drag gave it in the step.
+            motion.velocity_mm_per_s =
+                rigid_motion(nodes, body_.mass_g, step.positions, step.velocity).velocity_mm_per_s;
+            ways = straight_ways(motion, nodes, step.start.positions_mm, step.dt_s);
+        }
+        for (std::size_t k = 0; k < nodes.size(); ++k) velocity[nodes[k]] = ways[k];
+    }
+    if (!newton_.replace_velocity(step, velocity)) return;
+    report.degraded = true;
+    report.message = "a piece went on without the step's forces: they would have made energy";
+}
+
 // Makes the step again as two halves. `tried` is the report of the attempt at the whole step.
 StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
                                             const PotentialList& potentials, int halvings_left,
@@ -142,6 +169,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
         report.degraded = true;
         report.message = "the body was stopped: no step lowers its energy";
     }
+    if (settings_.line_search) decline(step, report);
     books_.book(step, newton_, settings_.audit, report);
     std::vector<Vec3> velocities = std::move(step.velocity);
     if (settings_.line_search) {

@@ -84,6 +84,7 @@ class BackwardEuler {
                                 int halvings_left, int most_solves);
     StepReport advance_in_halves(BodyState& state, double dt_s, const PotentialList& potentials,
                                  int halvings_left, int solves_left, const StepReport& tried);
+    void decline(StepUnderway& step, StepReport& report);
     MomentumLost limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
                               StepReport& report);
 

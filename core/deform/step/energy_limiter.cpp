@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/step/energy_limiter.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "core/deform/step/rigid_motion.h"
 
 namespace hepatica {
 namespace {
@@ -17,54 +18,12 @@ double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
 }
 
+bool rests(double kinetic_nj, double mass_g) {
+    return !(kinetic_nj > 0.5 * mass_g * resting_mm_per_s * resting_mm_per_s);
+}
+
 double scale_without(double energy, double kinetic) {
     return kinetic > 0.0 ? std::sqrt(std::max(0.0, kinetic - energy) / kinetic) : 1.0;
-}
-
-// The rigid motion of linear and angular momentum of some nodes, about their centre of mass.
-struct RigidMotion {
-    Vec3 centre_mm, velocity_mm_per_s, spin_per_s;
-    double spin_energy_nj, flight_energy_nj;
-    Vec3 of_spin(const Vec3& x) const { return spin_per_s.cross(Vec3(x - centre_mm)); }
-    Vec3 operator()(const Vec3& x) const { return velocity_mm_per_s + of_spin(x); }
-};
-
-// I^-1 L; no spin about an axis without inertia (nodes in a line).
-Vec3 spin_of(const Mat3& inertia, const Vec3& angular_momentum) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
-    Vec3 spin = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        const double moment = axes.eigenvalues()[k];
-        if (!(moment > 1e-12 * axes.eigenvalues()[2])) continue;
-        const Vec3 axis = axes.eigenvectors().col(k);
-        spin += axis.dot(angular_momentum) / moment * axis;
-    }
-    return spin;
-}
-
-RigidMotion rigid_motion(std::span<const int> nodes, std::span<const double> mass,
-                         std::span<const Vec3> x, std::span<const Vec3> v) {
-    double total = 0.0;
-    Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero(), angular = Vec3::Zero();
-    const Vec3 origin = x[nodes[0]];  // no digits are lost far from the origin
-    for (const int i : nodes) {
-        total += mass[i];
-        centre += mass[i] * (x[i] - origin);
-        momentum += mass[i] * v[i];
-    }
-    RigidMotion motion;
-    motion.centre_mm = origin + centre / total;
-    motion.velocity_mm_per_s = momentum / total;
-    Mat3 inertia = Mat3::Zero();
-    for (const int i : nodes) {
-        const Vec3 r = x[i] - motion.centre_mm;
-        angular += mass[i] * r.cross(Vec3(v[i] - motion.velocity_mm_per_s));
-        inertia += mass[i] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-    }
-    motion.spin_per_s = spin_of(inertia, angular);
-    motion.spin_energy_nj = 0.5 * motion.spin_per_s.dot(inertia * motion.spin_per_s);
-    motion.flight_energy_nj = 0.5 * total * motion.velocity_mm_per_s.squaredNorm();
-    return motion;
 }
 
 MomentumLost take_from_free(std::span<const int> nodes, std::span<const double> mass,
@@ -154,6 +113,38 @@ std::vector<std::vector<int>> EnergyLimiter::coupled_pieces(const PotentialList&
     return groups;
 }
 
+std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
+    const StepUnderway& step, const Assembly& assembly,
+    std::span<const std::uint8_t> held_nodes) const {
+    std::vector<Overdrawn> found;
+    if (pieces() == 1) return found;
+    const std::vector<Balance> now = balance(step, step.positions, step.velocity, assembly);
+    std::vector<char> marked(held_nodes.begin(), held_nodes.end());
+    for (const auto& potential : step.potentials.all())
+        potential->mark_held(step.positions, marked);
+    for (const std::vector<int>& group : coupled_pieces(step.potentials, step.together)) {
+        double excess = 0.0, kinetic = 0.0, mass_g = 0.0;
+        Overdrawn piece;
+        for (const int p : group) {
+            excess += now[p].energy - before_[p].energy;
+            kinetic += now[p].kinetic;
+            mass_g += mass_g_[p];
+            piece.nodes.insert(piece.nodes.end(), nodes_[p].begin(), nodes_[p].end());
+        }
+        if (rests(kinetic, mass_g) || !(excess > 0.0)) continue;
+        piece.flies = group.size() == 1 &&
+                      std::ranges::none_of(piece.nodes, [&](int i) { return marked[i] != 0; });
+        double to_give = kinetic;
+        if (piece.flies) {
+            const RigidMotion rigid =
+                rigid_motion(piece.nodes, body_.mass_g, step.positions, step.velocity);
+            to_give -= rigid.spin_energy_nj + rigid.flight_energy_nj;
+        }
+        if (excess > to_give + 1e-9 * kinetic) found.push_back(std::move(piece));
+    }
+    return found;
+}
+
 EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const PotentialList& potentials,
                                             std::span<const Vec3> positions_mm,
                                             std::span<const std::uint8_t> held_nodes,
@@ -168,8 +159,7 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const Pieces& energies, const Potent
             kinetic += now[p].kinetic;
             mass_g += mass_g_[p];
         }
-        if (!(kinetic > 0.5 * mass_g * resting_mm_per_s * resting_mm_per_s)) continue;
-        if (!(excess > rounding * size + least_nj)) continue;
+        if (rests(kinetic, mass_g) || !(excess > rounding * size + least_nj)) continue;
         std::vector<char> marked(held_nodes.begin(), held_nodes.end());
         for (const auto& potential : potentials.all()) potential->mark_held(positions_mm, marked);
         std::vector<int> nodes;

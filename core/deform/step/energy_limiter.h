@@ -38,6 +38,16 @@ class EnergyLimiter {
     // Takes down the energies at the start of a step; the assembly's slots are of that state.
     void begin(const StepUnderway& step, const Assembly& assembly);
 
+    // Nodes of pieces that share their energy, of which the step made more than their motion may
+    // give back: of one that flies free the deforming motion, else all of it.
+    struct Overdrawn {
+        std::vector<int> nodes;
+        bool flies = false;  // one piece that nothing holds
+    };
+    // The assembly's slots are of the end of the step. Empty where the body is one piece.
+    std::vector<Overdrawn> overdrawn(const StepUnderway& step, const Assembly& assembly,
+                                     std::span<const std::uint8_t> held) const;
+
     struct Outcome {
         bool limited = false;
         MomentumLost lost = MomentumLost::none;

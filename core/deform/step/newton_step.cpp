@@ -11,6 +11,7 @@
 #include "core/deform/solvers/coupled_solve.h"
 #include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
+#include "core/deform/step/rigid_motion.h"
 #include "core/deform/step/step_input.h"
 
 namespace hepatica {
@@ -398,7 +399,8 @@ void NewtonStep::predict(StepUnderway& step) {
                        (step.potentials.coupled(step.positions) ||
                         step.potentials.free_share(step.start.positions_mm, step.positions) < 1.0);
     if (meets)
-        if (const auto common = common_velocity(velocity); common && begin_at(step, *common)) {
+        if (const auto common = common_velocity(body_.mass_g, potential_.live().held(), velocity);
+            common && begin_at(step, *common)) {
             step.together = true;
             return;
         }
@@ -418,20 +420,6 @@ bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity)
     potential_.evaluate(step.positions);
     step.value = potential_.value(step);
     return step.value <= step.standing;
-}
-
-// The velocity of the centre of mass for every node. It keeps the momentum of a body that is about
-// to collide, and lets no surfaces meet. None where a node is held.
-std::optional<std::vector<Vec3>> NewtonStep::common_velocity(
-    const std::vector<Vec3>& velocity) const {
-    Vec3 momentum = Vec3::Zero();
-    double mass = 0.0;
-    for (std::size_t i = 0; i < velocity.size(); ++i) {
-        if (potential_.held(i)) return std::nullopt;
-        momentum += body_.mass_g[i] * velocity[i];
-        mass += body_.mass_g[i];
-    }
-    return std::vector<Vec3>(velocity.size(), Vec3(momentum / mass));
 }
 
 void NewtonStep::stay_at_start(StepUnderway& step) {
@@ -456,6 +444,29 @@ bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& 
     if (iterate_from_here(step, most_solves, report)) return true;
     if (step.predicted) stay_at_start(step);
     return false;
+}
+
+bool NewtonStep::replace_velocity(StepUnderway& step, const std::vector<Vec3>& velocity) {
+    std::vector<Vec3> positions(velocity.size());
+    for_each_node(velocity.size(), [&](std::size_t i) {
+        positions[i] = step.start.positions_mm[i] + step.dt_s * velocity[i];
+    });
+    if (step.potentials.free_share(step.start.positions_mm, positions) < 1.0) return false;
+    step.velocity = velocity;
+    step.positions = std::move(positions);
+    step.whole = false;
+    if (body_.damping.beta_s > 0.0) {
+        if (step.iterate > 0) {
+            potential_.damping_of(step.velocity, step.damping_force);
+        } else {
+            step.damping_force.clear();
+            find_damping(step);
+        }
+        step.damping_form = dot(step.velocity, step.damping_force);
+    }
+    potential_.evaluate_forces(step.positions);
+    step.value = potential_.value(step);
+    return true;
 }
 
 // How many iterates may follow a single one that had to be shortened.

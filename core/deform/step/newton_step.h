@@ -53,6 +53,10 @@ class NewtonStep {
     // Fills the step's damping_force, which a first iterate from rest leaves out.
     void find_damping(StepUnderway& step);
 
+    // Ends the step at another velocity than was found, and evaluates the potential there. False,
+    // and nothing is changed, where something would pass through something on that way.
+    bool replace_velocity(StepUnderway& step, const std::vector<Vec3>& velocity);
+
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit
     // and leaves the potential at other positions; it throws InputError where the checkpoint does
     // not fit the body or the solver.
@@ -70,7 +74,6 @@ class NewtonStep {
     void assemble_again(const SolverCheckpoint& checkpoint);
     void predict(StepUnderway& step);
     bool begin_at(StepUnderway& step, const std::vector<Vec3>& velocity);
-    std::optional<std::vector<Vec3>> common_velocity(const std::vector<Vec3>& velocity) const;
     void stay_at_start(StepUnderway& step);
     bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
     bool iterate(StepUnderway& step, StepReport& report);
