@@ -22,6 +22,9 @@ constexpr double fist_radius_mm = 4.0;
 constexpr double fist_un_per_mm = 3e5,
                  fist_limit_un = 1e7;  // of all springs of a hand together
 constexpr int steps_a_goal = 30;
+// A body that came to rest in many pieces has had a hundred million times the energy it has left:
+// its ledger is judged against a millionth, at least, of the most that any step has handled.
+constexpr double rounding_of_tears = 1e-6;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
@@ -69,7 +72,7 @@ class TearTrial {
     ExtremeRow run(int steps, const std::stop_token& stop) {
         ExtremeRow row;
         stepper_ = make_cpu_stepper(body_, options_);
-        Trial trial(*stepper_, row, stop);
+        Trial trial(*stepper_, row, stop, rounding_of_tears);
         SplitCheck check(body_, options_);
         weaken_some();
         if (play_ == TearPlay::press) bring_tool();

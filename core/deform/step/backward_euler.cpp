@@ -100,10 +100,10 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
     return outcome.lost;
 }
 
-// The line search looks at all pieces together: what some of them lost may have paid for energy that
-// another one made, more than it can give back. Of such a piece the step is not taken: it flies on
-// as it is, with its momentum, or stands still where something holds it; unless it would meet
-// something.
+// The line search looks at all pieces together: what some of them lost may have paid for energy
+// that another one made, more than it can give back; and where it shortens the step for one of
+// them, a piece that flies free would lose its momentum. Of such pieces the step is not taken: they
+// fly on as they are, or stand still where something holds them; unless they would meet something.
 void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
     const auto overdrawn =
         limiter_.overdrawn(step, potential_.assembly(), potential_.live().held());
@@ -114,16 +114,16 @@ void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
         if (flies) {
             RigidMotion motion = rigid_motion(nodes, body_.mass_g, step.start.positions_mm,
                                               step.start.velocities_mm_per_s);
-            // With what its weight and the drag gave it in the step.
-            motion.velocity_mm_per_s =
-                rigid_motion(nodes, body_.mass_g, step.positions, step.velocity).velocity_mm_per_s;
+            motion.velocity_mm_per_s = limiter_.flight(step, motion.velocity_mm_per_s);
             ways = straight_ways(motion, nodes, step.start.positions_mm, step.dt_s);
         }
         for (std::size_t k = 0; k < nodes.size(); ++k) velocity[nodes[k]] = ways[k];
     }
     if (!newton_.replace_velocity(step, velocity)) return;
     report.degraded = true;
-    report.message = "a piece went on without the step's forces: they would have made energy";
+    report.message =
+        "a piece went on without the step's forces: they would have made energy or "
+        "taken its momentum";
 }
 
 // Makes the step again as two halves. `tried` is the report of the attempt at the whole step.

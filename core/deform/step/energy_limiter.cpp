@@ -13,6 +13,9 @@ namespace {
 // sign.
 constexpr double resting_mm_per_s = 1e-6;
 
+// Of a piece that flies free; the tolerance of the solver loses less.
+constexpr double most_momentum_lost = 0.02;
+
 // Stored energy and what friction took: a tool in motion may do that work in this step.
 double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
@@ -113,6 +116,28 @@ std::vector<std::vector<int>> EnergyLimiter::coupled_pieces(const PotentialList&
     return groups;
 }
 
+Vec3 EnergyLimiter::flight(const StepUnderway& step, const Vec3& before_mm_per_s) const {
+    const Vec3 fall = step.dt_s * step.potentials.gravity_mm_per_s2();
+    return (before_mm_per_s + fall) / (1.0 + step.dt_s * body_.damping.alpha_per_s);
+}
+
+// Whether a piece that flies free would have to pay with momentum for energy that its step made, or
+// has lost of it.
+bool EnergyLimiter::brakes(const StepUnderway& step, std::span<const int> nodes,
+                           double excess_nj) const {
+    const auto motion = [&](const std::vector<Vec3>& x, const std::vector<Vec3>& v) {
+        return rigid_motion(nodes, body_.mass_g, x, v);
+    };
+    const RigidMotion after = motion(step.positions, step.velocity);
+    double kinetic = 0.0;
+    for (const int i : nodes) kinetic += 0.5 * body_.mass_g[i] * step.velocity[i].squaredNorm();
+    const double deforming = kinetic - after.spin_energy_nj - after.flight_energy_nj;
+    if (excess_nj > deforming + 1e-9 * kinetic) return true;
+    const Vec3 expected = flight(
+        step, motion(step.start.positions_mm, step.start.velocities_mm_per_s).velocity_mm_per_s);
+    return (after.velocity_mm_per_s - expected).norm() > most_momentum_lost * expected.norm();
+}
+
 std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
     const StepUnderway& step, const Assembly& assembly,
     std::span<const std::uint8_t> held_nodes) const {
@@ -123,24 +148,20 @@ std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
     for (const auto& potential : step.potentials.all())
         potential->mark_held(step.positions, marked);
     for (const std::vector<int>& group : coupled_pieces(step.potentials, step.together)) {
-        double excess = 0.0, kinetic = 0.0, mass_g = 0.0;
+        double excess = 0.0, before = 0.0, kinetic = 0.0, mass_g = 0.0;
         Overdrawn piece;
         for (const int p : group) {
             excess += now[p].energy - before_[p].energy;
+            before += before_[p].kinetic;
             kinetic += now[p].kinetic;
             mass_g += mass_g_[p];
             piece.nodes.insert(piece.nodes.end(), nodes_[p].begin(), nodes_[p].end());
         }
-        if (rests(kinetic, mass_g) || !(excess > 0.0)) continue;
+        if (rests(before + kinetic, mass_g)) continue;
         piece.flies = group.size() == 1 &&
                       std::ranges::none_of(piece.nodes, [&](int i) { return marked[i] != 0; });
-        double to_give = kinetic;
-        if (piece.flies) {
-            const RigidMotion rigid =
-                rigid_motion(piece.nodes, body_.mass_g, step.positions, step.velocity);
-            to_give -= rigid.spin_energy_nj + rigid.flight_energy_nj;
-        }
-        if (excess > to_give + 1e-9 * kinetic) found.push_back(std::move(piece));
+        if (piece.flies ? brakes(step, piece.nodes, excess) : excess > kinetic)
+            found.push_back(std::move(piece));
     }
     return found;
 }

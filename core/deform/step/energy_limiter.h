@@ -39,7 +39,8 @@ class EnergyLimiter {
     void begin(const StepUnderway& step, const Assembly& assembly);
 
     // Nodes of pieces that share their energy, of which the step made more than their motion may
-    // give back: of one that flies free the deforming motion, else all of it.
+    // give back: of one that flies free the deforming motion, else all of it. Also of one that
+    // flies free and lost its momentum.
     struct Overdrawn {
         std::vector<int> nodes;
         bool flies = false;  // one piece that nothing holds
@@ -47,6 +48,9 @@ class EnergyLimiter {
     // The assembly's slots are of the end of the step. Empty where the body is one piece.
     std::vector<Overdrawn> overdrawn(const StepUnderway& step, const Assembly& assembly,
                                      std::span<const std::uint8_t> held) const;
+
+    // The velocity at the end of the step of a piece that nothing but weight and drag acts on.
+    Vec3 flight(const StepUnderway& step, const Vec3& before_mm_per_s) const;
 
     struct Outcome {
         bool limited = false;
@@ -80,6 +84,7 @@ class EnergyLimiter {
     std::span<const int> piece_of_node() const { return piece_of_node_; }
 
   private:
+    bool brakes(const StepUnderway& step, std::span<const int> nodes, double excess_nj) const;
     // Pieces that share their energy, ascending; each piece belongs to one group.
     std::vector<std::vector<int>> coupled_pieces(const PotentialList& potentials,
                                                  bool together) const;

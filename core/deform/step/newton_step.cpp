@@ -34,12 +34,6 @@ constexpr double rounding = 1e-13;  // relative size of a change of energy that 
 // whole: a share of the way from rest would brake the whole body.
 constexpr int rescue_iterates = 2;
 
-std::vector<Vec3> times(double factor, const std::vector<Vec3>& a) {
-    std::vector<Vec3> product(a.size());
-    for_each_node(a.size(), [&](std::size_t i) { product[i] = factor * a[i]; });
-    return product;
-}
-
 }  // namespace
 
 NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
@@ -232,7 +226,8 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
 
 // To be called while the assembly's slots hold the start of the step.
 void NewtonStep::keep_linearised_work(StepUnderway& step) {
-    const std::vector<Vec3> dx = times(step.dt_s, direction_);
+    std::vector<Vec3> dx(direction_.size());
+    for_each_node(dx.size(), [&](std::size_t i) { dx[i] = step.dt_s * direction_[i]; });
     const double elastic_form = potential_.assembly().quadratic_form(dx);
     product_.assign(dx.size(), Vec3::Zero());
     step.potentials.add_product(step.positions, 1.0, dx, potential_.matrix(), product_);

@@ -15,7 +15,7 @@
 namespace hepatica {
 namespace {
 
-BodyDescription bar() {
+BodyDescription bar_to_stop() {
     return test::description_of(test::make_bar(12.0, 3.0, 8, 2));
 }
 
@@ -37,7 +37,7 @@ class StoppedStep : public testing::Test {
         integrator.advance(state_, 1.0 / 60.0, potentials_, source_.get_token());
     }
 
-    Body body_ = build_body(bar(), ElementModel::corotated, ElementOrder::linear);
+    Body body_ = build_body(bar_to_stop(), ElementModel::corotated, ElementOrder::linear);
     PotentialList potentials_{body_};
     BodyState state_ = at_rest(body_);
     std::stop_source source_;
@@ -114,8 +114,8 @@ TEST(StoppedStepper, IsRestoredToWhatItWas) {
          {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton, LinearSolverKind::cholesky}) {
         SCOPED_TRACE(name_of(kind));
         const StepperOptions options{.solver = kind, .newton_iterations = 3, .substeps = 4};
-        const auto stopped = make_cpu_stepper(bar(), options);
-        const auto plain = make_cpu_stepper(bar(), options);
+        const auto stopped = make_cpu_stepper(bar_to_stop(), options);
+        const auto plain = make_cpu_stepper(bar_to_stop(), options);
         for (const auto& stepper : {stopped.get(), plain.get()}) {
             stepper->set_gravity(Vec3(0, -9810, 0));
             for (int k = 0; k < 5; ++k) stepper->step(1.0 / 60.0);
