@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
+#include "core/mesh/tet_mesh.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/split_check.h"
@@ -22,9 +24,6 @@ constexpr double fist_radius_mm = 4.0;
 constexpr double fist_un_per_mm = 3e5,
                  fist_limit_un = 1e7;  // of all springs of a hand together
 constexpr int steps_a_goal = 30;
-// A body that came to rest in many pieces has had a hundred million times the energy it has left:
-// its ledger is judged against a millionth, at least, of the most that any step has handled.
-constexpr double rounding_of_tears = 1e-6;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
@@ -69,10 +68,17 @@ class TearTrial {
             reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
     }
 
+    // Of the works of forces on the way of a step, which are as large as modulus times volume and
+    // nearly cancel: what lies in many pieces handles a few nanojoules, and they are rounded.
+    double rounding_nj() const {
+        return std::numeric_limits<double>::epsilon() * body_.material.young_modulus_pa *
+               volume_mm3(body_.mesh);
+    }
+
     ExtremeRow run(int steps, const std::stop_token& stop) {
         ExtremeRow row;
         stepper_ = make_cpu_stepper(body_, options_);
-        Trial trial(*stepper_, row, stop, rounding_of_tears);
+        Trial trial(*stepper_, row, stop, 0.0, rounding_nj() / Trial::ledger_tolerance);
         SplitCheck check(body_, options_);
         weaken_some();
         if (play_ == TearPlay::press) bring_tool();

@@ -52,10 +52,10 @@ bool Trial::check_energy(const StepReport& report) {
     row_.energy_made = std::max(row_.energy_made, (stored - before - work) / size);
     if (!require(row_.energy_made < 1e-6, "energy was made")) return false;
     const double open =
-        std::abs(stored - before - change) / std::max(size, ledger_share_ * handled_);
+        std::abs(stored - before - change) / std::max({size, ledger_share_ * handled_, least_nj_});
     std::ostringstream what;
     what << "the ledger leaves " << open << " of the energies open";
-    return require(open < 1e-9, what.str()) && check_audit(report, size);
+    return require(open < ledger_tolerance, what.str()) && check_audit(report, size);
 }
 
 // A law's energy is the difference of terms as large as modulus times volume (unlike its forces),
