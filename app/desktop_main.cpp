@@ -10,7 +10,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/diagnosis.h"
 #include "app/process_clock.h"
+#include "app/readable.h"
 #include "app/report/report_main.h"
 #include "app/users_cache.h"
 #include "core/opening/case_segmentation.h"
@@ -29,6 +31,7 @@ struct Options {
     bool safe_mode = false;
     bool startup_report = false;
     bool quit_after_start = false;
+    bool diagnose = false;
     bool json = false;
 };
 
@@ -43,8 +46,9 @@ Options parse(const QCoreApplication& application) {
     const QCommandLineOption safe("safe-mode", "Ignore settings and cache, and keep none.");
     const QCommandLineOption report("startup-report", "Print how long the window took to appear.");
     const QCommandLineOption quit("quit-after-start", "Leave after the first picture.");
+    const QCommandLineOption diagnose("diagnose", "Print what this computer offers, and exit.");
     const QCommandLineOption json("json", "Print the report as JSON.");
-    parser.addOptions({built_in, safe, report, quit, json});
+    parser.addOptions({built_in, safe, report, quit, diagnose, json});
     parser.addOptions(report_options());
     parser.process(application);
     for (const QString& more : parser.positionalArguments().mid(1))
@@ -54,6 +58,7 @@ Options parse(const QCoreApplication& application) {
             parser.isSet(safe),
             parser.isSet(report),
             parser.isSet(quit),
+            parser.isSet(diagnose),
             parser.isSet(json)};
 }
 
@@ -100,6 +105,14 @@ int run_windows(hepatica::Settings& settings, const hepatica::MainWindow::Patien
     }
 }
 
+// Of the display, too, which this program needs and hepatica-cli does not.
+int print_diagnosis(const QString& display_problem, bool json) {
+    nlohmann::ordered_json answer = hepatica::diagnosis();
+    answer["display"] = display_problem.isEmpty() ? "there" : display_problem.toStdString();
+    std::printf("%s\n", json ? answer.dump().c_str() : hepatica::readable(answer).c_str());
+    return 0;
+}
+
 int refuse(const QString& problem) {
     std::fprintf(stderr, "hepatica: %s\n", qPrintable(problem));
     return 1;
@@ -114,7 +127,8 @@ int main(int argc, char** argv) {
     if (const QString problem = display_problem(); !problem.isEmpty()) {
         const QCoreApplication without_window(argc, argv);
         QCoreApplication::setApplicationVersion(HEPATICA_VERSION);
-        static_cast<void>(parse(without_window));  // --help and --version need no display
+        const Options options = parse(without_window);  // --help and --version need no display
+        if (options.diagnose) return print_diagnosis(problem, options.json);
         return refuse(problem);
     }
     QApplication application(argc, argv);
@@ -126,6 +140,7 @@ int main(int argc, char** argv) {
     // Qt takes the user's locale; with a decimal comma in it, numbers in files and shaders break.
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);
+    if (options.diagnose) return print_diagnosis({}, options.json);
     Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
     use_language(settings.language());
     apply_theme(application, theme_named(settings.theme()));

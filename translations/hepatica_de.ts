@@ -532,10 +532,6 @@
         <translation>Ziehen mit der mittleren Taste, Umschalt + Linksziehen</translation>
     </message>
     <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
@@ -1995,10 +1991,6 @@
     <message>
         <source>Edit lesson</source>
         <translation>Lektion bearbeiten</translation>
-    </message>
-    <message>
-        <source>The lesson holds changes that are not saved. Let them go?</source>
-        <translation>Die Lektion enthält ungespeicherte Änderungen. Sollen sie verworfen werden?</translation>
     </message>
     <message>
         <source>Look back on a recording</source>
@@ -7374,6 +7366,54 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Choose the folder of its DICOM series, or the file of a volume.</source>
         <translation>Wählen Sie den Ordner seiner DICOM-Serie oder die Datei eines Volumens.</translation>
+    </message>
+    <message>
+        <source>pan; View &gt; Mouse has other ways</source>
+        <translation>verschieben; Ansicht &gt; Maus kennt andere Arten</translation>
+    </message>
+    <message>
+        <source>A lesson was left unsaved when the program ended. It is kept: Lesson &gt; Edit lessons shows it as it was.</source>
+        <translation>Eine Lektion war nicht gespeichert, als das Programm endete. Sie ist aufgehoben: Lektion &gt; Lektionen bearbeiten zeigt sie, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Edit it</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse</source>
+        <translation>&amp;Maus</translation>
+    </message>
+    <message>
+        <source>&amp;Usual</source>
+        <translation>&amp;Gewohnt</translation>
+    </message>
+    <message>
+        <source>Right drag orbits, middle drag pans, the wheel zooms</source>
+        <translation>Rechts ziehen dreht, Mitte ziehen verschiebt, das Rad vergrößert</translation>
+    </message>
+    <message>
+        <source>As in 3D &amp;Slicer</source>
+        <translation>Wie in 3D &amp;Slicer</translation>
+    </message>
+    <message>
+        <source>Right drag zooms, middle drag pans; left drag beside the vessels orbits</source>
+        <translation>Rechts ziehen vergrößert, Mitte ziehen verschiebt; links neben den Gefäßen ziehen dreht</translation>
+    </message>
+    <message>
+        <source>As in &amp;CAD</source>
+        <translation>Wie in &amp;CAD</translation>
+    </message>
+    <message>
+        <source>Middle drag orbits, with Ctrl it pans, with Shift it zooms; right drag pans</source>
+        <translation>Mitte ziehen dreht, mit Strg verschiebt es, mit Umschalt vergrößert es; rechts ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>The lesson %1 holds changes that are not saved.</source>
+        <translation>Die Lektion %1 enthält Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Keep for later</source>
+        <translation>Für später aufheben</translation>
     </message>
 </context>
 </TS>

@@ -172,7 +172,7 @@ constexpr std::array table{
 constexpr std::array<std::pair<const char*, const char*>, 18> gestures{{
     {Words::id("Left drag on a vessel"), Words::id("pull it (in Pull mode)")},
     {Words::id("Left drag beside the vessels, right drag"), Words::id("orbit")},
-    {Words::id("Middle drag, Shift + left drag"), Words::id("pan")},
+    {Words::id("Middle drag, Shift + left drag"), Words::id("pan; View > Mouse has other ways")},
     {Words::id("Wheel"), Words::id("zoom")},
     {Words::id("Click in Inject mode, Ctrl + click, double-click on a vessel"),
      Words::id("inject there")},

@@ -123,6 +123,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_volume();
     connect_measuring();
     connect_themes();
+    connect_mouse_schemes();
     connect_languages();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
@@ -131,6 +132,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     review_->hide();  // there is nothing to look back on yet
     lessons_->hide();
     offer_unsaved_work();
+    offer_unsaved_lesson();
 
     figures_timer_ = new QTimer(this);
     figures_timer_->setSingleShot(true);

@@ -117,6 +117,7 @@ class MainWindow : public QMainWindow {
     void connect_measuring();
     void follow_measuring();
     void connect_themes();
+    void connect_mouse_schemes();
     void connect_languages();
     void speak(const QString& code);
 
@@ -145,6 +146,7 @@ class MainWindow : public QMainWindow {
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
     void offer_unsaved_work();
+    void offer_unsaved_lesson();
     void open_unsaved_work();
     void ask_for_ct(bool folder);
     std::optional<std::filesystem::path> ask_for_recording();

@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QRegularExpression>
 #include <QStatusBar>
 #include <utility>
@@ -14,9 +13,12 @@
 #include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
+#include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/questions.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
+#include "ui/slices/view_layout.h"
 #include "ui/theme.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
@@ -96,6 +98,21 @@ void MainWindow::offer_patient_from_before() {
         Words::tr("Open %1").arg(name), [this, before] { open(*before); });
 }
 
+// A lesson that an earlier run left, unless something else is to be said already.
+void MainWindow::offer_unsaved_lesson() {
+    draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
+    std::error_code ignored;
+    if (!messages_->text().isEmpty() || !std::filesystem::exists(draft_slot_->file(), ignored))
+        return;
+    messages_->show_notice(
+        Words::tr("A lesson was left unsaved when the program ended. It is kept: Lesson > Edit "
+                  "lessons shows it as it was."),
+        Words::tr("Edit it"), [this] {
+            messages_->dismiss();
+            lesson_editor().show_editor();
+        });
+}
+
 LessonEditor& MainWindow::lesson_editor() {
     if (lesson_editor_ == nullptr) build_lesson_editor();
     return *lesson_editor_;
@@ -131,17 +148,13 @@ void MainWindow::build_lesson_editor() {
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return to_path(dialog.selectedFiles().front());
     };
-    ways.may_discard = [this] {
-        return QMessageBox::question(
-                   lesson_editor_, "Hepatica",
-                   Words::tr("The lesson holds changes that are not saved. Let them go?"),
-                   QMessageBox::Discard | QMessageBox::Cancel,
-                   QMessageBox::Cancel) == QMessageBox::Discard;
+    ways.unsaved = [this](bool kept) {
+        return ask_unsaved_lesson(*lesson_editor_, lesson_editor_->document().lesson().name, kept);
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
-    draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
+    if (!draft_slot_) draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }
 

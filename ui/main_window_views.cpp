@@ -77,6 +77,29 @@ void MainWindow::connect_themes() {
     view_->scene().set_look(now.view);
 }
 
+void MainWindow::connect_mouse_schemes() {
+    auto* menu = new QMenu(Words::tr("&Mouse"), this);
+    menu->setToolTipsVisible(true);
+    auto* group = new QActionGroup(menu);
+    const MouseScheme& now = mouse_scheme_named(settings_.mouse_scheme());
+    for (const MouseScheme& scheme : mouse_schemes()) {
+        QAction* action = group->addAction(Words::tr(scheme.words));
+        action->setObjectName(QString("mouse_") + scheme.name);
+        action->setToolTip(Words::tr(scheme.tip));
+        action->setCheckable(true);
+        action->setChecked(&scheme == &now);
+        menu->addAction(action);
+        connect(action, &QAction::triggered, this, [this, &scheme] {
+            settings_.set_mouse_scheme(scheme.name);
+            view_->mouse().set_scheme(scheme);
+        });
+    }
+    view_->mouse().set_scheme(now);
+    QMenu* views = menuBar()->actions().at(2)->menu();
+    views->addSeparator();
+    views->addMenu(menu);
+}
+
 // A language holds for widgets that are made from then on: the window is made anew.
 void MainWindow::connect_languages() {
     auto* menu = new QMenu(Words::tr("Lang&uage"), this);
@@ -91,9 +114,7 @@ void MainWindow::connect_languages() {
         menu->addAction(action);
         connect(action, &QAction::triggered, this, [this, code] { speak(code); });
     }
-    QMenu* views = menuBar()->actions().at(2)->menu();
-    views->addSeparator();
-    views->addMenu(menu);
+    menuBar()->actions().at(2)->menu()->addMenu(menu);
 }
 
 void MainWindow::speak(const QString& code) {

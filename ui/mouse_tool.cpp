@@ -22,8 +22,10 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     clicked_ = false;
     callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
     pressed_ = last_ = at;
-    if (button == MouseButton::middle || (button == MouseButton::left && modifiers.shift)) {
-        action_ = Action::pan;
+    if (const auto gesture = scheme_->camera(button, modifiers)) {
+        action_ = *gesture == CameraGesture::pan    ? Action::pan
+                  : *gesture == CameraGesture::zoom ? Action::zoom
+                                                    : Action::orbit;
         return;
     }
     const bool left = button == MouseButton::left;
@@ -70,6 +72,9 @@ bool MouseTool::move(const Pixel& at) {
             return true;
         case Action::pan:
             view_.drag_pan(from, at);
+            return true;
+        case Action::zoom:  // upwards: nearer
+            view_.zoom_by(std::pow(1.01, from.y - at.y));
             return true;
         case Action::wait_for_click:
             if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) {

@@ -3,9 +3,9 @@
 // and releases into commands to the simulation and into movements of the camera.
 //
 //   left drag on a vessel    pull it                left drag beside the vessels   orbit
-//   right drag               orbit                  middle drag, Shift + left      pan
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
 //   Alt + wheel              move the plane that opens the view
+//   right and middle drag, Shift + left drag   the camera, as the scheme says (mouse_scheme.h)
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
 // the tool in depth, Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
@@ -23,18 +23,12 @@
 #include "core/session/hand_pace.h"
 #include "render/scene_view.h"
 #include "ui/clip_control.h"
+#include "ui/mouse_scheme.h"
 #include "ui/tool_hand.h"
 
 namespace hepatica {
 
-enum class MouseButton { left, middle, right };
 enum class MouseMode { pull, inject, edit, tool, cut, weaken, place, measure };
-
-struct MouseModifiers {
-    bool shift = false;
-    bool control = false;
-    bool alt = false;
-};
 
 // UI thread; view must outlive it.
 class MouseTool {
@@ -58,6 +52,7 @@ class MouseTool {
     // Puts a tool away that is in hand, unless the mode is that of tools.
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
+    void set_scheme(const MouseScheme& scheme) { scheme_ = &scheme; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 
@@ -80,7 +75,7 @@ class MouseTool {
     bool pulling() const { return action_ == Action::pull; }
 
   private:
-    enum class Action { none, pull, orbit, pan, wait_for_click, draw };
+    enum class Action { none, pull, orbit, pan, zoom, wait_for_click, draw };
 
     void click_at(const Pixel& at);
     // Whether a plain click is for a vessel.
@@ -98,6 +93,7 @@ class MouseTool {
     Callbacks callbacks_;
     ToolHand hand_;
     ClipControl clip_{view_};
+    const MouseScheme* scheme_ = &mouse_schemes().front();
     MouseMode mode_ = MouseMode::pull;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click

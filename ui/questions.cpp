@@ -79,4 +79,25 @@ std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Se
     return to_path(place);
 }
 
+UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept) {
+    QMessageBox box(
+        QMessageBox::Question, "Hepatica",
+        Words::tr("The lesson %1 holds changes that are not saved.").arg(translated(name)),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
+    QPushButton* later =
+        kept ? box.addButton(Words::tr("Keep for later"), QMessageBox::AcceptRole) : nullptr;
+    box.setDefaultButton(QMessageBox::Save);
+    box.setEscapeButton(QMessageBox::Cancel);
+    const int answer = box.exec();
+    if (later != nullptr && box.clickedButton() == later) return UnsavedLesson::keep;
+    switch (answer) {
+        case QMessageBox::Save:
+            return UnsavedLesson::save;
+        case QMessageBox::Discard:
+            return UnsavedLesson::discard;
+        default:
+            return UnsavedLesson::stay;
+    }
+}
+
 }  // namespace hepatica

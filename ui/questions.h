@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that keep a patient from being lost, which series is meant, and where a CT lies, as
-// dialogs.
+// The questions that keep a patient and a lesson from being lost, which series is meant, and where
+// a CT lies, as dialogs.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/patient_keeper.h"
 #include "ui/settings.h"
 
@@ -19,5 +20,8 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
 // The folder of a DICOM series or a file, as the person says: no dialog of the desktop takes both.
 // None: not after all.
 std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
+
+// About a lesson of that name; `kept`: a copy of it is on disk, so that it may be left for later.
+UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept);
 
 }  // namespace hepatica

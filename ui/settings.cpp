@@ -19,6 +19,7 @@ const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
+const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
 const char* const flow_units_key = "flow_units";
 const char* const volume_key = "volume/shown";
@@ -119,6 +120,14 @@ QString Settings::theme() const {
 
 void Settings::set_theme(const QString& name) {
     if (store_) store_->setValue(theme_key, name);
+}
+
+QString Settings::mouse_scheme() const {
+    return store_ ? store_->value(mouse_scheme_key).toString() : QString();
+}
+
+void Settings::set_mouse_scheme(const QString& name) {
+    if (store_) store_->setValue(mouse_scheme_key, name);
 }
 
 QString Settings::language() const {

@@ -54,6 +54,10 @@ class Settings {
     QString theme() const;
     void set_theme(const QString& name);
 
+    // See mouse_scheme_named(); empty: none was chosen.
+    QString mouse_scheme() const;
+    void set_mouse_scheme(const QString& name);
+
     // See use_language(); empty: the system's.
     QString language() const;
     void set_language(const QString& code);

@@ -1,75 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fstream>
-#include <string>
-#include <thread>
-
+#include "app/diagnosis.h"
 #include "app/verbs/verbs.h"
-#include "core/base/error.h"
-#include "core/base/program_files.h"
-#include "gpu/machine/device_machine.h"
 
 namespace hepatica {
 
-namespace {
-
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
-}
-
-// "name version" joined by commas, as CMake found them.
-Json library_versions() {
-    Json versions = Json::object();
-    const std::string list = HEPATICA_VERSIONS;
-    for (std::size_t begin = 0; begin < list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::string entry = list.substr(begin, end - begin);
-        const std::size_t space = entry.find(' ');
-        versions[entry.substr(0, space)] = entry.substr(space + 1);
-        begin = end + 1;
-    }
-    return versions;
-}
-
-Json text_or_null(const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
-// What can be had of CUDA here; without a device, `reason` says why in words.
-Json cuda() {
-    const gpu::DeviceInfo info = gpu::device_info();
-    return {{"compiled", info.compiled},
-            {"architectures", text_or_null(info.architectures)},
-            {"device", text_or_null(info.device)},
-            {"memory_bytes", info.device.empty() ? Json(nullptr) : Json(info.memory_bytes)},
-            {"driver", text_or_null(info.driver)},
-            {"reason", text_or_null(info.reason)}};
-}
-
-// Where the program's own files are.
-Json own_files() {
-    try {
-        return asset("scripts").parent_path().string();
-    } catch (const InputError&) {
-        return nullptr;
-    }
-}
-
-Json diagnose() {
-    return {{"version", HEPATICA_VERSION},
-            {"files", own_files()},
-            {"cpu", {{"name", processor_name()}, {"threads", std::thread::hardware_concurrency()}}},
-            {"cuda", cuda()},
-            {"libraries", library_versions()}};
-}
-
-}  // namespace
-
 void add_diagnose(CommandLine& line) {
     line.add_verb("diagnose", "What this computer offers: processor, graphics, library versions",
-                  [](Job&) { return diagnose(); });
+                  [](Job&) { return diagnosis(); });
 }
 
 }  // namespace hepatica

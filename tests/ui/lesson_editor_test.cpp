@@ -50,7 +50,10 @@ class LessonEditorTest : public ::testing::Test {
         };
         ways.which_file = [this] { return file_; };
         ways.where_to_save = [this](const QString&) { return file_; };
-        ways.may_discard = [this] { return may_discard_; };
+        ways.unsaved = [this](bool kept) {
+            asked_kept_ = kept;
+            return answer_;
+        };
         ways.failed = [this](const QString&, const std::exception_ptr&) { ++failures_; };
         return ways;
     }
@@ -91,7 +94,8 @@ class LessonEditorTest : public ::testing::Test {
     std::shared_ptr<const PatientCase> patient_ = test::small_patient();
     std::optional<std::filesystem::path> file_ = folder_.path() / "made.json";
     std::optional<Lesson> tried_;
-    bool may_discard_ = false;
+    UnsavedLesson answer_ = UnsavedLesson::stay;
+    std::optional<bool> asked_kept_;  // whether there was a copy when it was asked
     bool can_try_ = true;
     QString shown_ = folder_of("shown.hep");
     int asked_for_place_ = 0, asked_no_more_ = 0, failures_ = 0;
@@ -268,7 +272,7 @@ TEST_F(LessonEditorTest, asks_for_no_place_of_a_row_that_is_gone) {
 }
 
 TEST_F(LessonEditorTest, settings_that_no_page_shows_outlive_their_tick) {
-    may_discard_ = true;
+    answer_ = UnsavedLesson::discard;
     field<QAction>("beginWith_probe_free").trigger();
     const Lesson before = lesson();
     for (const char* tick :
@@ -313,7 +317,7 @@ TEST_F(LessonEditorTest, a_place_that_was_asked_for_is_forgotten_with_its_mark) 
     turn_to(1);
     click("mark0click");
     turn_to(2);
-    may_discard_ = true;
+    answer_ = UnsavedLesson::discard;
     field<QAction>("beginWith_look_around").trigger();
     const Lesson begun = lesson();
     editor_.place_clicked(Vec3(1, 2, 3));
@@ -391,22 +395,53 @@ TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {
     EXPECT_FALSE(editor_.isVisible());
 }
 
-TEST_F(LessonEditorTest, the_program_ends_unasked_only_where_all_is_kept) {
-    EXPECT_TRUE(editor_.may_end()) << "nothing is unsaved";
+TEST_F(LessonEditorTest, before_the_program_ends_what_is_not_saved_is_asked_about) {
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_FALSE(asked_kept_) << "nothing is unsaved";
     field<QLineEdit>("lessonName").setText("Mine");
-    EXPECT_TRUE(editor_.may_end()) << "a copy is on disk";
+    EXPECT_FALSE(editor_.may_end()) << "it stays";
+    EXPECT_EQ(asked_kept_, true) << "a copy is on disk";
     EXPECT_EQ(kept().name, "Mine");
     turn_to(2);
     click("goal0remove");
-    EXPECT_TRUE(editor_.may_end()) << "what is not finished is kept, too";
-    EXPECT_TRUE(kept().steps[0].goal.empty());
+    answer_ = UnsavedLesson::keep;
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_TRUE(kept().steps[0].goal.empty()) << "what is not finished is kept, too";
     field<QLineEdit>("lessonName").setText("Yours");
     std::filesystem::remove(folder_.path() / "unsaved.json");
     std::filesystem::create_directory(folder_.path() / "unsaved.json");  // nothing can be written
+    answer_ = UnsavedLesson::stay;
     EXPECT_FALSE(editor_.may_end());
+    EXPECT_EQ(asked_kept_, false);
     EXPECT_GT(failures_, 0);
-    may_discard_ = true;
+}
+
+TEST_F(LessonEditorTest, at_the_end_of_the_program_changes_are_saved_or_let_go) {
+    field<QLineEdit>("lessonName").setText("Mine");
+    answer_ = UnsavedLesson::save;
     EXPECT_TRUE(editor_.may_end());
+    EXPECT_EQ(read_lesson(*file_).name, "Mine");
+    field<QLineEdit>("lessonName").setText("Yours");
+    file_.reset();
+    answer_ = UnsavedLesson::discard;
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unsaved.json"));
+}
+
+TEST_F(LessonEditorTest, undoes_redoes_and_saves_by_keys) {
+    QApplication::setActiveWindow(&editor_);
+    turn_to(1);
+    click("lessonAddMark");
+    const auto marks = [&] { return lesson().marks.size(); };
+    ASSERT_EQ(marks(), 2u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(marks(), 1u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(marks(), 2u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
+    field<QLineEdit>("lessonName").setText("Mine");
+    QTest::keyClick(&editor_, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(read_lesson(*file_).name, "Mine");
 }
 
 TEST_F(LessonEditorTest, two_marks_cannot_have_one_name) {
@@ -449,7 +484,7 @@ TEST_F(LessonEditorTest, begins_with_a_copy_unless_something_would_be_lost) {
     field<QLineEdit>("lessonName").setText("Mine");
     begin_with("gentle_pull");
     EXPECT_EQ(lesson().name, "Mine");
-    may_discard_ = true;
+    answer_ = UnsavedLesson::discard;
     begin_with("gentle_pull");
     EXPECT_EQ(lesson().name, "Gentle pull");
 }

@@ -134,4 +134,10 @@ void LessonDocument::keep_copy() {
     kept_text_ = text_of(lesson());
 }
 
+void LessonDocument::let_go() {
+    std::error_code ignored;
+    fs::remove(kept_copy_, ignored);
+    kept_text_.clear();
+}
+
 }  // namespace hepatica

@@ -43,6 +43,8 @@ class LessonDocument {
     // Writes the copy where something is unsaved, and removes it where all is saved.
     // Throws InputError where that cannot be done.
     void keep_copy();
+    // Removes the copy; the next start knows nothing of what was not saved.
+    void let_go();
     // The copy is the lesson as it is now.
     bool kept() const { return kept_text_ == text_of(lesson()); }
 

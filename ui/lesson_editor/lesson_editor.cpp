@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -83,6 +84,7 @@ void LessonEditor::build() {
     doubts_->setAccessibleName(Words::tr("What is doubtful in this lesson"));
     auto* foot = new QWidget;
     build_buttons(*foot);
+    build_keys();
     auto* column = new QVBoxLayout(this);
     column->addWidget(pages_, 1);
     column->addWidget(doubts_);
@@ -114,21 +116,36 @@ void LessonEditor::build_buttons(QWidget& foot) {
         connect(action, &QAction::triggered, this, [this, id = entry.id] { begin_with(id); });
     }
     begin->setMenu(menu);
-    undo_ = add_button(*row, Words::tr("&Undo"), "lessonUndo", [this] {
-        take_what_is_typed();
-        document_.undo();
-        changed(true);
-    });
-    redo_ = add_button(*row, Words::tr("Red&o"), "lessonRedo", [this] {
-        take_what_is_typed();
-        document_.redo();
-        changed(true);
-    });
+    undo_ = add_button(*row, Words::tr("&Undo"), "lessonUndo", [this] { undo(); });
+    redo_ = add_button(*row, Words::tr("Red&o"), "lessonRedo", [this] { redo(); });
     row->addStretch(1);
     add_button(*row, Words::tr("&Try it"), "lessonTry", [this] { try_out(); });
     add_button(*row, Words::tr("Sa&ve"), "lessonSave", [this] { save(false); });
     add_button(*row, Words::tr("Save &as…"), "lessonSaveAs", [this] { save(true); });
     add_button(*row, Words::tr("&Close"), "lessonClose", [this] { hide(); });
+}
+
+// A field in which something was typed takes its own back first, as everywhere.
+void LessonEditor::build_keys() {
+    const auto key = [this](QKeySequence::StandardKey keys, void (LessonEditor::*run)()) {
+        connect(new QShortcut(keys, this), &QShortcut::activated, this, run);
+    };
+    key(QKeySequence::Undo, &LessonEditor::undo);
+    key(QKeySequence::Redo, &LessonEditor::redo);
+    connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this,
+            [this] { save(false); });
+}
+
+void LessonEditor::undo() {
+    take_what_is_typed();
+    document_.undo();
+    changed(true);
+}
+
+void LessonEditor::redo() {
+    take_what_is_typed();
+    document_.redo();
+    changed(true);
 }
 
 void LessonEditor::show_editor() {
@@ -203,12 +220,29 @@ void LessonEditor::take_what_is_typed() {
 bool LessonEditor::may_end() {
     take_what_is_typed();
     keep_now();
-    return !document_.dirty() || document_.kept() || ways_.may_discard();
+    return may_leave(document_.kept());
+}
+
+bool LessonEditor::may_leave(bool kept) {
+    if (!document_.dirty()) return true;
+    switch (ways_.unsaved(kept)) {
+        case UnsavedLesson::save:
+            save(false);
+            return !document_.dirty();
+        case UnsavedLesson::keep:
+            return true;
+        case UnsavedLesson::discard:
+            document_.let_go();
+            return true;
+        case UnsavedLesson::stay:
+            break;
+    }
+    return false;
 }
 
 void LessonEditor::begin_with(const std::string& id) {
     take_what_is_typed();
-    if (document_.dirty() && !ways_.may_discard()) return;
+    if (!may_leave(false)) return;
     document_.begin(id.empty() ? new_lesson_in_words() : built_in_lesson_in_words(id));
     about_->forget();
     changed(true);
@@ -216,7 +250,7 @@ void LessonEditor::begin_with(const std::string& id) {
 
 void LessonEditor::open() {
     take_what_is_typed();
-    if (document_.dirty() && !ways_.may_discard()) return;
+    if (!may_leave(false)) return;
     const auto file = ways_.which_file();
     if (!file) return;
     attempt(Words::tr("Open lesson"), [&] {

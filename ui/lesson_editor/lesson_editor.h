@@ -22,6 +22,10 @@ class AboutPage;
 class LessonPage;
 class PlacesPage;
 
+// What becomes of changes that are not saved: saved, left in their copy for the next start, let go,
+// or the program stays where it is.
+enum class UnsavedLesson { save, keep, discard, stay };
+
 // UI thread. A window of its own, but no QDialog: Enter in a field presses no button.
 class LessonEditor : public QWidget {
   public:
@@ -40,8 +44,8 @@ class LessonEditor : public QWidget {
         // A file to open, or to save under the name that is suggested; none: not after all.
         std::function<std::optional<std::filesystem::path>()> which_file;
         std::function<std::optional<std::filesystem::path>(const QString& suggested)> where_to_save;
-        // Unsaved changes would be lost: may they be?
-        std::function<bool()> may_discard;
+        // What is to become of changes that are not saved, which have a copy on disk or not.
+        std::function<UnsavedLesson(bool kept)> unsaved;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
     };
     // See LessonDocument about the copy.
@@ -57,7 +61,7 @@ class LessonEditor : public QWidget {
     void back_from_trying();
     // There is another patient now, or there are other vessels of his.
     void patient_shown();
-    // Before the program ends: what cannot be kept (see LessonDocument) is asked about.
+    // Before the program ends: changes that are not saved are asked about.
     bool may_end();
     const LessonDocument& document() const { return document_; }
 
@@ -67,6 +71,11 @@ class LessonEditor : public QWidget {
   private:
     void build();
     void build_buttons(QWidget& foot);
+    void build_keys();
+    void undo();
+    void redo();
+    // Before another lesson takes its place, or the program ends.
+    bool may_leave(bool kept);
     void changed(bool shape);
     void show_page();
     void show_state();
