@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/haptics/patch_feed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+// How many contacts in a row become one, so that with a rest for each part there are not too many.
+std::size_t joined(std::size_t contacts, std::size_t parts) {
+    const std::size_t most = most_local_contacts - parts;
+    return std::max<std::size_t>(1, (contacts + most - 1) / most);
+}
+
+}  // namespace
+
+void PatchFeed::follow(const DeformPart& part) {
+    const DeformSettings settings = part.settings();
+    if (compliance_ && settings.wall_mm == wall_mm_ &&
+        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_)
+        return;
+    wall_mm_ = settings.wall_mm;
+    tether_pa_per_mm2_ = settings.tether_pa_per_mm2;
+    model_ = settings.stepper.model;
+    contact_.reset();
+    compliance_.emplace(part.body(), model_);
+    contact_.emplace(compliance_->body());
+}
+
+Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s) {
+    if (positions_mm.size() != compliance_->body().rest_positions_mm.size()) {
+        const auto count = static_cast<Eigen::Index>(loads_.size());
+        return Eigen::MatrixXd::Zero(count, count);
+    }
+    compliance_->follow(positions_mm, dt_s, loads_);
+    return compliance_->block(loads_, dt_s);
+}
+
+// Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
+// on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
+// side.
+void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
+    model.contacts.clear();
+    model.compliance.resize(0, 0);
+    model.tool = part.tool().has_value();
+    if (!model.tool) return;
+    follow(part);
+    const Tool& tool = *part.tool();
+    model.centre_mm = tool.centre_mm();
+    model.left_rad = tool.turn_rad;
+    contact_->set(tool);
+    const std::vector<PadContact> points = contact_->contacts(part.positions_mm());
+    const std::size_t in_a_row = joined(points.size(), tool.parts.size());
+    loads_.clear();
+    std::vector<double> stiffness;
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+        LocalContact& contact = model.contacts.emplace_back();
+        SparseLoad& load = loads_.emplace_back();
+        double sum_un = 0.0;
+        stiffness.push_back(0.0);
+        Vec3 force = Vec3::Zero();
+        for (; end < points.size() && end < begin + in_a_row &&
+               points[end].part == points[begin].part;
+             ++end) {
+            const PadContact& point = points[end];
+            const Vec3 own = point.force_un * point.normal;
+            sum_un += point.force_un;
+            force += own;
+            contact.at_mm += point.force_un * point.at_mm;
+            stiffness.back() += point.stiffness_un_per_mm;
+            for (int a = 0; a < 3; ++a) {
+                load.vertices.push_back(contact_->nodes_of(point)[a]);
+                load.forces.emplace_back(point.weights[a] * own);
+            }
+        }
+        contact.force_un = force.norm();
+        contact.normal = force / contact.force_un;
+        contact.at_mm /= sum_un;
+        for (Vec3& own : load.forces) own /= contact.force_un;
+    }
+    if (loads_.empty()) return;
+    model.compliance = give(part.positions_mm(), dt_s);
+    for (std::size_t i = 0; i < stiffness.size(); ++i)
+        model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness[i];
+}
+
+}  // namespace hepatica
