@@ -39,7 +39,36 @@ Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s)
 
 // Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
 // on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
-// side.
+// side. What friction adds to each newton of pressure tilts it, as the simulation left it.
+void PatchFeed::join(std::span<const PadContact> points, std::size_t parts, LocalModel& model) {
+    const std::size_t in_a_row = joined(points.size(), parts);
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+        LocalContact& contact = model.contacts.emplace_back();
+        SparseLoad& load = loads_.emplace_back();
+        stiffness_.push_back(0.0);
+        double pressed_un = 0.0;
+        Vec3 force = Vec3::Zero();
+        for (; end < points.size() && end < begin + in_a_row &&
+               points[end].part == points[begin].part;
+             ++end) {
+            const PadContact& point = points[end];
+            const Vec3 own = point.force_un * point.normal;
+            pressed_un += point.force_un;
+            force += own;
+            contact.at_mm += point.force_un * point.at_mm;
+            stiffness_.back() += point.stiffness_un_per_mm;
+            for (int a = 0; a < 3; ++a) {
+                load.vertices.push_back(contact_->nodes_of(point)[a]);
+                load.forces.emplace_back(point.weights[a] * own);
+            }
+        }
+        contact.force_un = force.norm();
+        contact.normal = force / contact.force_un;
+        contact.at_mm /= pressed_un;
+        for (Vec3& own : load.forces) own /= contact.force_un;
+    }
+}
+
 void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.contacts.clear();
     model.compliance.resize(0, 0);
@@ -51,38 +80,13 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.left_rad = tool.turn_rad;
     contact_->set(tool);
     const std::vector<PadContact> points = contact_->contacts(part.positions_mm());
-    const std::size_t in_a_row = joined(points.size(), tool.parts.size());
+    if (points.empty()) return;
     loads_.clear();
-    std::vector<double> stiffness;
-    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-        LocalContact& contact = model.contacts.emplace_back();
-        SparseLoad& load = loads_.emplace_back();
-        double sum_un = 0.0;
-        stiffness.push_back(0.0);
-        Vec3 force = Vec3::Zero();
-        for (; end < points.size() && end < begin + in_a_row &&
-               points[end].part == points[begin].part;
-             ++end) {
-            const PadContact& point = points[end];
-            const Vec3 own = point.force_un * point.normal;
-            sum_un += point.force_un;
-            force += own;
-            contact.at_mm += point.force_un * point.at_mm;
-            stiffness.back() += point.stiffness_un_per_mm;
-            for (int a = 0; a < 3; ++a) {
-                load.vertices.push_back(contact_->nodes_of(point)[a]);
-                load.forces.emplace_back(point.weights[a] * own);
-            }
-        }
-        contact.force_un = force.norm();
-        contact.normal = force / contact.force_un;
-        contact.at_mm /= sum_un;
-        for (Vec3& own : load.forces) own /= contact.force_un;
-    }
-    if (loads_.empty()) return;
+    stiffness_.clear();
+    join(points, tool.parts.size(), model);
     model.compliance = give(part.positions_mm(), dt_s);
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-        model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness[i];
+    for (std::size_t i = 0; i < stiffness_.size(); ++i)
+        model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness_[i];
 }
 
 }  // namespace hepatica

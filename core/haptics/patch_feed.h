@@ -23,6 +23,7 @@ class PatchFeed {
 
   private:
     void follow(const DeformPart& part);
+    void join(std::span<const PadContact> points, std::size_t parts, LocalModel& model);
     Eigen::MatrixXd give(std::span<const Vec3> positions_mm, double dt_s);
 
     // Of the body that it was made of.
@@ -31,7 +32,8 @@ class PatchFeed {
     double wall_mm_ = 0.0, tether_pa_per_mm2_ = 0.0;
     ElementModel model_ = ElementModel::corotated;
 
-    std::vector<SparseLoad> loads_;  // of each contact a unit force
+    std::vector<SparseLoad> loads_;  // of each joined contact a unit force, and
+    std::vector<double> stiffness_;  // that of its pads [uN/mm]
 };
 
 }  // namespace hepatica

@@ -72,12 +72,14 @@ TEST_P(PassivityTest, WithACouplingBeyondTheLimitItDoes) {
 
 TEST(PassivityController, LeavesASpringAloneThatGivesBackNoMoreThanItTook) {
     WallPress setup;
-    setup.hand.encoder_mm = 0.0;
+    setup.follows = false;
     setup.options.coupling_un_per_mm = 1e4;  // far below the limit
     const WallResult with = press(setup);
     setup.options.controlled = false;
     const WallResult without = press(setup);
     EXPECT_NEAR(with.last_force_un, without.last_force_un, 0.02 * without.most_force_un);
+    EXPECT_NEAR(with.sum, without.sum, 0.05 * without.sum);
+    EXPECT_GT(without.last_force_un, 0.0);
 }
 
 // Two ticks by hand: a force along the motion is given as far as the credit goes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A device presses a vessel of a real session: the loop at 1 kHz, the simulation at 60 Hz. At rest
-// the hand feels what the simulation's pad presses with; what was played plays again without a
-// device.
+// the hand feels what the simulation's pad presses with, and no friction; what was played plays
+// again without a device.
 #include "core/haptics/patch_feed.h"
 
 #include <gtest/gtest.h>
@@ -57,6 +57,18 @@ struct Felt {
     }
 };
 
+// Of the body on the tool, without friction.
+Vec3 force_of_pads(const Session& session) {
+    const DeformPart& part = *session.world().deform();
+    const Body body = build_body(part.body(), ElementModel::corotated, ElementOrder::linear);
+    ToolContact contact(body);
+    contact.set(part.tool());
+    Vec3 sum = Vec3::Zero();
+    for (const PadContact& point : contact.contacts(part.positions_mm()))
+        sum -= point.force_un * point.normal;
+    return sum;
+}
+
 TEST(PatchFeed, AtRestTheHandFeelsTheSimulationsForce) {
     for (const double by_mm : {1.5, 3.0}) {
         const auto session = new_session(touchable());
@@ -64,35 +76,44 @@ TEST(PatchFeed, AtRestTheHandFeelsTheSimulationsForce) {
         Felt felt(*session, {.path = down(by_mm)}, {.damping_un_s_per_mm = 5e3});
         felt.play(300);
         const Vec3 tool = felt.step.deform.tool.force_un, hand = felt.tick.force.force_un;
+        const Vec3 pads = force_of_pads(*session);
         EXPECT_GT(felt.step.deform.tool.contacts, 0);
         EXPECT_GT(hand.norm(), 1e3);
-        EXPECT_LT((hand - tool).norm(), 0.03 * tool.norm())
-            << "hand " << hand.transpose() << ", tool " << tool.transpose();
-        EXPECT_LT(felt.device.velocity_mm_per_s().norm(), 0.05);
+        EXPECT_LT((hand - pads).norm(), 1e-3 * pads.norm());
+        EXPECT_NEAR(hand.norm(), tool.norm(), 0.03 * tool.norm());
+        EXPECT_LT(felt.device.velocity_mm_per_s().norm(), 1e-3);
+        EXPECT_TRUE(felt.step.deform.asleep);
         EXPECT_LE(felt.most_contacts, most_local_contacts);
         EXPECT_LT(felt.device.most_work_nj(), 5e4);
     }
 }
 
+// Forceps that hold a vessel touch it at many points.
 TEST(PatchFeed, JoinsManyContactsToSixtyFourAndKeepsTheirForce) {
     const auto session = new_session(touchable());
-    session->post(ball(12.0));
-    Felt felt(*session, {.path = down(5.0)}, {.damping_un_s_per_mm = 5e3});
-    felt.play(120);
-    ASSERT_GT(felt.step.deform.tool.contacts, 70);
+    session->post(AddTool{.kind = "forceps",
+                          .radius_mm = 0.8,
+                          .length_mm = 12.0,
+                          .direction = Vec3(0, 0, -1),
+                          .point_mm = ball().point_mm});
+    session->step();
+    session->post(ShiftTool{Vec3(0, 0, -4.0)});
+    test::play(*session, 30);
+    session->post(CloseForceps{});
+    const SessionStep last = test::play(*session, 60);
+    ASSERT_GT(last.deform.tool.contacts, 64);
+    const DeformPart& part = *session->world().deform();
+    PatchFeed feed;
     LocalModel model;
-    felt.feed.fill(*session->world().deform(), 1.0 / 60.0, model);
+    feed.fill(part, 1.0 / 60.0, model);
     EXPECT_LE(model.contacts.size(), 64u);
     EXPECT_GT(model.contacts.size(), 30u);
-    PatchCompliance whole(session->world().deform()->body(), ElementModel::corotated);
-    ToolContact contact(whole.body());
-    contact.set(session->world().deform()->tool());
-    Vec3 sum = Vec3::Zero(), of_model = Vec3::Zero();
-    for (const PadContact& point : contact.contacts(session->world().deform()->positions_mm()))
-        sum += point.force_un * point.normal;
-    for (const LocalContact& joined : model.contacts) of_model += joined.force_un * joined.normal;
-    EXPECT_LT((sum - of_model).norm(), 1e-9 * sum.norm());
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(model.compliance);
+    Vec3 sum = Vec3::Zero();
+    for (const LocalContact& joined : model.contacts) sum -= joined.force_un * joined.normal;
+    double most = 0.0;
+    for (const LocalContact& joined : model.contacts) most += joined.force_un;
+    EXPECT_LT((sum - force_of_pads(*session)).norm(), 1e-9 * most);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(model.compliance);
     EXPECT_GT(modes.eigenvalues()[0], 0.0);
     EXPECT_LT((model.compliance - model.compliance.transpose()).norm(),
               1e-9 * model.compliance.norm());
@@ -131,8 +152,8 @@ TEST(PatchFeed, WhatWasPlayedPlaysAgainWithoutADevice) {
             moves += std::holds_alternative<MoveTool>(command) ? 1 : 0;
             turns += std::holds_alternative<TurnTool>(command) ? 1 : 0;
         }
-    EXPECT_GT(moves, 90);
-    EXPECT_GT(turns, 90);
+    EXPECT_GE(moves, 90);
+    EXPECT_GE(turns, 90);
     Job job;
     EXPECT_FALSE(replay(*recording, small_patient(), job).diverged_at);
 }
