@@ -7,10 +7,12 @@
 namespace hepatica {
 namespace {
 
-// How many contacts in a row become one, so that with a rest for each part there are not too many.
-std::size_t joined(std::size_t contacts, std::size_t parts) {
-    const std::size_t most = most_local_contacts - parts;
-    return std::max<std::size_t>(1, (contacts + most - 1) / most);
+// Of so many contacts in a row those from here on that become one: of equal shares, and so few that
+// with a rest for each part there are not too many.
+std::size_t end_of_share(std::size_t begin, std::size_t contacts, std::size_t parts) {
+    const std::size_t shares = std::min(contacts, most_local_contacts + 1 - parts);
+    const std::size_t share = begin * shares / contacts;
+    return ((share + 1) * contacts + shares - 1) / shares;
 }
 
 }  // namespace
@@ -41,16 +43,14 @@ Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s)
 // on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
 // side. What friction adds to each newton of pressure tilts it, as the simulation left it.
 void PatchFeed::join(std::span<const PadContact> points, std::size_t parts, LocalModel& model) {
-    const std::size_t in_a_row = joined(points.size(), parts);
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
         LocalContact& contact = model.contacts.emplace_back();
         SparseLoad& load = loads_.emplace_back();
         stiffness_.push_back(0.0);
         double pressed_un = 0.0;
         Vec3 force = Vec3::Zero();
-        for (; end < points.size() && end < begin + in_a_row &&
-               points[end].part == points[begin].part;
-             ++end) {
+        const std::size_t last = end_of_share(begin, points.size(), parts);
+        for (; end < last && points[end].part == points[begin].part; ++end) {
             const PadContact& point = points[end];
             const Vec3 own = point.force_un * point.normal;
             pressed_un += point.force_un;

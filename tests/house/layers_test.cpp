@@ -55,7 +55,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
       "core/session"}},
     {"core/study",
      {"core/base", "core/tree", "core/mesh", "core/tear", "core/deform", "core/patient",
-      "core/scene", "core/session"}},
+      "core/scene", "core/session", "core/haptics"}},
 };
 
 // Libraries that a layer must not name at all.
