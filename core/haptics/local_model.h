@@ -15,6 +15,8 @@
 
 namespace hepatica {
 
+// And one more for each part of a tool beyond its first, whose contacts are not joined to the
+// others.
 inline constexpr int most_local_contacts = 64;
 
 struct LocalContact {
@@ -25,10 +27,10 @@ struct LocalContact {
 
 // Of one step. What is handed to the loop; vectors keep their memory from step to step.
 struct LocalModel {
-    bool tool = false;                   // one is in hand; otherwise the rest is empty
-    Vec3 centre_mm = Vec3::Zero();       // where the tool is
-    Vec3 left_rad = Vec3::Zero();        // how far it is still to turn
-    std::vector<LocalContact> contacts;  // most_local_contacts at most
+    bool tool = false;              // one is in hand; otherwise the rest is empty
+    Vec3 centre_mm = Vec3::Zero();  // where the tool is
+    Vec3 left_rad = Vec3::Zero();   // how far it is still to turn
+    std::vector<LocalContact> contacts;
     // Of pads and body [mm/uN], symmetric positive definite; a row for each contact.
     Eigen::MatrixXd compliance;
 };

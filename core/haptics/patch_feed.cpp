@@ -7,10 +7,9 @@
 namespace hepatica {
 namespace {
 
-// Of so many contacts in a row those from here on that become one: of equal shares, and so few that
-// with a rest for each part there are not too many.
-std::size_t end_of_share(std::size_t begin, std::size_t contacts, std::size_t parts) {
-    const std::size_t shares = std::min(contacts, most_local_contacts + 1 - parts);
+// Of so many contacts in a row those from here on that become one: of equal shares.
+std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
+    const std::size_t shares = std::min<std::size_t>(contacts, most_local_contacts);
     const std::size_t share = begin * shares / contacts;
     return ((share + 1) * contacts + shares - 1) / shares;
 }
@@ -42,14 +41,14 @@ Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s)
 // Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
 // on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
 // side. What friction adds to each newton of pressure tilts it, as the simulation left it.
-void PatchFeed::join(std::span<const PadContact> points, std::size_t parts, LocalModel& model) {
+void PatchFeed::join(std::span<const PadContact> points, LocalModel& model) {
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
         LocalContact& contact = model.contacts.emplace_back();
         SparseLoad& load = loads_.emplace_back();
         stiffness_.push_back(0.0);
         double pressed_un = 0.0;
         Vec3 force = Vec3::Zero();
-        const std::size_t last = end_of_share(begin, points.size(), parts);
+        const std::size_t last = end_of_share(begin, points.size());
         for (; end < last && points[end].part == points[begin].part; ++end) {
             const PadContact& point = points[end];
             const Vec3 own = point.force_un * point.normal;
@@ -83,7 +82,7 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     if (points.empty()) return;
     loads_.clear();
     stiffness_.clear();
-    join(points, tool.parts.size(), model);
+    join(points, model);
     model.compliance = give(part.positions_mm(), dt_s);
     for (std::size_t i = 0; i < stiffness_.size(); ++i)
         model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness_[i];

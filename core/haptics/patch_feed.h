@@ -23,7 +23,7 @@ class PatchFeed {
 
   private:
     void follow(const DeformPart& part);
-    void join(std::span<const PadContact> points, std::size_t parts, LocalModel& model);
+    void join(std::span<const PadContact> points, LocalModel& model);
     Eigen::MatrixXd give(std::span<const Vec3> positions_mm, double dt_s);
 
     // Of the body that it was made of.

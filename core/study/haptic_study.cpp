@@ -75,7 +75,7 @@ void TickMeter::report(HapticStudy& study) const {
     study.late = late_;
     study.contacts = quantile(contacts_, 0.5);
     study.contacts_most = static_cast<int>(quantile(contacts_, 1.0));
-    study.full = share(contacts_, [](double n) { return n >= most_local_contacts - 2; });
+    study.full = share(contacts_, [](double n) { return n >= most_local_contacts; });
 }
 
 std::shared_ptr<const PatientCase> own_patient(Job& job) {
@@ -100,15 +100,15 @@ void hold(Session& session, const VesselTree& tree, const Job& job) {
     const auto [place, along] = place_and_way(tree);
     const Vec3 down = along.unitOrthogonal();
     session.post(AddTool{.kind = "forceps",
-                         .radius_mm = 0.6,
-                         .length_mm = 14.0,
+                         .radius_mm = 2.0,
+                         .length_mm = 16.0,
                          .direction = down,
                          .point_mm = place,
                          .side = Vec3(along.cross(down))});
     session.step(job);
     if (!session.world().deform()->tool())
         throw InputError(session.frame().statistics.message, "", "");
-    session.post(ShiftTool{4.0 * down});
+    session.post(ShiftTool{6.0 * down});
     for (int i = 0; i < 30; ++i) session.step(job);
     session.post(CloseForceps{});
     for (int i = 0; i < 60; ++i) session.step(job);

@@ -26,7 +26,7 @@ struct HapticStudy {
         0;  // periods that began more than one period after the one before, by the wall's clock
     double contacts = 0.0;  // median, of the local model
     int contacts_most = 0;
-    double full = 0.0;  // share of periods with most_local_contacts, or two less: one for each jaw
+    double full = 0.0;     // share of periods with most_local_contacts or more
     double work_nj = 0.0;  // that the loop has done on the hand
     int steps = 0;         // of the play, and
     double step_ms = 0.0;  // their median
