@@ -16,6 +16,10 @@ Vec3 at_most(const Vec3& value, double limit) {
     return size > limit ? Vec3(limit / size * value) : value;
 }
 
+bool finite(const HapticPose& pose) {
+    return pose.at_mm.allFinite() && pose.turned.coeffs().allFinite();
+}
+
 }  // namespace
 
 ForceLoop::ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models,
@@ -60,10 +64,13 @@ void ForceLoop::take(const LocalModel& model, const HapticPose& handle) {
     left_rad_ = model.left_rad;
     fading_.setZero();
     if (grip_ && local_.contacts() > 0) fading_ = before - local_.at(way_to(handle)).both();
+    if (!fading_.allFinite()) fading_.setZero();
     since_model_ = 0;
 }
 
+// What is no number must not reach a motor.
 HapticForce ForceLoop::within_limits(const Vec6& both) const {
+    if (!both.allFinite()) return {};
     return {at_most(both.head<3>(), device_.traits().force_limit_un),
             at_most(both.tail<3>(), device_.traits().torque_limit_un_mm)};
 }
@@ -92,7 +99,7 @@ Tick ForceLoop::tick() {
     if (lost_) return {.lost = true};
     const std::optional<HapticSample> sample = device_.read();
     silent_ = sample && sample->number != number_ ? 0 : silent_ + 1;
-    if (!sample || silent_ > most_silent) {
+    if (!sample || silent_ > most_silent || !finite(sample->pose)) {
         device_.write({});
         lost_ = true;
         return {.lost = true};

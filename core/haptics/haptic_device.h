@@ -78,7 +78,8 @@ class HapticDevice {
 
     virtual const HapticTraits& traits() const = 0;
     // The newest sample, which may be that of the last call. None where the device is lost: pulled
-    // out, switched off, or its own safety has tripped. The loop then lets go of it for good; the
+    // out, switched off, or its own safety has tripped. A pose that is not finite counts as that,
+    // and so does a sample that stays the same for 100 periods. The loop then lets go for good; the
     // play goes on, and the device can be attached anew.
     virtual std::optional<HapticSample> read() noexcept = 0;
     // What to push with from now on, within the limits of the traits.

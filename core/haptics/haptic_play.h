@@ -24,7 +24,7 @@ namespace hepatica {
 
 class HapticPlay {
   public:
-    // The session must outlive it.
+    // The session must outlive it, and no longer call after_step() when it ends.
     explicit HapticPlay(Session& session) : session_(session) {}
     ~HapticPlay() { detach(); }
 

@@ -20,18 +20,6 @@ Mat3 exponential(const Mat3& matrix) {
 
 }  // namespace
 
-Vec6 way_between(const HapticPose& from, const HapticPose& to) {
-    const Eigen::AngleAxisd turn(to.turned * from.turned.conjugate());
-    const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
-    return (Vec6() << to.at_mm - from.at_mm, angle * turn.axis()).finished();
-}
-
-double PortWork::pass(const HapticPose& now, const HapticForce& applied) {
-    if (last_) work_nj_ += applied.both().dot(way_between(*last_, now));
-    last_ = now;
-    return work_nj_;
-}
-
 SimulatedDevice::SimulatedDevice(const SimulatedHand& hand, HapticTraits traits)
     : hand_(hand), traits_(std::move(traits)), draw_(hand.seed), pose_(hand.path(0.0)) {
     traits_.latency_s =

@@ -174,6 +174,26 @@ TEST(ForceLoop, ALostDeviceGetsNoForceAndLeadsNothing) {
     EXPECT_TRUE(bench.posted.empty());
 }
 
+TEST(ForceLoop, WhatIsNoNumberReachesNoMotorAndAPoseThatIsNoneIsALoss) {
+    Bench bench({.mass_g = 1e9});
+    LocalModel model = free_tool();
+    model.contacts = {{Vec3::Zero(), -Vec3::UnitZ(), std::nan("")}};
+    model.compliance = Eigen::MatrixXd::Constant(1, 1, 1e-6);
+    bench.hand_over(model);
+    for (int i = 0; i < 20; ++i) {
+        EXPECT_EQ(bench.loop.tick().force.both(), Vec6(Vec6::Zero()));
+        EXPECT_EQ(bench.device.acting().both(), Vec6(Vec6::Zero()));
+    }
+    model.contacts[0].force_un = 1e5;  // and the next model is felt again
+    bench.hand_over(model);
+    EXPECT_GT(bench.loop.tick().force.force_un.norm(), 0.0);
+    SimulatedHand gone;
+    gone.path = [](double t) { return HapticPose{.at_mm = Vec3(t > 0.01 ? NAN : 0.0, 0, 0)}; };
+    Bench nowhere(gone);
+    for (int i = 0; i < 30; ++i) nowhere.loop.tick();
+    EXPECT_TRUE(nowhere.loop.tick().lost);
+}
+
 // Answers for ever with the sample of one moment.
 class StuckDevice final : public HapticDevice {
   public:
