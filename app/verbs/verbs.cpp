@@ -29,6 +29,7 @@ void add_all_verbs(CommandLine& line) {
     add_scene(line);
     add_bench_drag(line);
     add_bench_gpu(line);
+    add_bench_haptics(line);
     add_bench_iterations(line);
     add_bench_keyframe(line);
     add_bench_peers(line);

@@ -28,6 +28,7 @@ void add_paper(CommandLine& line);   // only where the window is built
 void add_scene(CommandLine& line);
 void add_skeleton(CommandLine& line);
 void add_bench_gpu(CommandLine& line);
+void add_bench_haptics(CommandLine& line);
 void add_bench_drag(CommandLine& line);
 void add_bench_iterations(CommandLine& line);
 void add_bench_keyframe(CommandLine& line);

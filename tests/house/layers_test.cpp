@@ -49,12 +49,13 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"core/session",
      {"core/base", "core/image", "core/tree", "core/mesh", "core/flow", "core/deform",
       "core/patient", "core/scene"}},
+    {"core/haptics", {"core/base", "core/contact", "core/deform", "core/scene", "core/session"}},
     {"core/lesson",
      {"core/base", "core/tree", "core/mesh", "core/flow", "core/patient", "core/scene",
       "core/session"}},
     {"core/study",
      {"core/base", "core/tree", "core/mesh", "core/tear", "core/deform", "core/patient",
-      "core/scene", "core/session"}},
+      "core/scene", "core/session", "core/haptics"}},
 };
 
 // Libraries that a layer must not name at all.

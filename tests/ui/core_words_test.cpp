@@ -44,6 +44,7 @@ constexpr std::array elsewhere{
     "core/contact/",                    // what programmers do wrong
     "core/deform/",                     // likewise; what frames say is asked for below
     "core/tear/",                       // likewise
+    "core/haptics/",                    // drivers of devices: no window offers one yet
     "core/flow/embolization",           // verbs of the command line
     "core/flow/flow_export",            // likewise
     "core/flow/fluid.cpp",              // sources of numbers, which JSON states

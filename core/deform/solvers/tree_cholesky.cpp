@@ -182,6 +182,18 @@ double TreeFactor<T>::refactor_multiplications(std::span<const int> changed_vert
     return sum;
 }
 
+// Adds what a front leaves of a right-hand side to that of its parent.
+template <class T>
+void TreeFactor<T>::pass_up(const Supernode& child, const T* passed, T* parent_head,
+                            T* parent_tail) const {
+    const int count = tree_.supernodes[child.parent].count;
+    for (int r = 0; r < child.rest(); ++r) {
+        const int place = tree_.place_in_parent[child.rows_begin + r];
+        T* to = place < count ? parent_head + 3 * place : parent_tail + 3 * (place - count);
+        for (int a = 0; a < 3; ++a) to[a] += passed[3 * r + a];
+    }
+}
+
 template <class T>
 void TreeFactor<T>::forward(std::span<const Vec3> b) {
     using Vector = Eigen::Matrix<T, 3, 1>;
@@ -195,12 +207,7 @@ void TreeFactor<T>::forward(std::span<const Vec3> b) {
         std::fill(tail, tail + 3 * own.rest(), T(0));
         for (int k = own.children_begin; k < own.children_end; ++k) {
             const Supernode& child = tree_.supernodes[tree_.children[k]];
-            const T* passed = tails_.data() + tail_begin_[tree_.children[k]];
-            for (int r = 0; r < child.rest(); ++r) {
-                const int place = tree_.place_in_parent[child.rows_begin + r];
-                T* to = place < own.count ? head + 3 * place : tail + 3 * (place - own.count);
-                for (int a = 0; a < 3; ++a) to[a] += passed[3 * r + a];
-            }
+            pass_up(child, tails_.data() + tail_begin_[tree_.children[k]], head, tail);
         }
         forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
     });
@@ -242,6 +249,52 @@ void TreeFactor<T>::solve(std::span<const Vec3> b, std::span<Vec3> x) {
                 Eigen::Map<const Vector>(head + 3 * c).template cast<double>();
         }
     });
+}
+
+// With A = L L^T the block is Y^T Y, Y = L^-1 J^T: the backward half of a solve is not needed, and
+// Y is zero in all fronts that no loaded vertex passes through on its way to the root.
+template <class T>
+Eigen::MatrixXd TreeFactor<T>::inverse_block(std::span<const SparseLoad> loads) const {
+    std::vector<char> on_path(tree_.supernodes.size(), 0);
+    for (const SparseLoad& load : loads)
+        for (const int v : load.vertices) on_path[tree_.supernode_of[tree_.position_of[v]]] = 1;
+    std::vector<int> path;
+    std::vector<std::size_t> head_of(on_path.size()), tail_of(on_path.size());
+    std::size_t heads = 0, tails = 0;
+    for (std::size_t s = 0; s < on_path.size(); ++s) {
+        if (!on_path[s]) continue;
+        const Supernode& own = tree_.supernodes[s];
+        path.push_back(static_cast<int>(s));
+        head_of[s] = std::exchange(heads, heads + 3 * static_cast<std::size_t>(own.count));
+        tail_of[s] = std::exchange(tails, tails + 3 * static_cast<std::size_t>(own.rest()));
+        if (own.parent >= 0) on_path[own.parent] = 1;
+    }
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> y =
+        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>::Zero(
+            static_cast<Eigen::Index>(heads), static_cast<Eigen::Index>(loads.size()));
+    parallel_blocks(loads.size(), 1, [&](std::size_t j, std::size_t) {
+        T* head = y.col(static_cast<Eigen::Index>(j)).data();
+        std::vector<T> tail(tails + front_alignment<T>, T(0));
+        std::vector<char> reached(on_path.size(), 0);
+        for (std::size_t i = 0; i < loads[j].vertices.size(); ++i) {
+            const int at = tree_.position_of[loads[j].vertices[i]], s = tree_.supernode_of[at];
+            T* to = head + head_of[s] + 3 * (at - tree_.supernodes[s].first);
+            for (int a = 0; a < 3; ++a) to[a] += static_cast<T>(loads[j].forces[i][a]);
+            reached[s] = 1;
+        }
+        for (const int s : path) {
+            const Supernode& own = tree_.supernodes[s];
+            if (!reached[s]) continue;
+            T* passed = tail.data() + tail_of[s];
+            forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(),
+                          head + head_of[s], passed);
+            if (own.parent < 0) continue;
+            reached[own.parent] = 1;
+            pass_up(own, passed, head + head_of[own.parent], tail.data() + tail_of[own.parent]);
+        }
+    });
+    const Eigen::MatrixXd exact = y.template cast<double>();
+    return exact.transpose() * exact;
 }
 
 template class TreeFactor<double>;

@@ -13,6 +13,12 @@
 
 namespace hepatica {
 
+// Forces on a few vertices; on all others none.
+struct SparseLoad {
+    std::vector<int> vertices;
+    std::vector<Vec3> forces;  // on each of them
+};
+
 // Gives the same bits for any number of threads. Not thread-safe. With float it is a
 // preconditioner: it reads half the memory and stays positive definite in spite of rounding.
 template <class T>
@@ -44,6 +50,10 @@ class TreeFactor {
     // b . A^-1 b, for half the work of solve: the squared energy norm of an error with residual b.
     double inverse_form(std::span<const Vec3> b);
 
+    // J A^-1 J^T, one row of J for each load: how far each load's nodes go, along its forces, under
+    // each of the others. Only the fronts between the loaded vertices and the root are visited.
+    Eigen::MatrixXd inverse_block(std::span<const SparseLoad> loads) const;
+
     // Multiplications that refactor(changed_vertices) would take.
     double refactor_multiplications(std::span<const int> changed_vertices) const;
 
@@ -55,6 +65,7 @@ class TreeFactor {
   private:
     void factor_supernode(const BlockMatrix& matrix, int s, const std::stop_token& stop);
     void forward(std::span<const Vec3> b);
+    void pass_up(const Supernode& child, const T* passed, T* parent_head, T* parent_tail) const;
 
     EliminationTree tree_;
     std::vector<std::size_t> panel_begin_, remainder_begin_;

@@ -282,5 +282,37 @@ TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {
     EXPECT_LT(largest_difference(product, b), 1e-11);
 }
 
+// Loads of one vertex, of several far from each other, and of none; some share a way to the root.
+TEST(TreeCholesky, GivesTheBlockOfTheInverseBetweenAFewLoads) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        std::mt19937 random(seed);
+        const int rows = 20 + static_cast<int>(random() % 60);
+        const BlockMatrix matrix = random_matrix(rows, 3 * rows, random);
+        TreeCholesky factor(matrix, fill_reducing_order(matrix));
+        factor.factor(matrix);
+        std::vector<SparseLoad> loads(6);
+        for (std::size_t l = 0; l + 1 < loads.size(); ++l)
+            for (std::size_t i = 0; i <= l; ++i) {
+                loads[l].vertices.push_back(
+                    static_cast<int>(random() % static_cast<unsigned>(rows)));
+                loads[l].forces.push_back(random_vectors(1, random)[0]);
+            }
+        const Eigen::MatrixXd block = factor.inverse_block(loads);
+        for (std::size_t l = 0; l < loads.size(); ++l) {
+            std::vector<Vec3> b(static_cast<std::size_t>(rows), Vec3::Zero()), x(b.size());
+            for (std::size_t i = 0; i < loads[l].vertices.size(); ++i)
+                b[loads[l].vertices[i]] += loads[l].forces[i];
+            factor.solve(b, x);
+            for (std::size_t k = 0; k < loads.size(); ++k) {
+                double sum = 0.0;
+                for (std::size_t i = 0; i < loads[k].vertices.size(); ++i)
+                    sum += loads[k].forces[i].dot(x[loads[k].vertices[i]]);
+                EXPECT_NEAR(block(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)), sum,
+                            1e-12);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

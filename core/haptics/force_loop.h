@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The haptic loop: from one sample of the device to the force that answers it, a thousand times a
+// second, and from its pose to commands, once a step of the simulation. A tick reads the device and
+// the newest local model, and is otherwise a pure function of its own state: no clock, no lock but
+// that of posting a command, no memory asked for but when a new model has more contacts than any.
+//
+//   device pose ─► local model in series with the coupling ─► limits ─► passivity ─► device force
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/haptics/haptic_device.h"
+#include "core/haptics/local_model.h"
+#include "core/haptics/passivity_controller.h"
+#include "core/session/command.h"
+#include "core/session/triple_buffer.h"
+
+namespace hepatica {
+
+struct ForceLoopOptions {
+    double step_s = 1.0 / 60.0;  // of the simulation
+    // For measurements of what each of them does. By default the coupling is the stiffest that the
+    // device's traits allow.
+    std::optional<double> coupling_un_per_mm{}, turn_coupling_un_mm{};
+    bool controlled = true;  // by the passivity controller
+};
+
+// What one tick did.
+struct Tick {
+    bool lost = false;                 // the device is; nothing is written to it any more
+    bool tool = false;                 // one is in hand
+    int contacts = 0;                  // of the local model
+    HapticForce force{};               // as written
+    double damping_un_s_per_mm = 0.0;  // that passivity took
+};
+
+// All of it on one thread. Device and models must outlive it.
+class ForceLoop {
+  public:
+    // `post` takes the commands that lead the tool, for example Session::post. A tool that is in
+    // hand is led from where it is by as much as the handle goes from where that is then: taking
+    // another tool is how a hand comes back into the middle of its space.
+    ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models,
+              std::function<void(Command)> post, const ForceLoopOptions& options = {});
+
+    Tick tick();
+    const PassivityController& passivity() const { return passivity_; }
+
+  private:
+    void take(const LocalModel& model, const HapticPose& handle);
+    Vec6 way_to(const HapticPose& handle) const;
+    Vec3 place_of(const HapticPose& handle) const;
+    HapticForce within_limits(const Vec6& both) const;
+    HapticForce faded() const;
+    void lead(const HapticPose& handle);
+
+    HapticDevice& device_;
+    TripleBuffer<LocalModel>& models_;
+    std::function<void(Command)> post_;
+    ForceLoopOptions options_;
+    LocalForce local_;
+    PassivityController passivity_;
+
+    // A tool in hand: it was at tool_mm when the handle was at `handle`.
+    struct Grip {
+        HapticPose handle;
+        Vec3 tool_mm;
+    };
+    std::optional<Grip> grip_;
+    Vec3 centre_mm_ = Vec3::Zero(), left_rad_ = Vec3::Zero();  // as in the model
+    HapticPose led_;              // that of the last commands; the turn of the model counts from it
+    Vec6 fading_ = Vec6::Zero();  // of the last model's force beyond that of this one
+    int ticks_in_step_ = 1, since_model_ = 0, since_lead_ = 0;  // ticks
+    std::uint64_t number_ = 0;
+    int silent_ = 0;  // ticks without a new sample
+    bool lost_ = false;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joins a device to a session: hands the local model from the thread that steps to the force loop,
+// and runs the loop on a thread of its own, once a period, while a device is attached and a tool is
+// in hand. Otherwise that thread waits for one. What the hand does goes into the session's queue as
+// commands like those of a mouse, so that recordings replay without a device.
+//
+//     HapticPlay haptics(session);
+//     session.on_frame([&] { haptics.after_step(); });  // beside what else hears of frames
+//     haptics.attach(driver);
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/haptics/force_loop.h"
+#include "core/haptics/patch_feed.h"
+#include "core/session/session.h"
+
+namespace hepatica {
+
+class HapticPlay {
+  public:
+    // The session must outlive it, and no longer call after_step() when it ends.
+    explicit HapticPlay(Session& session) : session_(session) {}
+    ~HapticPlay() { detach(); }
+
+    // --- any one thread ------------------------------------------------------------------------
+    // Takes the place of a device that is attached. Throws InputError for traits out of range.
+    void attach(std::shared_ptr<HapticDevice> device, const ForceLoopOptions& options = {});
+    // Lets the force go and ends the thread: within a period.
+    void detach();
+    // Empty, or what has happened to the device and what can be done.
+    std::string message() const;
+
+    // --- the thread that steps -----------------------------------------------------------------
+    // After each frame. Without a device it costs nothing. Neither waits nor throws: what cannot be
+    // felt is felt as nothing, and the message says why.
+    void after_step() noexcept;
+
+    // Called after each tick on the loop's thread, for measurements; before attach().
+    void on_tick(std::function<void(const Tick&)> see) { see_ = std::move(see); }
+
+  private:
+    void run(const std::stop_token& stop, HapticDevice& device, const ForceLoopOptions& options);
+    void say(std::string message);
+
+    Session& session_;
+    PatchFeed feed_;                   // of the thread that steps
+    TripleBuffer<LocalModel> models_;  // from there to the loop
+    std::function<void(const Tick&)> see_;
+    std::atomic<bool> attached_ = false;
+    mutable std::mutex mutex_;
+    std::condition_variable_any tool_comes_;
+    bool tool_ = false;  // one is in hand; under mutex_
+    std::string message_;
+    std::shared_ptr<HapticDevice> device_;
+    std::jthread thread_;
+};
+
+}  // namespace hepatica

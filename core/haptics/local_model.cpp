@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/haptics/local_model.h"
+
+#include <Eigen/Cholesky>
+
+namespace hepatica {
+
+LocalForce::LocalForce(double coupling_un_per_mm, double turn_coupling_un_mm) {
+    give_ << Vec3::Constant(1.0 / coupling_un_per_mm), Vec3::Constant(1.0 / turn_coupling_un_mm);
+}
+
+void LocalForce::take(const LocalModel& model) {
+    const auto count = static_cast<Eigen::Index>(model.contacts.size());
+    motion_.resize(count, 6);
+    f0_.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const LocalContact& contact = model.contacts[static_cast<std::size_t>(i)];
+        const Vec3 arm = contact.at_mm - model.centre_mm;
+        motion_.row(i) << contact.normal.transpose(), arm.cross(contact.normal).transpose();
+        f0_[i] = contact.force_un;
+    }
+    compliance_ = model.compliance + motion_ * give_.asDiagonal() * motion_.transpose();
+    f_ = f0_;
+    pressed_.assign(static_cast<std::size_t>(count), 1);
+    index_.reserve(pressed_.size());
+    energy_nj_ = 0.0;
+}
+
+// f >= 0, C (f - f0) >= wanted, and of each contact one of the two with equality: by principal
+// pivoting from the contacts that were pressed last. All that are wrong change at once, as long as
+// they become fewer; then the last one alone, which ends for every positive definite matrix (Judice
+// and Pires 1994).
+void LocalForce::solve(const Eigen::VectorXd& wanted) {
+    const auto count = f0_.size();
+    right_ = wanted + compliance_ * f0_;
+    Eigen::Index fewest = count + 1;
+    constexpr int patience = 8, most_rounds = 40;
+    for (int round = 0, tries = patience; round < most_rounds; ++round) {
+        index_.clear();
+        for (int i = 0; i < count; ++i)
+            if (pressed_[static_cast<std::size_t>(i)]) index_.push_back(i);
+        f_.setZero();
+        pressed_matrix_ = compliance_(index_, index_);
+        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(pressed_matrix_);
+        apart_ = right_(index_);
+        factor.solveInPlace(apart_);
+        f_(index_) = apart_;
+        apart_ = compliance_ * f_ - right_;
+        const double slack = 1e-12 * right_.lpNorm<Eigen::Infinity>();
+        const auto wrong = [&](Eigen::Index i) {
+            return pressed_[static_cast<std::size_t>(i)] ? f_[i] < 0.0 : apart_[i] < -slack;
+        };
+        Eigen::Index many = 0, last = -1;
+        for (Eigen::Index i = 0; i < count; ++i)
+            if (wrong(i)) ++many, last = i;
+        if (many == 0) return;
+        if (many < fewest)
+            fewest = many, tries = patience;
+        else
+            --tries;
+        for (Eigen::Index i = tries > 0 ? 0 : last; i <= last; ++i)
+            if (wrong(i)) pressed_[static_cast<std::size_t>(i)] ^= 1;
+    }
+    f_ = f_.cwiseMax(0.0);
+}
+
+HapticForce LocalForce::at(const Vec6& way) {
+    if (f0_.size() == 0) return {};
+    wanted_ = motion_ * way;
+    solve(wanted_);
+    apart_ = f_ - f0_;
+    energy_nj_ = wanted_.dot(f_) - 0.5 * apart_.dot(compliance_ * apart_);
+    const Vec6 load = -(motion_.transpose() * f_);
+    return {load.head<3>(), load.tail<3>()};
+}
+
+}  // namespace hepatica

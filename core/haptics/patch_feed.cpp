@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/haptics/patch_feed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+// Of so many contacts in a row those from here on that become one: of equal shares.
+std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
+    const std::size_t shares = std::min<std::size_t>(contacts, most_local_contacts);
+    const std::size_t share = begin * shares / contacts;
+    return ((share + 1) * contacts + shares - 1) / shares;
+}
+
+}  // namespace
+
+void PatchFeed::follow(const DeformPart& part) {
+    const DeformSettings settings = part.settings();
+    if (compliance_ && settings.wall_mm == wall_mm_ &&
+        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_)
+        return;
+    wall_mm_ = settings.wall_mm;
+    tether_pa_per_mm2_ = settings.tether_pa_per_mm2;
+    model_ = settings.stepper.model;
+    contact_.reset();
+    compliance_.emplace(part.body(), model_);
+    contact_.emplace(compliance_->body());
+}
+
+Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s) {
+    if (positions_mm.size() != compliance_->body().rest_positions_mm.size()) {
+        const auto count = static_cast<Eigen::Index>(loads_.size());
+        return Eigen::MatrixXd::Zero(count, count);
+    }
+    compliance_->follow(positions_mm, dt_s, loads_);
+    return compliance_->block(loads_, dt_s);
+}
+
+// Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
+// on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
+// side. What friction adds to each newton of pressure tilts it, as the simulation left it.
+void PatchFeed::join(std::span<const PadContact> points, LocalModel& model) {
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+        LocalContact& contact = model.contacts.emplace_back();
+        SparseLoad& load = loads_.emplace_back();
+        stiffness_.push_back(0.0);
+        double pressed_un = 0.0;
+        Vec3 force = Vec3::Zero();
+        const std::size_t last = end_of_share(begin, points.size());
+        for (; end < last && points[end].part == points[begin].part; ++end) {
+            const PadContact& point = points[end];
+            const Vec3 own = point.force_un * point.normal;
+            pressed_un += point.force_un;
+            force += own;
+            contact.at_mm += point.force_un * point.at_mm;
+            stiffness_.back() += point.stiffness_un_per_mm;
+            for (int a = 0; a < 3; ++a) {
+                load.vertices.push_back(contact_->nodes_of(point)[a]);
+                load.forces.emplace_back(point.weights[a] * own);
+            }
+        }
+        contact.force_un = force.norm();
+        contact.normal = force / contact.force_un;
+        contact.at_mm /= pressed_un;
+        for (Vec3& own : load.forces) own /= contact.force_un;
+    }
+}
+
+void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
+    model.contacts.clear();
+    model.compliance.resize(0, 0);
+    model.tool = part.tool().has_value();
+    if (!model.tool) return;
+    follow(part);
+    const Tool& tool = *part.tool();
+    model.centre_mm = tool.centre_mm();
+    model.left_rad = tool.turn_rad;
+    contact_->set(tool);
+    const std::vector<PadContact> points = contact_->contacts(part.positions_mm());
+    if (points.empty()) return;
+    loads_.clear();
+    stiffness_.clear();
+    join(points, model);
+    model.compliance = give(part.positions_mm(), dt_s);
+    for (std::size_t i = 0; i < stiffness_.size(); ++i)
+        model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness_[i];
+}
+
+}  // namespace hepatica

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device presses a vessel of a real session: the loop at 1 kHz, the simulation at 60 Hz. At rest
+// the hand feels what the simulation's pad presses with, and no friction; what was played plays
+// again without a device.
+#include "core/haptics/patch_feed.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/haptics/force_loop.h"
+#include "core/haptics/simulated_device.h"
+#include "core/scene/world.h"
+#include "core/session/replay.h"
+#include "tests/haptics/touchable_patient.h"
+#include "tests/session/recorded.h"
+
+namespace hepatica {
+namespace {
+
+using test::ball;
+using test::keep_recording;
+using test::new_session;
+using test::small_patient;
+using test::touchable;
+
+// Down by so much within a second, then still.
+std::function<HapticPose(double)> down(double by_mm) {
+    return [by_mm](double t) { return HapticPose{.at_mm = Vec3(0, 0, -by_mm * std::min(1.0, t))}; };
+}
+
+struct Felt {
+    Session& session;
+    SimulatedDevice device;
+    TripleBuffer<LocalModel> models;
+    PatchFeed feed;
+    ForceLoop loop;
+    SessionStep step;
+    Tick tick;
+    int ticks = 0, most_contacts = 0;
+
+    Felt(Session& played, const SimulatedHand& hand, const HapticTraits& traits = {})
+        : session(played),
+          device(hand, traits),
+          loop(device, models, [this](const Command& c) { session.post(c); }) {}
+    // A second is 60 steps and 1000 ticks.
+    void play(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            step = session.step();
+            feed.fill(*session.world().deform(), 1.0 / 60.0, models.back());
+            most_contacts =
+                std::max(most_contacts, static_cast<int>(models.back().contacts.size()));
+            models.publish();
+            for (const int until = ticks + (i % 3 == 2 ? 16 : 17); ticks < until; ++ticks)
+                tick = loop.tick();
+        }
+    }
+};
+
+// Of the body on the tool, without friction.
+Vec3 force_of_pads(const Session& session) {
+    const DeformPart& part = *session.world().deform();
+    const Body body = build_body(part.body(), ElementModel::corotated, ElementOrder::linear);
+    ToolContact contact(body);
+    contact.set(part.tool());
+    Vec3 sum = Vec3::Zero();
+    for (const PadContact& point : contact.contacts(part.positions_mm()))
+        sum -= point.force_un * point.normal;
+    return sum;
+}
+
+TEST(PatchFeed, AtRestTheHandFeelsTheSimulationsForce) {
+    for (const double by_mm : {1.5, 3.0}) {
+        const auto session = new_session(touchable());
+        session->post(ball());
+        Felt felt(*session, {.path = down(by_mm)}, {.damping_un_s_per_mm = 5e3});
+        felt.play(300);
+        const Vec3 tool = felt.step.deform.tool.force_un, hand = felt.tick.force.force_un;
+        const Vec3 pads = force_of_pads(*session);
+        EXPECT_GT(felt.step.deform.tool.contacts, 0);
+        EXPECT_GT(hand.norm(), 1e3);
+        EXPECT_LT((hand - pads).norm(), 1e-3 * pads.norm());
+        EXPECT_NEAR(hand.norm(), tool.norm(), 0.03 * tool.norm());
+        EXPECT_LT(felt.device.velocity_mm_per_s().norm(), 1e-3);
+        EXPECT_TRUE(felt.step.deform.asleep);
+        EXPECT_LE(felt.most_contacts, most_local_contacts);
+        EXPECT_LT(felt.device.most_work_nj(), 5e4);
+    }
+}
+
+// Forceps that hold a vessel touch it at many points.
+TEST(PatchFeed, JoinsManyContactsToSixtyFourAndKeepsTheirForce) {
+    const auto session = new_session(touchable());
+    session->post(AddTool{.kind = "forceps",
+                          .radius_mm = 1.6,
+                          .length_mm = 16.0,
+                          .direction = Vec3(0, 0, -1),
+                          .point_mm = ball().point_mm});
+    session->step();
+    session->post(ShiftTool{Vec3(0, 0, -4.0)});
+    test::play(*session, 30);
+    session->post(CloseForceps{});
+    const SessionStep last = test::play(*session, 60);
+    ASSERT_GT(last.deform.tool.contacts, 80);
+    const DeformPart& part = *session->world().deform();
+    PatchFeed feed;
+    LocalModel model;
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_GE(model.contacts.size(), 64u);
+    EXPECT_LE(model.contacts.size(), 65u);
+    Vec3 sum = Vec3::Zero();
+    for (const LocalContact& joined : model.contacts) sum -= joined.force_un * joined.normal;
+    double most = 0.0;
+    for (const LocalContact& joined : model.contacts) most += joined.force_un;
+    EXPECT_LT((sum - force_of_pads(*session)).norm(), 1e-9 * most);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(model.compliance);
+    EXPECT_GT(modes.eigenvalues()[0], 0.0);
+    EXPECT_LT((model.compliance - model.compliance.transpose()).norm(),
+              1e-9 * model.compliance.norm());
+}
+
+TEST(PatchFeed, WithoutAToolThereIsNothing) {
+    const auto session = new_session(touchable());
+    Felt felt(*session, {.path = down(3.0)});
+    felt.play(20);
+    EXPECT_FALSE(felt.tick.tool);
+    EXPECT_EQ(felt.most_contacts, 0);
+    session->post(ball());
+    felt.play(2);
+    EXPECT_TRUE(felt.tick.tool);
+    session->post(RemoveTool{});
+    felt.play(1);
+    EXPECT_FALSE(felt.tick.tool);
+    EXPECT_EQ(felt.device.acting().both(), Vec6(Vec6::Zero()));
+}
+
+TEST(PatchFeed, WhatWasPlayedPlaysAgainWithoutADevice) {
+    const auto session = new_session(touchable());
+    const auto recording = keep_recording(*session);
+    session->post(ball());
+    SimulatedHand hand{.encoder_mm = 0.02};
+    hand.path = [](double t) {
+        return HapticPose{.at_mm = Vec3(std::sin(3.0 * t), 0, -3.0 * std::min(1.0, t)),
+                          .turned = Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * t, Vec3::UnitX()))};
+    };
+    Felt felt(*session, hand, {.damping_un_s_per_mm = 5e3});
+    felt.play(100);
+    ASSERT_GT(felt.step.deform.tool.contacts, 0);
+    int moves = 0, turns = 0;
+    for (const RecordedStep& step : recording->steps)
+        for (const Command& command : step.commands) {
+            moves += std::holds_alternative<MoveTool>(command) ? 1 : 0;
+            turns += std::holds_alternative<TurnTool>(command) ? 1 : 0;
+        }
+    EXPECT_GE(moves, 90);
+    EXPECT_GE(turns, 90);
+    Job job;
+    EXPECT_FALSE(replay(*recording, small_patient(), job).diverged_at);
+}
+
+// Whoever feels a play does not change it.
+TEST(PatchFeed, ChangesNoBitOfThePlay) {
+    std::vector<std::uint64_t> hashes;
+    for (const bool felt : {false, true}) {
+        const auto session = new_session(touchable());
+        session->post(ball());
+        PatchFeed feed;
+        LocalModel model;
+        for (int i = 0; i < 60; ++i) {
+            session->post(ShiftTool{Vec3(0, 0, -0.05)});
+            session->step();
+            if (felt) feed.fill(*session->world().deform(), 1.0 / 60.0, model);
+        }
+        EXPECT_EQ(model.contacts.empty(), !felt);
+        hashes.push_back(session->state_hash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+}  // namespace
+}  // namespace hepatica
