@@ -58,6 +58,8 @@ class MouseTool {
     // Puts a tool away that is in hand, unless the mode is that of tools.
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
+    // Where it may not, a drag on a vessel turns the view.
+    void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 
@@ -99,6 +101,7 @@ class MouseTool {
     ToolHand hand_;
     ClipControl clip_{view_};
     MouseMode mode_ = MouseMode::pull;
+    bool may_pull_ = true;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click
     Pixel pressed_;
