@@ -7471,5 +7471,29 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>changing settings</source>
         <translation>Einstellungen ändern</translation>
     </message>
+    <message>
+        <source>distance of the tip to %1 at least %2</source>
+        <translation>Abstand der Spitze zu „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>distance of the tip to %1 at most %2</source>
+        <translation>Abstand der Spitze zu „%1“ höchstens %2</translation>
+    </message>
+    <message>
+        <source>way moved by %1 at least %2</source>
+        <translation>Verschiebung von „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>way moved by %1 at most %2</source>
+        <translation>Verschiebung von „%1“ höchstens %2</translation>
+    </message>
+    <message>
+        <source>distance of the touch to %1 at least %2</source>
+        <translation>Abstand der Berührung zu „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>distance of the touch to %1 at most %2</source>
+        <translation>Abstand der Berührung zu „%1“ höchstens %2</translation>
+    </message>
 </context>
 </TS>
