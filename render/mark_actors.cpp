@@ -2,12 +2,17 @@
 #include "render/mark_actors.h"
 
 #include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
+#include <vtkTextProperty.h>
 
-#include "render/palette.h"
+#include <cmath>
+#include <utility>
+
+#include "render/text_style.h"
 
 namespace hepatica {
 
@@ -15,6 +20,7 @@ namespace {
 
 constexpr double radius_points = 13.0;
 constexpr double opacity = 0.35;
+constexpr int text_size = 15;
 
 vtkSmartPointer<vtkActor> new_ball() {
     vtkNew<vtkSphereSource> sphere;
@@ -25,8 +31,6 @@ vtkSmartPointer<vtkActor> new_ball() {
     mapper->SetInputConnection(sphere->GetOutputPort());
     auto ball = vtkSmartPointer<vtkActor>::New();
     ball->SetMapper(mapper);
-    const Colour& colour = palette::torn_circle;
-    ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     ball->GetProperty()->SetOpacity(opacity);
     ball->GetProperty()->SetLighting(false);
     ball->SetPickable(false);
@@ -35,22 +39,44 @@ vtkSmartPointer<vtkActor> new_ball() {
 
 }  // namespace
 
-bool MarkActors::update(const std::vector<Vec3>& places_mm) {
-    if (places_mm == shown_) return false;
-    shown_ = places_mm;
-    for (; balls_.size() > places_mm.size(); balls_.pop_back())
-        renderer_.RemoveActor(balls_.back());
-    while (balls_.size() < places_mm.size()) {
-        balls_.push_back(new_ball());
-        renderer_.AddActor(balls_.back());
+MarkActors::Drawn MarkActors::add_one() {
+    Drawn drawn{new_ball(), vtkSmartPointer<vtkBillboardTextActor3D>::New()};
+    drawn.number->SetPickable(false);
+    renderer_.AddActor(drawn.ball);
+    renderer_.AddActor(drawn.number);
+    return drawn;
+}
+
+bool MarkActors::update(std::vector<MarkView> marks) {
+    if (marks == shown_) return false;
+    shown_ = std::move(marks);
+    for (; drawn_.size() > shown_.size(); drawn_.pop_back()) {
+        renderer_.RemoveActor(drawn_.back().ball);
+        renderer_.RemoveActor(drawn_.back().number);
     }
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-        balls_[i]->SetPosition(places_mm[i].x(), places_mm[i].y(), places_mm[i].z());
+    while (drawn_.size() < shown_.size()) drawn_.push_back(add_one());
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+        const MarkView& mark = shown_[i];
+        const Colour& colour = mark.reached ? palette::reached : palette::torn_circle;
+        drawn_[i].ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+        drawn_[i].ball->SetPosition(mark.place_mm.x(), mark.place_mm.y(), mark.place_mm.z());
+        const std::string text = mark.number + (mark.reached ? "✓" : "");
+        drawn_[i].number->SetInput(text.c_str());
+        drawn_[i].number->SetVisibility(!text.empty());
+        drawn_[i].number->SetPosition(mark.place_mm.x(), mark.place_mm.y(), mark.place_mm.z());
+    }
     return true;
 }
 
-void MarkActors::set_scale(double mm_per_point) {
-    for (const auto& ball : balls_) ball->SetScale(radius_points * mm_per_point);
+void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
+    const int away = static_cast<int>(std::lround(0.8 * radius_points * pixel_ratio));
+    for (const Drawn& drawn : drawn_) {
+        drawn.ball->SetScale(radius_points * mm_per_point);
+        style_text(*drawn.number->GetTextProperty(),
+                   static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);
+        drawn.number->GetTextProperty()->SetBold(true);
+        drawn.number->SetDisplayOffset(away, away);
+    }
 }
 
 }  // namespace hepatica

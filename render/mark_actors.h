@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that a lesson speaks of, as translucent balls of one size on the screen, through which the
-// vessel is seen.
+// vessel is seen, each with its number. One that is done with is green and ticked.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 #include "core/base/vector.h"
+#include "render/palette.h"
 
 class vtkActor;
+class vtkBillboardTextActor3D;
 class vtkRenderer;
 
 namespace hepatica {
+
+struct MarkView {
+    Vec3 place_mm = Vec3::Zero();
+    std::string number;  // beside it; may be empty
+    bool reached = false;
+    bool operator==(const MarkView&) const = default;
+};
 
 class MarkActors {
   public:
@@ -20,14 +30,24 @@ class MarkActors {
     explicit MarkActors(vtkRenderer& renderer) : renderer_(renderer) {}
 
     // Returns true if the picture is another now.
-    bool update(const std::vector<Vec3>& places_mm);
-    // Size of one screen point at the focal plane.
-    void set_scale(double mm_per_point);
+    bool update(std::vector<MarkView> marks);
+    const std::vector<MarkView>& shown() const { return shown_; }
+    // Size of one screen point at the focal plane, and how many pixels it has.
+    void set_scale(double mm_per_point, double pixel_ratio);
+    // Of the numbers.
+    void set_text_colour(const Colour& colour) { text_colour_ = colour; }
 
   private:
+    struct Drawn {
+        vtkSmartPointer<vtkActor> ball;
+        vtkSmartPointer<vtkBillboardTextActor3D> number;
+    };
+    Drawn add_one();
+
     vtkRenderer& renderer_;
-    std::vector<Vec3> shown_;
-    std::vector<vtkSmartPointer<vtkActor>> balls_;
+    std::vector<MarkView> shown_;
+    std::vector<Drawn> drawn_;
+    Colour text_colour_{1.0, 1.0, 1.0};
 };
 
 }  // namespace hepatica

@@ -28,6 +28,7 @@ inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour measure{1.0, 0.84, 0.35};       // what was measured
 inline constexpr Colour bent_axis{0.95, 0.16, 0.14};    // the red line of the paper's Fig. 3
 inline constexpr Colour torn_circle{1.00, 0.87, 0.10};  // its yellow circle
+inline constexpr Colour reached{0.10, 0.72, 0.42};      // a mark that is done with
 inline constexpr Colour text{0.88, 0.90, 0.92};
 inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 

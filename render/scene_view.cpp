@@ -19,7 +19,6 @@
 #include "render/crosshair_actor.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
-#include "render/mark_actors.h"
 #include "render/orientation_marker.h"
 #include "render/palette.h"
 #include "render/tool_actor.h"
@@ -190,7 +189,7 @@ void SceneView::render(double pixel_ratio) {
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
-        parts_->marks.set_scale(per_pixel * pixel_ratio);
+        parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
@@ -246,9 +245,13 @@ bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
     return parts_->crosshair.show(position_mm);
 }
 
-bool SceneView::set_marks(const std::vector<Vec3>& places_mm) {
-    parts_->legend.places = !places_mm.empty();
-    return parts_->marks.update(places_mm);
+bool SceneView::set_marks(std::vector<MarkView> marks) {
+    parts_->legend.places = !marks.empty();
+    return parts_->marks.update(std::move(marks));
+}
+
+const std::vector<MarkView>& SceneView::marks() const {
+    return parts_->marks.shown();
 }
 
 bool SceneView::set_measures(std::vector<MeasureView> measures) {
@@ -308,6 +311,7 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->volume.set_room(look);
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
+    parts_->marks.set_text_colour(look.text);
 }
 
 void SceneView::set_words(const PictureWords& words) {

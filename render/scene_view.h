@@ -17,6 +17,7 @@
 #include "render/camera.h"
 #include "render/clip_plane.h"
 #include "render/legend_rows.h"
+#include "render/mark_actors.h"
 #include "render/measure_marks.h"
 #include "render/surface_geometry.h"
 #include "render/view_look.h"
@@ -80,7 +81,8 @@ class SceneView {
     // Where slices of the CT cross; none removes it. True if the picture is another now.
     bool set_crosshair(const std::optional<Vec3>& position_mm);
     // Places to be found, as a lesson's; true if the picture is another now.
-    bool set_marks(const std::vector<Vec3>& places_mm);
+    bool set_marks(std::vector<MarkView> marks);
+    const std::vector<MarkView>& marks() const;
     // Lines that were measured; true if the picture is another now.
     bool set_measures(std::vector<MeasureView> measures);
     const std::vector<MeasureView>& measures() const;

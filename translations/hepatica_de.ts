@@ -3264,10 +3264,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Griff</translation>
     </message>
     <message>
-        <source>Pull a vessel aside, hold it there, and let it go. Veins bear little: stay below a stretch of 1.25, and do not jerk: 2 N end it.</source>
-        <translation>Ziehen Sie ein Gefäß beiseite, halten Sie es dort, und lassen Sie es los. Venen halten wenig aus: Bleiben Sie unter einer Dehnung von 1,25, und reißen Sie nicht daran: 2 N beenden die Lektion.</translation>
-    </message>
-    <message>
         <source>Take hold of the vessel at the mark.</source>
         <translation>Fassen Sie das Gefäß an der Marke.</translation>
     </message>
@@ -3348,10 +3344,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Fassen Sie den Stumpf mit der Pinzette, und halten Sie ihn eine halbe Sekunde lang.</translation>
     </message>
     <message>
-        <source>Key 6 takes the forceps, C closes them.</source>
-        <translation>Taste 6 nimmt die Pinzette, C schließt sie.</translation>
-    </message>
-    <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
         <translation>Ziehen Sie eine Schwächungslinie quer über einen Ast, und ziehen Sie ihn entlang der Linie ab. Ohne die Linie würde der Zug den Ast weit dehnen, ehe er reißt.</translation>
     </message>
@@ -3364,16 +3356,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Geben Sie der Linie eine Festigkeit nahe 0.</translation>
     </message>
     <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target. How beads bring the flow to stasis computes hepatica-cli embolize.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, ehe sie in die anderen zurückläuft. Hier treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel. Wie Partikel den Fluss zum Stillstand bringen, berechnet hepatica-cli embolize.</translation>
-    </message>
-    <message>
         <source>Inject the emulsion until nine tenths of the target are full.</source>
         <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
-    </message>
-    <message>
-        <source>A little beyond the mark, slowly: Injection panel, lipiodol 50 %, 0.5 g/s.</source>
-        <translation>Ein wenig jenseits der Marke, langsam: Bedienfeld Injektion, Lipiodol 50 %, 0,5 g/s.</translation>
     </message>
     <message>
         <source>Stop: take the catheter out.</source>
@@ -4550,10 +4534,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>step %1 of %2 was not reached: %3</source>
         <translation>Schritt %1 von %2 wurde nicht erreicht: %3</translation>
-    </message>
-    <message>
-        <source>the lesson does not allow the tool %1</source>
-        <translation>die Lektion erlaubt das Werkzeug %1 nicht</translation>
     </message>
     <message>
         <source>the play was taken back</source>
@@ -7414,6 +7394,146 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Keep for later</source>
         <translation>Für später aufheben</translation>
+    </message>
+    <message>
+        <source>Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes them.</source>
+        <translation>Taste 6 nimmt die Pinzette. Bringen Sie den Stumpf in die Mitte zwischen den Backen, dann schließt C sie.</translation>
+    </message>
+    <message>
+        <source>The lesson does not allow this: %1</source>
+        <translation>Die Lektion erlaubt das nicht: %1</translation>
+    </message>
+    <message>
+        <source>Whose attempts</source>
+        <translation>Wessen Versuche</translation>
+    </message>
+    <message>
+        <source>of everybody</source>
+        <translation>von allen</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>none needed</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>Stands in the results of attempts that end from now on, and in their reports. Leave it empty, and nobody is named.</source>
+        <translation>Steht in den Ergebnissen der Versuche, die von nun an enden, und in ihren Berichten. Bleibt es leer, wird niemand genannt.</translation>
+    </message>
+    <message>
+        <source>Name or &amp;number</source>
+        <translation>&amp;Name oder Nummer</translation>
+    </message>
+    <message>
+        <source>&amp;Next lesson: %1</source>
+        <translation>&amp;Nächste Lektion: %1</translation>
+    </message>
+    <message>
+        <source>Pass marks, looked at in the end</source>
+        <translation>Bestehensgrenzen, am Ende geprüft</translation>
+    </message>
+    <message>
+        <source>The lesson does not allow this</source>
+        <translation>Die Lektion erlaubt das nicht</translation>
+    </message>
+    <message>
+        <source>Pull a vessel aside, hold it there, and let it go. Veins bear little: stay below a stretch of 1.25, and do not jerk: 2000 mN end it.</source>
+        <translation>Ziehen Sie ein Gefäß beiseite, halten Sie es dort, und lassen Sie es los. Venen halten wenig aus: Bleiben Sie unter einer Dehnung von 1,25, und reißen Sie nicht daran: 2000 mN beenden die Lektion.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target. hepatica-cli embolize computes how beads bring the flow to stasis.</source>
+        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, ehe sie in die anderen zurückläuft. Hier treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel. Wie Partikel den Fluss zum Stillstand bringen, berechnet hepatica-cli embolize.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: Injection panel, Lipiodol emulsion, 2 to 1, 0.5 g/s.</source>
+        <translation>Ein wenig jenseits der Marke, langsam: Bedienfeld Injektion, Lipiodol-Emulsion, 2 zu 1, 0,5 g/s.</translation>
+    </message>
+    <message>
+        <source>no contacts</source>
+        <translation>keine Berührungen</translation>
+    </message>
+    <message>
+        <source>no joints broken</source>
+        <translation>keine gerissenen Verbindungen</translation>
+    </message>
+    <message>
+        <source>no pieces torn off</source>
+        <translation>keine abgerissenen Stücke</translation>
+    </message>
+    <message>
+        <source>no injections that are running</source>
+        <translation>keine laufenden Injektionen</translation>
+    </message>
+    <message>
+        <source>no vessels held by the hand</source>
+        <translation>keine Gefäße in der Hand</translation>
+    </message>
+    <message>
+        <source>the lesson does not allow this: %1</source>
+        <translation>die Lektion erlaubt das nicht: %1</translation>
+    </message>
+    <message>
+        <source>pulling by hand</source>
+        <translation>Ziehen mit der Hand</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>rod probe</source>
+        <translation>Stabsonde</translation>
+    </message>
+    <message>
+        <source>forceps</source>
+        <translation>Pinzette</translation>
+    </message>
+    <message>
+        <source>hook</source>
+        <translation>Haken</translation>
+    </message>
+    <message>
+        <source>blade</source>
+        <translation>Skalpell</translation>
+    </message>
+    <message>
+        <source>injecting</source>
+        <translation>Injizieren</translation>
+    </message>
+    <message>
+        <source>changing settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>distance of the tip to %1 at least %2</source>
+        <translation>Abstand der Spitze zu „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>distance of the tip to %1 at most %2</source>
+        <translation>Abstand der Spitze zu „%1“ höchstens %2</translation>
+    </message>
+    <message>
+        <source>way moved by %1 at least %2</source>
+        <translation>Verschiebung von „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>way moved by %1 at most %2</source>
+        <translation>Verschiebung von „%1“ höchstens %2</translation>
+    </message>
+    <message>
+        <source>distance of the touch to %1 at least %2</source>
+        <translation>Abstand der Berührung zu „%1“ mindestens %2</translation>
+    </message>
+    <message>
+        <source>distance of the touch to %1 at most %2</source>
+        <translation>Abstand der Berührung zu „%1“ höchstens %2</translation>
     </message>
 </context>
 </TS>

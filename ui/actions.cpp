@@ -225,6 +225,12 @@ class SpaceOfTheFocusedWidget : public QObject {
     QWidget& window_;
 };
 
+void tell(QAction& action, const QString& tip) {
+    action.setStatusTip(tip);
+    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+    action.setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
+}
+
 QString plain(const char* text) {
     return Words::tr(text).remove('&').remove("…").trimmed();
 }
@@ -242,10 +248,7 @@ Actions::Actions(QWidget& window, QMenuBar& menus) {
         if (!menu) menu = menus.addMenu(Words::tr(spec.menu));
         auto* action = new QAction(Words::tr(spec.text), &window);
         action->setShortcut(QKeySequence::fromString(spec.keys, QKeySequence::PortableText));
-        const QString tip = Words::tr(spec.tip);
-        action->setStatusTip(tip);
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
+        tell(*action, Words::tr(spec.tip));
         action->setCheckable(spec.checkable);
         action->setIcon(icon_of(spec.id));
         menu->addAction(action);
@@ -260,9 +263,23 @@ void Actions::on(ActionId id, std::function<void()> run) {
 }
 
 void Actions::set_patient_shown(bool shown) {
-    for (const ActionSpec& spec : table) {
-        if (spec.needs_patient) actions_.at(spec.id)->setEnabled(shown);
-    }
+    patient_shown_ = shown;
+    for (const ActionSpec& spec : table)
+        if (spec.needs_patient) enable(spec);
+}
+
+void Actions::forbid(std::set<ActionId> forbidden) {
+    const std::set<ActionId> before = std::exchange(forbidden_, std::move(forbidden));
+    for (const ActionSpec& spec : table)
+        if (forbidden_.contains(spec.id) != before.contains(spec.id)) enable(spec);
+}
+
+void Actions::enable(const ActionSpec& spec) {
+    QAction& action = *actions_.at(spec.id);
+    const bool forbidden = forbidden_.contains(spec.id);
+    action.setEnabled(!forbidden && (patient_shown_ || !spec.needs_patient));
+    const QString tip = Words::tr(spec.tip);
+    tell(action, forbidden ? Words::tr("The lesson does not allow this: %1").arg(tip) : tip);
 }
 
 QString Actions::cheat_sheet() {

@@ -23,7 +23,7 @@ namespace hepatica {
 namespace {
 
 struct Column {
-    enum { number, ended, result, reference, first_quantity };
+    enum { number, ended, result, reference, name, first_quantity };
 };
 
 constexpr int least_axis = 5;
@@ -65,6 +65,13 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
         if (band->least != band->most)
             chart.curves.push_back({Words::id("its least"), ends, {band->least, band->least}});
     }
+    Curve failed{Words::id("✗ not passed"), {}, {}, true};
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+        if (attempts[i].passed) continue;
+        failed.x.push_back(static_cast<double>(i + 1));
+        failed.y.push_back(attempts[i].value(quantity));
+    }
+    if (!failed.x.empty()) chart.curves.push_back(std::move(failed));
     return chart;
 }
 
@@ -73,6 +80,7 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
       ways_(std::move(ways)),
       title_(new QLabel),
       table_(new QTableWidget),
+      whose_(new QComboBox),
       quantity_(new QComboBox),
       plot_(new PlotView),
       look_back_(new QPushButton(Words::tr("Look &back on it"))),
@@ -86,6 +94,8 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->verticalHeader()->hide();
+    whose_->setObjectName("attemptsWhose");
+    whose_->setAccessibleName(Words::tr("Whose attempts"));
     quantity_->setObjectName("attemptsQuantity");
     quantity_->setAccessibleName(Words::tr("Quantity of the learning curve"));
     look_back_->setObjectName("attemptsLookBack");
@@ -95,6 +105,7 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->addWidget(new QLabel(Words::tr("Learning curve of")));
     row->addWidget(quantity_);
+    row->addWidget(whose_);
     row->addStretch(1);
     column->addLayout(row);
     column->addWidget(plot_, 1);
@@ -103,6 +114,7 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
     buttons->addButton(save_, QDialogButtonBox::ActionRole);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
+    connect(whose_, &QComboBox::currentIndexChanged, this, [this] { show_attempts(); });
     connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { draw_curve(); });
     connect(save_, &QPushButton::clicked, this, [this] { ways_.save(to_csv(attempts_.list)); });
     connect(look_back_, &QPushButton::clicked, this, [this] {
@@ -121,9 +133,36 @@ const Chart& AttemptsDialog::chart() const {
     return plot_->chart();
 }
 
-void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesystem::path& folder) {
+void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesystem::path& folder,
+                                 const std::string& name) {
     lesson_ = lesson;
-    attempts_ = attempts_at(lesson, folder);
+    folder_ = folder;
+    offer_names(name);
+    show_attempts();
+    show();
+    raise();
+}
+
+void AttemptsDialog::offer_names(const std::string& name) {
+    const std::vector<std::string> names = names_in(attempts_at(lesson_, folder_).list);
+    named_ = !names.empty();
+    const QSignalBlocker quiet(whose_);
+    whose_->clear();
+    whose_->addItem(Words::tr("of everybody"), QString());
+    for (const std::string& one : names) {
+        const QString text = QString::fromStdString(one);
+        whose_->addItem(Words::tr("of %1").arg(text), text);
+        if (one == name) whose_->setCurrentIndex(whose_->count() - 1);
+    }
+    whose_->setVisible(named_);
+}
+
+// Those at the lesson, of who is chosen.
+void AttemptsDialog::show_attempts() {
+    attempts_ = attempts_at(lesson_, folder_);
+    const std::string whose = whose_->currentData().toString().toStdString();
+    std::erase_if(attempts_.list,
+                  [&](const Attempt& attempt) { return !whose.empty() && attempt.name != whose; });
     choose_quantities();
     fill_table();
     draw_curve();
@@ -132,12 +171,10 @@ void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesyste
                        "<b>%1</b>: %n attempt(s). Tick those of an instructor: they are the band "
                        "in the learning curve.",
                        nullptr, static_cast<int>(count))
-                       .arg(translated(lesson).toHtmlEscaped());
+                       .arg(translated(lesson_).toHtmlEscaped());
     for (const std::string& words : attempts_.passed_over)
         text += "<br>" + Words::tr("Left out: %1").arg(translated(words).toHtmlEscaped());
     title_->setText(text);
-    show();
-    raise();
 }
 
 void AttemptsDialog::choose_quantities() {
@@ -160,7 +197,7 @@ void AttemptsDialog::choose_quantities() {
 void AttemptsDialog::fill_table() {
     const QSignalBlocker quiet(table_);
     QStringList heads{Words::tr("Attempt"), Words::tr("Ended"), Words::tr("Result"),
-                      Words::tr("Reference")};
+                      Words::tr("Reference"), Words::tr("Name")};
     for (const Quantity quantity : quantities_) {
         const QuantityWords& words = words_of(quantity);
         const QString name = Words::tr(words.words);
@@ -184,13 +221,15 @@ void AttemptsDialog::fill_table() {
         box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         box->setCheckState(attempt.reference ? Qt::Checked : Qt::Unchecked);
         table_->setItem(row, Column::reference, box);
+        table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
         for (std::size_t k = 0; k < quantities_.size(); ++k) {
             const double value = attempt.value(quantities_[k]);
-            auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 4) : "");
+            auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 3) : "");
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
         }
     }
+    table_->setColumnHidden(Column::name, !named_);
     table_->resizeColumnsToContents();
     if (table_->rowCount() > 0) table_->selectRow(table_->rowCount() - 1);
     look_back_->setEnabled(table_->rowCount() > 0);

@@ -20,7 +20,8 @@ namespace hepatica {
 
 class PlotView;
 
-// The quantity over the attempts, from 1; with a band, its bounds.
+// The quantity over the attempts, from 1; with a band, its bounds; those that were not passed are
+// marked.
 Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity);
 
 class AttemptsDialog : public QDialog {
@@ -32,12 +33,16 @@ class AttemptsDialog : public QDialog {
     };
     AttemptsDialog(Ways ways, QWidget* parent);
 
-    // Reads them anew and shows them; the newest is chosen.
-    void show_lesson(const std::string& lesson, const std::filesystem::path& folder);
+    // Reads them anew and shows those of who is called so, where any is, else everybody's; the
+    // newest is chosen.
+    void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
+                     const std::string& name = {});
     const std::vector<Attempt>& attempts() const { return attempts_.list; }
     const Chart& chart() const;
 
   private:
+    void offer_names(const std::string& name);
+    void show_attempts();
     void fill_table();
     void choose_quantities();
     void draw_curve();
@@ -46,9 +51,12 @@ class AttemptsDialog : public QDialog {
     Ways ways_;
     Attempts attempts_;
     std::string lesson_;
+    std::filesystem::path folder_;
+    bool named_ = false;                // any of them
     std::vector<Quantity> quantities_;  // that differ from 0 in any attempt
     QLabel* title_;
     QTableWidget* table_;
+    QComboBox* whose_;
     QComboBox* quantity_;
     PlotView* plot_;
     QPushButton* look_back_;

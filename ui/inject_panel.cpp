@@ -20,6 +20,7 @@
 #include "core/scene/default_injection.h"
 #include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_tools.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -91,6 +92,7 @@ QWidget* InjectPanel::make_settings() {
     auto* box = new QGroupBox(Words::tr("Next injection"), this);
     auto* form = new QFormLayout(box);
     preset_ = new QComboBox(box);
+    preset_->setObjectName("drug");
     for (const Preset& preset : presets) preset_->addItem(Words::tr(preset.name));
     connect(preset_, &QComboBox::currentIndexChanged, this,
             [this](int index) { choose_preset(index); });
@@ -255,7 +257,7 @@ void InjectPanel::show_drug(const DrugView& drug) {
     drug_ = drug;
     const bool injected = drug.arrival_s != nullptr;
     play_->setEnabled(injected);
-    time_->setEnabled(injected);
+    time_->setEnabled(injected && settings_allowed_);
     play_->setText(drug.playing ? Words::tr("Pause") : Words::tr("Play"));
     if (!injected) {
         time_label_->setText(Words::tr("nothing injected"));
@@ -282,6 +284,12 @@ void InjectPanel::begin_play(bool free) {
     if (!free) return;
     show_speed(chosen_speed_);
     if (chosen_speed_ != FlowSpec{}.drug_speed) ask_for_speed(chosen_speed_);
+}
+
+void InjectPanel::allow_settings(bool allowed) {
+    settings_allowed_ = allowed;
+    set_allowed(*speed_, allowed);
+    time_->setEnabled(allowed && drug_.arrival_s);
 }
 
 void InjectPanel::toggle_playing() {

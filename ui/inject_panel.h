@@ -39,6 +39,8 @@ class InjectPanel : public QWidget {
     // A simulation has begun. In free play it is told what the user had chosen there before; a
     // lesson and a review have a speed of their own.
     void begin_play(bool free);
+    // Whether the drug's clock and its speed may be set.
+    void allow_settings(bool allowed);
 
   private:
     void choose_preset(int index);
@@ -73,6 +75,7 @@ class InjectPanel : public QWidget {
     std::optional<double> asked_speed_;  // likewise, of the field
     double chosen_speed_;                // by the user in free play
     bool free_play_ = true;
+    bool settings_allowed_ = true;
 };
 
 }  // namespace hepatica

@@ -6,11 +6,12 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QTimer>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/lesson/attempts.h"
-#include "core/lesson/course_standing.h"
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
@@ -25,6 +26,39 @@ namespace hepatica {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Empty: the one that comes with the program.
+Course course_in(const fs::path& file) {
+    return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
+}
+
+// Whether no step from this one on asks for the mark any more, and one before it did.
+bool is_done_with(const Lesson& lesson, std::size_t mark, std::size_t step) {
+    const auto names = [&](const LessonStep& one) {
+        return std::ranges::any_of(one.goal, [&](const Predicate& goal) {
+            return goal.mark >= 0 && static_cast<std::size_t>(goal.mark) == mark;
+        });
+    };
+    const auto now = lesson.steps.begin() + static_cast<std::ptrdiff_t>(step);
+    return std::any_of(lesson.steps.begin(), now, names) &&
+           std::none_of(now, lesson.steps.end(), names);
+}
+
+// None too where the course has gone since it was shown.
+std::optional<CourseLine> lesson_after(const std::string& lesson, const fs::path& course) {
+    try {
+        const auto lines = standing_of(course_in(course), course.parent_path(), {});
+        auto line = std::ranges::find(lines, lesson, &CourseLine::lesson);
+        if (line != lines.end() && ++line != lines.end()) return *line;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
     : QDockWidget(Words::tr("Lesson"), parent),
       ways_(std::move(ways)),
@@ -36,7 +70,14 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                               [this] {
                                   if (watch_) ways_.look_back(watch_->recording(), watched_name_);
                               },
-                              [this] { show_attempts(); }})),
+                              [this] { show_attempts(); },
+                              [this] {
+                                  if (next_) start(next_->lesson, next_->pass);
+                              },
+                              [this](const QString& name) {
+                                  trainee_ = name.toStdString();
+                                  ways_.named(name);
+                              }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_attempts(csv); },
@@ -93,13 +134,19 @@ void LessonDock::ask_for_course() {
 
 void LessonDock::show_course(const fs::path& file) {
     try {
-        const Course course =
-            file.empty() ? course_of(built_in_course(), "course") : read_course(file);
+        const Course course = course_in(file);
         course_->show_course(
             course.name, standing_of(course, file.parent_path(), all_attempts(recordings_).list));
+        course_file_ = file;
     } catch (...) {
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
+}
+
+void LessonDock::find_next() {
+    next_ = lesson_after(name_, course_file_);
+    if (!next_) next_ = lesson_after(name_, {});
+    panel_->set_next(next_ ? next_->title : "");
 }
 
 bool LessonDock::read(const std::string& name) {
@@ -194,10 +241,12 @@ void LessonDock::begin() {
         watch_ = std::move(play.watch);
         watched_name_ = name_;
         result_kept_ = false;
+        on_screen_ = true;
         ways_.use(std::move(play.simulation));
     } catch (...) {
         return ways_.failed(Words::tr("Begin the lesson"), std::current_exception());
     }
+    find_next();
     panel_->begin(*lesson_, doubts_about_places(*lesson_, patient->tree));
     show_figures();
     show();
@@ -213,9 +262,19 @@ void LessonDock::leave() {
     ways_.left();
 }
 
+const Lesson* LessonDock::running() const {
+    const bool runs = watch_ && watch_->standing().outcome == LessonOutcome::running;
+    return runs ? &watch_->lesson() : nullptr;
+}
+
 void LessonDock::set_units(FlowUnits units) {
     panel_->set_units(units);
     show_figures();
+}
+
+void LessonDock::set_trainee(const QString& name) {
+    trainee_ = name.toStdString();
+    panel_->set_name(name);
 }
 
 void LessonDock::show_figures() {
@@ -229,8 +288,10 @@ void LessonDock::keep_result() {
     if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
-        write_attempt(attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
-                                 now.toStdString()));
+        Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
+                                     now.toStdString());
+        attempt.name = trainee_;
+        write_attempt(attempt);
     } catch (...) {
         ways_.failed(Words::tr("Keep the result"), std::current_exception());
     }
@@ -239,11 +300,18 @@ void LessonDock::keep_result() {
 void LessonDock::show_attempts() {
     if (!lesson_) return;
     shown_name_ = name_;
-    attempts_->show_lesson(lesson_->name, recordings_);
+    attempts_->show_lesson(lesson_->name, recordings_, trainee_);
 }
 
-std::vector<Vec3> LessonDock::marks_in(const Frame& frame) const {
-    return watch_ ? watch_->marks_in(frame) : std::vector<Vec3>();
+std::vector<MarkView> LessonDock::marks_in(const Frame& frame) const {
+    if (!watch_ || !on_screen_) return {};
+    const std::vector<Vec3> places = watch_->marks_in(frame);
+    const std::size_t step = watch_->standing().step;
+    std::vector<MarkView> marks;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        marks.push_back({places[i], places.size() > 1 ? std::to_string(i + 1) : std::string(),
+                         is_done_with(watch_->lesson(), i, step)});
+    return marks;
 }
 
 }  // namespace hepatica

@@ -9,7 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "core/lesson/course_standing.h"
 #include "core/patient/patient_case.h"
+#include "render/mark_actors.h"
 #include "ui/flow_units.h"
 #include "ui/lesson_play.h"
 
@@ -40,6 +42,7 @@ class LessonDock : public QDockWidget {
         std::function<void(const std::string& csv)> save_attempts;  // asks where to
         std::function<void()> edit;                                 // shows the editor of lessons
         std::function<void()> left;                                 // a lesson, for free play
+        std::function<void(const QString& name)> named;  // the trainee, or nobody any more
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
@@ -66,17 +69,26 @@ class LessonDock : public QDockWidget {
     // The patient that was being opened does not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
+    // The lesson that is being played and has not ended; null: none.
+    const Lesson* running() const;
     // Of the lesson that is being played or has ended.
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
+    // Of attempts that end from now on; empty: nobody is named.
+    void set_trainee(const QString& name);
     // At every figure's turn: how the lesson stands.
     void show_figures();
-    // Where the marks are in a frame; none where no lesson is played.
-    std::vector<Vec3> marks_in(const Frame& frame) const;
+    // Another simulation stands in the place of the lesson's own, such as a review's: the panel
+    // still says how the attempt went, and no mark is on those vessels.
+    void play_hidden() { on_screen_ = false; }
+    // The marks in a frame, numbered where there are more than one, and whether all steps that name
+    // them are reached; none where no lesson's play is on the screen.
+    std::vector<MarkView> marks_in(const Frame& frame) const;
 
   private:
+    void find_next();                    // in the course shown last, or else the program's own
     bool read(const std::string& name);  // into lesson_; false where it failed, which is said
     void ask_for_lesson();
     void ask_for_course();
@@ -100,8 +112,12 @@ class LessonDock : public QDockWidget {
     // Whom it waits for: a case; empty: the built-in patient, or whoever comes where it is for any.
     std::filesystem::path waits_for_;
     bool built_in_shown_ = false;
+    std::filesystem::path course_file_;  // the one shown last; empty: the program's own
+    std::optional<CourseLine> next_;     // the lesson after this one in its course
+    std::string trainee_;
     std::shared_ptr<LessonWatch> watch_;
     bool result_kept_ = false;  // of watch_
+    bool on_screen_ = false;    // likewise: it is its simulation that the window shows
     AttemptsDialog* attempts_;
     CourseDialog* course_;
 };

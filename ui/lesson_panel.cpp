@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -31,11 +32,11 @@ QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks
                const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
     const QString now =
-        known ? translated(to_words(bound.predicate.quantity, bound.value, units)) : "";
+        known ? translated(to_words_beside(bound.predicate, bound.value, units)) : "";
     return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
         .arg(QString::fromUtf8(bound.kept ? kept : broken),
-             translated(to_words(bound.predicate, marks, units)).toHtmlEscaped(),
-             now.toHtmlEscaped());
+             with_units_beside(translated(to_words(bound.predicate, marks, units))).toHtmlEscaped(),
+             with_units_beside(now).toHtmlEscaped());
 }
 
 QString table_of(const QString& title, const std::vector<BoundStanding>& bounds,
@@ -72,7 +73,11 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     });
     column->addLayout(first_row);
     limits_ = add_label(*column, "lessonLimits");
+    pass_ = add_label(*column, "lessonPass");
     end_ = add_label(*column, "lessonEnd");
+    auto* next_row = new QHBoxLayout;
+    next_ = add_button(*next_row, {}, "lessonNext", [run = ways.next] { run(); });
+    column->addLayout(next_row);
     report_ = new QPushButton(Words::tr("Write a &report…"));
     report_->setObjectName("lessonReport");
     connect(report_, &QPushButton::clicked, this, [run = ways.report] { run(); });
@@ -89,7 +94,36 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     add_button(*last_row, Words::tr("&Begin again"), "lessonAgain", ways.again);
     add_button(*last_row, Words::tr("&Leave"), "lessonLeave", ways.leave);
     column->addLayout(last_row);
+    column->addLayout(make_name());
+    connect(name_, &QLineEdit::editingFinished, this, [this, run = ways.name] {
+        if (run) run(name_->text().simplified());
+    });
     column->addStretch(1);
+}
+
+QLayout* LessonPanel::make_name() {
+    name_ = new QLineEdit;
+    name_->setObjectName("lessonName");
+    name_->setPlaceholderText(Words::tr("none needed"));
+    name_->setMaxLength(100);
+    name_->setToolTip(
+        Words::tr("Stands in the results of attempts that end from now on, and in their reports. "
+                  "Leave it empty, and nobody is named."));
+    auto* label = new QLabel(Words::tr("Name or &number"));
+    label->setBuddy(name_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(name_, 1);
+    return row;
+}
+
+void LessonPanel::set_next(const std::string& lesson) {
+    next_lesson_ = lesson;
+    next_->setText(Words::tr("&Next lesson: %1").arg(translated(lesson)));
+}
+
+void LessonPanel::set_name(const QString& name) {
+    name_->setText(name);
 }
 
 void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& doubts) {
@@ -101,7 +135,7 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     lesson_ = lesson;
     hinted_step_ = static_cast<std::size_t>(-1);
     title_->setText("<b>" + translated(lesson.name).toHtmlEscaped() + "</b>");
-    about_->setText(translated(lesson.about));
+    about_->setText(with_units_beside(translated(lesson.about)));
     about_->setVisible(!lesson.about.empty());
 }
 
@@ -113,6 +147,8 @@ void LessonPanel::show_standing(const LessonStanding& standing) {
     report_->setVisible(!running);
     look_back_->setVisible(!running);
     attempts_->setVisible(!running);
+    next_->setVisible(!running && !next_lesson_.empty());
+    pass_->setVisible(running && !standing.pass.empty());
     limits_->setText(
         table_of(Words::tr("Limits"), standing.limits, lesson_.mark_names(), units_, "✓", "✗"));
     if (running)
@@ -127,14 +163,16 @@ void LessonPanel::show_step(const LessonStanding& standing) {
     step_->setText(Words::tr("Step %1 of %2: %3")
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
-                       .arg(translated(step.text)));
+                       .arg(with_units_beside(translated(step.text))));
+    pass_->setText(table_of(Words::tr("Pass marks, looked at in the end"), standing.pass,
+                            lesson_.mark_names(), units_, "✓", "·"));
     goal_->setText(
         table_of(Words::tr("Goal"), standing.goal, lesson_.mark_names(), units_, "●", "○"));
     hold_->setVisible(step.hold_s > 0.0);
     const double held_s = standing.steps[standing.step].held_s;
     if (step.hold_s > 0.0)
         hold_->setValue(static_cast<int>(100.0 * std::min(1.0, held_s / step.hold_s)));
-    hint_->setText(translated(step.hint));
+    hint_->setText(with_units_beside(translated(step.hint)));
     const bool open = hinted_step_ == standing.step;
     hint_->setVisible(open && !step.hint.empty());
     hint_button_->setEnabled(!open && !step.hint.empty());
@@ -146,17 +184,20 @@ void LessonPanel::show_end(const LessonStanding& standing) {
     QString html =
         "<p><b>" + (passed ? Words::tr("✓ Passed") : Words::tr("✗ Not passed")) + "</b></p>";
     for (const std::string& reason : reasons_in(standing, lesson_.mark_names(), units_))
-        html += "<p>" + translated(reason).toHtmlEscaped() + "</p>";
+        html += "<p>" + with_units_beside(translated(reason)).toHtmlEscaped() + "</p>";
     std::vector<BoundStanding> seen = standing.pass;  // only who reaches the end meets them
     std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
     html += table_of(Words::tr("Pass marks"), seen, lesson_.mark_names(), units_, "✓", "✗");
     const LessonMetrics& metrics = standing.metrics;
-    html += "<p>" +
-            Words::tr("%1, path %2, peak force %3")
-                .arg(translated(to_words(Quantity::time_s, metrics.time_s)),
-                     translated(to_words(Quantity::path_mm, metrics.path_mm)),
-                     translated(to_words(Quantity::peak_force_mn, metrics.peak_force_mn))) +
-            "</p>";
+    const auto said = [&](Quantity quantity, double value) {
+        return with_units_beside(translated(to_words(quantity, value, units_)));
+    };
+    html +=
+        "<p>" +
+        Words::tr("%1, path %2, peak force %3")
+            .arg(said(Quantity::time_s, metrics.time_s), said(Quantity::path_mm, metrics.path_mm),
+                 said(Quantity::peak_force_mn, metrics.peak_force_mn)) +
+        "</p>";
     end_->setText(html);
 }
 

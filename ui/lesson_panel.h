@@ -10,6 +10,7 @@
 #include "ui/flow_units.h"
 
 class QLabel;
+class QLineEdit;
 class QProgressBar;
 class QPushButton;
 
@@ -23,17 +24,23 @@ class LessonPanel : public QWidget {
         std::function<void()> report;     // of the attempt
         std::function<void()> look_back;  // on the attempt
         std::function<void()> attempts;   // all of them at this lesson
+        std::function<void()> next = {};  // the lesson of the course that comes after it
+        std::function<void(const QString&)> name = {};  // the trainee is called so from now on
     };
 
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
 
     // From here on this lesson is shown. `doubts`: whether it fits the patient, a sentence each.
     void begin(const Lesson& lesson, const std::vector<std::string>& doubts = {});
+    // The lesson that comes after it in its course; empty: none does.
+    void set_next(const std::string& lesson);
+    void set_name(const QString& name);
     // For what is shown from the next standing on.
     void set_units(FlowUnits units) { units_ = units; }
     void show_standing(const LessonStanding& standing);
 
   private:
+    QLayout* make_name();
     void show_step(const LessonStanding& standing);
     void show_end(const LessonStanding& standing);
 
@@ -50,10 +57,14 @@ class LessonPanel : public QWidget {
     QLabel* hint_;
     QPushButton* hint_button_;
     QLabel* limits_;
+    QLabel* pass_;
     QLabel* end_;
+    QPushButton* next_;
     QPushButton* report_;
     QPushButton* look_back_;
     QPushButton* attempts_;
+    QLineEdit* name_;
+    std::string next_lesson_;
 };
 
 }  // namespace hepatica

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_words.h"
 
+#include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 
@@ -22,57 +24,146 @@ double in_clinic_units(Quantity quantity, double value) {
                                           : value / density_g_mm3 / units::millilitre;
 }
 
-std::string blood_words(Quantity quantity, double value, int digits) {
+// A number of a quantity as it is shown.
+struct Shown {
+    double value;
+    std::string unit;  // with the space before it; may be empty
+};
+
+Shown shown(Quantity quantity, double value, FlowUnits units) {
+    if (units == FlowUnits::clinic && is_of_blood(quantity))
+        return {in_clinic_units(quantity, value),
+                quantity == Quantity::leak_g_s ? " mL/min" : " mL"};
+    const char* unit = words_of(quantity).unit;
+    return {value, *unit ? std::string(" ") + unit : ""};
+}
+
+// Digits behind the point of what was measured: as many as mean something, and always as many, so
+// that a number that runs keeps its shape.
+int decimals_of(Quantity quantity, FlowUnits units) {
+    switch (quantity) {
+        case Quantity::largest_stretch:
+        case Quantity::stretch:
+        case Quantity::dose_target_share:
+        case Quantity::target_filled:
+        case Quantity::elsewhere_filled:
+            return 2;
+        case Quantity::leak_g_s:
+            return units == FlowUnits::clinic ? 0 : 2;
+        case Quantity::blood_lost_g:
+            return units == FlowUnits::clinic ? 0 : 1;
+        case Quantity::injected_g:
+        case Quantity::delivered_g:
+        case Quantity::dose_target_g:
+        case Quantity::dose_elsewhere_g:
+        case Quantity::reflux_g:
+            return 2;
+        case Quantity::time_s:
+        case Quantity::step_time_s:
+        case Quantity::contact_s:
+        case Quantity::path_mm:
+        case Quantity::torn_area_mm2:
+        case Quantity::distance_mm:
+        case Quantity::moved_mm:
+        case Quantity::touch_mm:
+            return 1;
+        default:  // forces in mN, and what is counted
+            return 0;
+    }
+}
+
+bool is_count(Quantity quantity) {
+    return quantity == Quantity::contacts || quantity == Quantity::joints_broken ||
+           quantity == Quantity::pieces_off || quantity == Quantity::drug_present ||
+           quantity == Quantity::holding;
+}
+
+template <class Number>
+std::string printed(const char* format, int digits, Number value) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.*g %s", digits, in_clinic_units(quantity, value),
-                  quantity == Quantity::leak_g_s ? "mL/min" : "mL");
+    std::snprintf(text, sizeof text, format, digits, value);
     return text;
 }
 
-constexpr int usual_digits = 4;
+constexpr QChar narrow_no_break_space(0x202f);
+constexpr int most_digits = 3;  // that mean something of what was measured
 
-// With as many digits as it takes to be told apart from the bound.
-std::string words_beside(const Predicate& bound, double value) {
-    int digits = usual_digits;
-    while (digits < 12 && blood_words(bound.quantity, value, digits) ==
-                              blood_words(bound.quantity, bound.bound, digits))
-        ++digits;
-    return blood_words(bound.quantity, value, digits);
+std::string number_words(double value, int decimals) {
+    const int before_point =
+        value == 0.0 ? 1
+                     : std::max(1, 1 + static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    if (before_point > most_digits) {
+        const double finest = std::pow(10.0, before_point - most_digits);
+        value = finest * std::round(value / finest);
+    }
+    const std::string text =
+        printed("%.*f", std::clamp(most_digits - before_point, 0, decimals), value);
+    return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-'
+               ? text.substr(1)
+               : text;
+}
+
+// A bound has the digits that its author gave it.
+std::string bound_words(const Predicate& predicate, FlowUnits units) {
+    const Shown bound = shown(predicate.quantity, predicate.bound, units);
+    return printed("%.*g", 4, bound.value) + bound.unit;
 }
 
 }  // namespace
 
 std::string to_words(Quantity quantity, double value, FlowUnits units) {
-    if (units == FlowUnits::computed || !is_of_blood(quantity)) return to_words(quantity, value);
-    return blood_words(quantity, value, usual_digits);
+    if (!std::isfinite(value)) return "none";
+    const Shown number = shown(quantity, value, units);
+    return number_words(number.value, decimals_of(quantity, units)) + number.unit;
+}
+
+std::string to_words_beside(const Predicate& predicate, double value, FlowUnits units) {
+    const Shown broke = shown(predicate.quantity, value, units);
+    const double bound = shown(predicate.quantity, predicate.bound, units).value;
+    const int decimals = decimals_of(predicate.quantity, units);
+    if (!std::isfinite(value) ||
+        number_words(broke.value, decimals) != number_words(bound, decimals))
+        return to_words(predicate.quantity, value, units);
+    int digits = most_digits;
+    while (digits < 12 && printed("%.*g", digits, broke.value) == printed("%.*g", digits, bound))
+        ++digits;
+    return printed("%.*g", digits, broke.value) + broke.unit;
 }
 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,
                      FlowUnits units) {
-    if (units == FlowUnits::computed || !is_of_blood(predicate.quantity))
-        return to_words(predicate, mark_names);
-    return words_of(predicate.quantity).words +
-           std::string(predicate.at_least ? " at least " : " at most ") +
-           blood_words(predicate.quantity, predicate.bound, usual_digits);
+    const QuantityWords& words = words_of(predicate.quantity);
+    const bool none = is_count(predicate.quantity) && !predicate.at_least && predicate.bound == 0.0;
+    if (none) return std::string("no ") + words.words;
+    if (words.of_mark) return to_words(predicate, mark_names);
+    return words.words + std::string(predicate.at_least ? " at least " : " at most ") +
+           bound_words(predicate, units);
 }
 
 std::vector<std::string> reasons_in(const LessonStanding& standing,
                                     std::span<const std::string> mark_names, FlowUnits units) {
     std::vector<std::string> reasons = standing.reasons;
-    if (units == FlowUnits::computed) return reasons;
     const auto say = [&](const BoundStanding& bound, const std::string& as_computed,
                          const std::string& before, const std::string& value) {
-        if (bound.kept || !is_of_blood(bound.predicate.quantity)) return;
+        if (bound.kept) return;
         std::ranges::replace(reasons, as_computed,
                              before + to_words(bound.predicate, mark_names, units) + value);
     };
     for (const BoundStanding& limit : standing.limits)
-        say(limit, reason_of_limit(limit, mark_names),
-            "limit broken: ", ", but it was " + words_beside(limit.predicate, limit.value));
+        say(limit, reason_of_limit(limit, mark_names), "limit broken: ",
+            ", but it was " + to_words_beside(limit.predicate, limit.value, units));
     for (const BoundStanding& mark : standing.pass)
         say(mark, reason_of_pass_mark(mark, mark_names), "pass mark missed: ",
-            ", but it is " + to_words(mark.predicate.quantity, mark.value, units));
+            ", but it is " + to_words_beside(mark.predicate, mark.value, units));
     return reasons;
+}
+
+QString with_units_beside(QString text) {
+    static const QRegularExpression unit(
+        R"((?<=\d) (?=(?:mN s|mN|mm²|mm|mL/min|mL|g/s|g|s)(?!\w)))"),
+        within("mN s(?!\\w)");
+    return text.replace(unit, narrow_no_break_space)
+        .replace(within, "mN" + QString(narrow_no_break_space) + "s");
 }
 
 Chart bleeding_in_units(Chart chart, FlowUnits units) {

@@ -26,6 +26,7 @@
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
 #include "ui/edit_panel.h"
+#include "ui/focus_of_view.h"
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
@@ -170,6 +171,7 @@ void MainWindow::build_view() {
          },
          [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); }},
         centre);
+    give_focus_back_to(*view_);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     build_volume(centre);
     column->addWidget(volume_bar_);
@@ -386,7 +388,7 @@ void MainWindow::connect_tools() {
         const MouseMode mode = view_->mouse().mode();
         const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
         if (draws || mode == MouseMode::measure || view_->mouse().hand().holds())
-            (*actions_)[ActionId::pull_mode].trigger();
+            back_to_pulling();
         else
             view_layout_->slices().measurements().clear();
     });

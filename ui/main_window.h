@@ -9,7 +9,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "core/lesson/lesson.h"
 #include "ui/actions.h"
 #include "ui/mouse_tool.h"
 #include "ui/patient_keeper.h"
@@ -140,6 +142,8 @@ class MainWindow : public QMainWindow {
     // Who is shown, where he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
+    // What a lesson does not allow cannot be chosen while it is played.
+    void allow_tools();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
 
@@ -185,6 +189,7 @@ class MainWindow : public QMainWindow {
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
+    void back_to_pulling();
     void take_tool(const std::string& kind);
     // In place of the simulation that runs; null: one of free play.
     void use(std::unique_ptr<Simulation> simulation);
@@ -225,6 +230,7 @@ class MainWindow : public QMainWindow {
     bool begins_anew_ = false;  // once it has closed
     // Who was shown before a lesson brought its own patient.
     std::optional<OpenRequest> before_lesson_;
+    std::optional<std::vector<LessonTool>> allowed_tools_;  // of the lesson that is played
     bool may_close_ = false;
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;

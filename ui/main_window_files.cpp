@@ -17,6 +17,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/lesson/attempts.h"
 #include "ui/branch_dock.h"
 #include "ui/curves_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
@@ -165,6 +166,8 @@ void MainWindow::write_report(const std::filesystem::path& recording, const std:
                           "--out",    folder,
                           "--lesson", QString::fromStdString(lesson),
                           "--units",  name_of(flow_units_named(settings_.flow_units()))};
+    if (const std::string name = name_beside(recording); !name.empty())
+        arguments << "--name" << QString::fromStdString(name);
     const std::filesystem::path& patient = workspace().folder();
     if (!patient.empty() && !workspace().dirty()) arguments << "--patient" << to_text(patient);
     auto* process = new QProcess(this);

@@ -9,17 +9,21 @@
 
 #include "core/tree/station.h"
 #include "ui/curves_dock.h"
+#include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
+#include "ui/lesson_tools.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/questions.h"
+#include "ui/quality_panel.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
+#include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
 
@@ -63,8 +67,10 @@ void MainWindow::build_lessons() {
         if (lesson_editor_) lesson_editor_->back_from_trying();
         offer_patient_from_before();
     };
+    ways.named = [this](const QString& name) { settings_.set_trainee(name); };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     lessons_->set_units(flow_units_named(settings_.flow_units()));
+    lessons_->set_trainee(settings_.trainee());
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu(Words::tr("&Lesson"), menuBar());
     lessons_->fill(*menu);
@@ -113,6 +119,19 @@ void MainWindow::offer_unsaved_lesson() {
         });
 }
 
+void MainWindow::allow_tools() {
+    const Lesson* lesson = lessons_->running();
+    const auto tools = lesson != nullptr ? std::optional(lesson->tools) : std::nullopt;
+    if (tools == allowed_tools_) return;
+    allowed_tools_ = tools;
+    actions_->forbid(tools ? forbidden_actions(*tools) : std::set<ActionId>());
+    view_->mouse().set_may_pull(!tools || allows(*tools, LessonTool::pull));
+    const bool settings = !tools || allows(*tools, LessonTool::settings);
+    inject_->allow_settings(settings);
+    quality_->allow_settings(settings);
+    tool_panel_->allow_settings(settings);
+}
+
 LessonEditor& MainWindow::lesson_editor() {
     if (lesson_editor_ == nullptr) build_lesson_editor();
     return *lesson_editor_;
@@ -127,7 +146,7 @@ void MainWindow::build_lesson_editor() {
     };
     ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
     ways.ask_no_more = [this] {
-        if (view_->mouse().mode() == MouseMode::place) (*actions_)[ActionId::pull_mode].trigger();
+        if (view_->mouse().mode() == MouseMode::place) back_to_pulling();
     };
     ways.places_changed = [this] {
         if (patient_ && show_marks()) view_->draw_again();
@@ -161,7 +180,7 @@ void MainWindow::build_lesson_editor() {
 // On the centreline, so that it means the same whatever side was clicked on.
 void MainWindow::set_lesson_place(const SurfacePick& pick) {
     const TreePoint at = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
-    (*actions_)[ActionId::pull_mode].trigger();
+    back_to_pulling();
     if (at.segment < 0) return;
     const VesselTree& tree = patient_->patient->tree;
     lesson_editor_->place_clicked(
@@ -177,6 +196,7 @@ void MainWindow::build_review() {
         // A vessel that is still being drawn would change the patient under the review.
         VesselPen& pen = view_layout_->slices().pen();
         if (simulation != nullptr && pen.draws()) pen.give_up();
+        lessons_->play_hidden();
         use(std::move(simulation));
     };
     ways.lesson_runs = [this] {

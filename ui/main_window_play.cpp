@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <utility>
 
+#include "core/lesson/allowed_commands.h"
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/core_words.h"
@@ -49,7 +50,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     quality_->post_choices();
     inject_->begin_play(true);
     view_->mouse().hand().begin_again();
-    tool_panel_->forget_tear();
+    tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
     corrected ? view_layout_->show_corrected(patient_->patient)
@@ -67,6 +68,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
         lessons_->patient_corrected();
     else
         lessons_->patient_shown(patient_->title == built_in_title, patient_->asked_for);
+    allow_tools();
     if (lesson_editor_) lesson_editor_->patient_shown();
     review_->patient_shown();
 }
@@ -98,9 +100,10 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     view_->show_frame(frame());
     if (free) quality_->post_choices();  // a lesson has settings of its own
     inject_->begin_play(free);
-    view_->mouse().hand().begin_again();
-    tool_panel_->forget_tear();
-    (*actions_)[ActionId::pull_mode].trigger();
+    view_->mouse().hand().forget();
+    tool_panel_->begin_play(free);
+    back_to_pulling();
+    allow_tools();
     follow_simulation();
 }
 
@@ -162,12 +165,12 @@ void MainWindow::show_newest_frame() {
 }
 
 bool MainWindow::show_marks() {
-    std::vector<Vec3> marks;
+    std::vector<MarkView> marks;
     if (lessons_->playing() && !review_->reviewing())
         marks = lessons_->marks_in(frame());
     else if (lesson_editor_ && !review_->reviewing())
-        marks = lesson_editor_->places();
-    return view_->scene().set_marks(marks);
+        for (const Vec3& place : lesson_editor_->places()) marks.push_back({place, "", false});
+    return view_->scene().set_marks(std::move(marks));
 }
 
 void MainWindow::tell_dial_keeper() {
@@ -196,6 +199,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_tear(frame.tear);
     curves_->follow_tear(frame);
     lessons_->show_figures();
+    allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
     show_message_of(frame.statistics);
@@ -261,7 +265,12 @@ void MainWindow::picture_shown(const PictureTime& time) {
 }
 
 void MainWindow::post(Command command) {
-    if (patient_) patient_->simulation->post(std::move(command));
+    if (!patient_) return;
+    // A slip of the hand is told of; it does not end the attempt.
+    if (const Lesson* lesson = lessons_->running())
+        if (const std::string objection = objection_to(command, *lesson); !objection.empty())
+            return statusBar()->showMessage(translated(objection), 6000);
+    patient_->simulation->post(std::move(command));
 }
 
 void MainWindow::set_mouse_mode(MouseMode mode) {
@@ -285,6 +294,12 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
             ? Words::tr("Draw a line across a vessel: it tears there when pulled")
             : Words::tr("The mouse leads the tool, the wheel moves it in depth"),
         6000);
+}
+
+// Also where a lesson allows no pulling: then the hand is empty.
+void MainWindow::back_to_pulling() {
+    (*actions_)[ActionId::pull_mode].setChecked(true);
+    set_mouse_mode(MouseMode::pull);
 }
 
 void MainWindow::take_tool(const std::string& kind) {

@@ -158,7 +158,7 @@ void MainWindow::follow_measuring() {
         if (!measures) set_mouse_mode(MouseMode::measure);
         statusBar()->showMessage(translated(ruler_->guidance()), 8000);
     } else if (measures) {
-        (*actions_)[ActionId::pull_mode].trigger();
+        back_to_pulling();
     }
 }
 

@@ -43,6 +43,8 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = left && clicks_vessels() ? Action::wait_for_click : Action::orbit;
     } else if (mode_ != MouseMode::pull || modifiers.control) {
         action_ = Action::wait_for_click;
+    } else if (!may_pull_) {
+        action_ = Action::orbit;
     } else {
         action_ = Action::pull;
         held_mm_ = pick.position_mm;

@@ -53,6 +53,8 @@ class MouseTool {
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
     void set_scheme(const MouseScheme& scheme) { scheme_ = &scheme; }
+    // Where it may not, a drag on a vessel turns the view.
+    void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 
@@ -95,6 +97,7 @@ class MouseTool {
     ClipControl clip_{view_};
     const MouseScheme* scheme_ = &mouse_schemes().front();
     MouseMode mode_ = MouseMode::pull;
+    bool may_pull_ = true;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click
     Pixel pressed_;

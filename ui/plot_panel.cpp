@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/atomic_write.h"
@@ -29,9 +30,12 @@ QColor grid_line(const QPalette& palette) {
     return faint;
 }
 
-// Okabe and Ito's sky blue and orange stand out on a dark ground.
-QColor colour_of(std::size_t curve) {
-    const Colour colour = curve_colour(curve + 4);
+// Those of Okabe and Ito's that stand out on a dark ground: sky blue, orange, purple, green. Points
+// alone are what went wrong.
+QColor colour_of(const Chart& chart, std::size_t curve) {
+    if (chart.curves[curve].points_only) return event_line;
+    constexpr std::array<std::size_t, 4> bright{4, 5, 3, 2};
+    const Colour colour = curve_colour(bright[curve % bright.size()]);
     return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                             static_cast<float>(colour[2]));
 }
@@ -125,13 +129,17 @@ void PlotView::paint_axes(QPainter& painter) const {
 void PlotView::paint_curves(QPainter& painter) const {
     for (std::size_t c = 0; c < chart_.curves.size(); ++c) {
         const Curve& curve = chart_.curves[c];
+        painter.setPen(QPen(colour_of(chart_, c), 2.0));
+        if (curve.points_only) {
+            paint_crosses(painter, curve);
+            continue;
+        }
         QPainterPath path;
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
             if (!std::isfinite(curve.y[i])) continue;
             const QPointF point = place(curve.x[i], curve.y[i]);
             path.elementCount() == 0 ? path.moveTo(point) : path.lineTo(point);
         }
-        painter.setPen(QPen(colour_of(c), 2.0));
         painter.drawPath(path);
         if (curve.x.size() <= most_dots) paint_dots(painter, curve);
     }
@@ -148,13 +156,23 @@ void PlotView::paint_dots(QPainter& painter, const Curve& curve) const {
     painter.setBrush(Qt::NoBrush);
 }
 
+void PlotView::paint_crosses(QPainter& painter, const Curve& curve) const {
+    constexpr double arm = 5.0;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (!std::isfinite(curve.y[i])) continue;
+        const QPointF at = place(curve.x[i], curve.y[i]);
+        painter.drawLine(at - QPointF(arm, arm), at + QPointF(arm, arm));
+        painter.drawLine(at - QPointF(arm, -arm), at + QPointF(arm, -arm));
+    }
+}
+
 // To the right above the curves, each in its colour.
 void PlotView::paint_names(QPainter& painter) const {
     qreal right = frame().right();
     for (std::size_t c = chart_.curves.size(); c-- > 0;) {
         const QString name = translated(chart_.curves[c].name);
         const qreal wide = painter.fontMetrics().horizontalAdvance(name);
-        painter.setPen(colour_of(c));
+        painter.setPen(colour_of(chart_, c));
         painter.drawText(QRectF(right - wide, 4, wide, 18), Qt::AlignLeft, name);
         right -= wide + 12;
     }

@@ -45,6 +45,7 @@ class PlotView : public QWidget {
     void paint_axes(QPainter& painter) const;
     void paint_curves(QPainter& painter) const;
     void paint_dots(QPainter& painter, const Curve& curve) const;
+    void paint_crosses(QPainter& painter, const Curve& curve) const;
     void paint_names(QPainter& painter) const;
     void paint_events(QPainter& painter) const;
     QRectF frame() const;

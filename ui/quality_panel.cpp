@@ -16,6 +16,7 @@
 #include "core/scene/scene_spec.h"
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_tools.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -36,7 +37,8 @@ QualityPanel::QualityPanel(std::function<void(Command)> post, QWidget* parent)
     : QWidget(parent), post_(std::move(post)) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_dial());
-    column->addWidget(make_body());
+    body_ = make_body();
+    column->addWidget(body_);
     column->addStretch(1);
     show_statistics({});
 }
@@ -115,6 +117,10 @@ void QualityPanel::post_choices() {
     if (gravity_->isChecked()) post_(SetGravity{Vec3(0, units::standard_gravity, 0)});
     if (!tether_->isChecked()) post_(SetTether{0.0});
     if (wall_->value() > 0.0) post_(SetWall{wall_->value()});
+}
+
+void QualityPanel::allow_settings(bool allowed) {
+    set_allowed(*body_, allowed);
 }
 
 void QualityPanel::show_statistics(const FrameStatistics& statistics) {

@@ -28,11 +28,15 @@ class QualityPanel : public QWidget {
     // is played on as the former one was.
     void post_choices();
 
+    // Whether what acts on the vessels may be changed.
+    void allow_settings(bool allowed);
+
   private:
     QWidget* make_dial();
     QWidget* make_body();
 
     std::function<void(Command)> post_;
+    QWidget* body_ = nullptr;
     QCheckBox* automatic_ = nullptr;
     QSlider* dial_ = nullptr;
     QLabel* error_ = nullptr;

@@ -36,6 +36,8 @@ QColor colour_of(PlayEventKind kind) {
             return {0xb8, 0x20, 0x40};
         case PlayEventKind::lesson:
             return {0x3f, 0xa0, 0x58};
+        case PlayEventKind::not_passed:
+            return {0xe0, 0x40, 0xb0};
         case PlayEventKind::trouble:
             break;
     }

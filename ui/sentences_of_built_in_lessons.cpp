@@ -36,7 +36,7 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("the line"),
     Words::id("the hold"),
     Words::id("Pull a vessel aside, hold it there, and let it go. Veins bear little: stay below a "
-              "stretch of 1.25, and do not jerk: 2 N end it."),
+              "stretch of 1.25, and do not jerk: 2000 mN end it."),
     Words::id("Take hold of the vessel at the mark."),
     Words::id("Press the left mouse button on the vessel and keep it down."),
     Words::id("Pull it 10 mm aside and hold it there for a second."),
@@ -66,7 +66,8 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Press on the stump with the probe for half a second."),
     Words::id("Key 4 takes the probe. Come from the side of the root."),
     Words::id("Take the stump with the forceps and hold it for half a second."),
-    Words::id("Key 6 takes the forceps, C closes them."),
+    Words::id("Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
+              "them."),
     Words::id("Draw a cut line across a branch and pull it off along the line. Without the line "
               "the pull would stretch the branch long before it tears."),
     Words::id("Draw a cut line across the branch at the first mark, take the branch at the second "
@@ -74,10 +75,11 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0."),
     Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
               "into the others. In a play a pump drives the drug, so that the flow itself never "
-              "stands still, and there are no beads: the end is the filled target. How beads bring "
-              "the flow to stasis computes hepatica-cli embolize."),
+              "stands still, and there are no beads: the end is the filled target. hepatica-cli "
+              "embolize computes how beads bring the flow to stasis."),
     Words::id("Inject the emulsion until nine tenths of the target are full."),
-    Words::id("A little beyond the mark, slowly: Injection panel, lipiodol 50 %, 0.5 g/s."),
+    Words::id(
+        "A little beyond the mark, slowly: Injection panel, Lipiodol emulsion, 2 to 1, 0.5 g/s."),
     Words::id("Stop: take the catheter out."),
     Words::id("Del removes the drug."),
 };

@@ -22,6 +22,7 @@ const char* const theme_key = "theme";
 const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
 const char* const flow_units_key = "flow_units";
+const char* const trainee_key = "trainee";
 const char* const volume_key = "volume/shown";
 const char* const volume_preset_key = "volume/preset";
 const char* const volume_density_key = "volume/density";
@@ -144,6 +145,15 @@ QString Settings::flow_units() const {
 
 void Settings::set_flow_units(const QString& name) {
     if (store_) store_->setValue(flow_units_key, name);
+}
+
+QString Settings::trainee() const {
+    return store_ ? store_->value(trainee_key).toString() : QString();
+}
+
+void Settings::set_trainee(const QString& name) {
+    if (!store_) return;
+    name.isEmpty() ? store_->remove(trainee_key) : store_->setValue(trainee_key, name);
 }
 
 bool Settings::volume_shown() const {

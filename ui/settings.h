@@ -66,6 +66,11 @@ class Settings {
     QString flow_units() const;
     void set_flow_units(const QString& name);
 
+    // The name or number that a trainee gave for his attempts; empty: none. Stays here and in the
+    // results of the attempts that he made under it.
+    QString trainee() const;
+    void set_trainee(const QString& name);
+
     // Whether the CT is drawn as a volume, and how; the grey window is not kept.
     bool volume_shown() const;
     void set_volume_shown(bool shown);

@@ -31,9 +31,9 @@ QPushButton:hover { background: {button_hover}; }
 QPushButton:disabled { color: {disabled}; background: {window}; }
 QPushButton:default { background: {accent}; border-color: {accent_border}; color: {accent_text}; }
 QPushButton:focus { border-color: {link}; }
-QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid {quiet}; border-radius: 3px;
+QCheckBox::indicator, QAbstractItemView::indicator { width: 14px; height: 14px; border: 1px solid {quiet}; border-radius: 3px;
     background: {base}; }
-QCheckBox::indicator:checked { background: {accent_border}; border-color: {link}; }
+QCheckBox::indicator:checked, QAbstractItemView::indicator:checked { background: {accent_border}; border-color: {link}; }
 QProgressBar { border: none; border-radius: 3px; background: {button}; height: 8px; }
 QProgressBar::chunk { background: {accent_border}; border-radius: 3px; }
 QFrame#messageBar { background: {failure}; }

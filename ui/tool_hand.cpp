@@ -43,12 +43,16 @@ void ToolHand::take(const std::string& kind) {
     if (mouse_at_) bring_to(*mouse_at_);
 }
 
-void ToolHand::put_away() {
-    if (kind_.empty()) return;
+void ToolHand::forget() {
     kind_.clear();
     seen_.reset();
     asked_ = false;
     mouse_at_.reset();
+}
+
+void ToolHand::put_away() {
+    if (kind_.empty()) return;
+    forget();
     post_(RemoveTool{});
     post_(UseTools{false});
 }

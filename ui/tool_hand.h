@@ -30,6 +30,8 @@ class ToolHand {
     // The tool of this kind in place of another.
     void take(const std::string& kind);
     void put_away();
+    // Empties the hand without a word to a simulation, as before another one begins.
+    void forget();
     bool holds() const { return !kind_.empty(); }
     const std::string& kind() const { return kind_; }
 

@@ -13,6 +13,7 @@
 #include "render/tool_actor.h"
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_tools.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -116,6 +117,7 @@ QWidget* ToolPanel::make_tear() {
     const auto tell = [this] {
         UseTear use = tear();
         use.on = tears_->isChecked();
+        if (free_play_) wanted_tear_ = use.on;
         callbacks_.use_tear(use);
     };
     connect(tears_, &QCheckBox::clicked, this, tell);
@@ -158,8 +160,15 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     torn_->setText(text);
 }
 
-void ToolPanel::forget_tear() {
-    if (tears_->isChecked()) callbacks_.use_tear(tear());
+void ToolPanel::begin_play(bool free) {
+    free_play_ = free;
+    show_tear(std::nullopt);
+    if (free && wanted_tear_) callbacks_.use_tear(tear());
+}
+
+void ToolPanel::allow_settings(bool allowed) {
+    set_allowed(*tears_, allowed);
+    set_allowed(*tear_factor_, allowed);
 }
 
 ToolSize ToolPanel::size() const {

@@ -32,8 +32,11 @@ class ToolPanel : public QWidget {
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);
     void set_units(FlowUnits units);  // of the bleeding
-    // A new simulation has begun: the panel goes back to what that begins with, no tearing.
-    void forget_tear();
+    // A simulation has begun. In free play vessels tear where the user wants it; a lesson says
+    // itself whether they do.
+    void begin_play(bool free);
+    // Whether tearing may be switched.
+    void allow_settings(bool allowed);
     // Empty where no tool is in the hand.
     void show_kind(const std::string& kind);
     // The force on the tool; without a tool, that of the hand that pulls.
@@ -55,6 +58,8 @@ class ToolPanel : public QWidget {
     DecimalSpinBox* line_strength_ = nullptr;
     QLabel* torn_ = nullptr;
     std::optional<TearView> shown_tear_;
+    bool free_play_ = true;
+    bool wanted_tear_ = false;  // in free play
     FlowUnits units_ = FlowUnits::computed;
 };
 

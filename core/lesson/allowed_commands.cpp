@@ -20,12 +20,37 @@ LessonTool tool_of(const AddTool& tool) {
     return LessonTool::capsule;
 }
 
+// What it is called in the window.
+const char* words_of(LessonTool tool) {
+    switch (tool) {
+        case LessonTool::pull:
+            return "pulling by hand";
+        case LessonTool::sphere:
+            return "probe";
+        case LessonTool::capsule:
+            return "rod probe";
+        case LessonTool::forceps:
+            return "forceps";
+        case LessonTool::hook:
+            return "hook";
+        case LessonTool::blade:
+            return "blade";
+        case LessonTool::cut_line:
+            return "cut line";
+        case LessonTool::inject:
+            return "injecting";
+        case LessonTool::settings:
+            break;
+    }
+    return "changing settings";
+}
+
 }  // namespace
 
 std::string objection_to(const Command& command, const Lesson& lesson) {
     const auto unless = [&](LessonTool tool) -> std::string {
         if (std::ranges::find(lesson.tools, tool) != lesson.tools.end()) return "";
-        return "the lesson does not allow the tool " + std::string(name_of(tool));
+        return "the lesson does not allow this: " + std::string(words_of(tool));
     };
     return std::visit(
         [&](const auto& given) -> std::string {

@@ -39,6 +39,13 @@ std::string digits(double value) {
     return std::isfinite(value) ? std::string(text, std::to_chars(text, text + 40, value).ptr) : "";
 }
 
+// As a cell of a table, whatever is in it.
+std::string in_quotes(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    return quoted + "\"";
+}
+
 }  // namespace
 
 Attempt attempt_of(const fs::path& recording, const std::string& lesson,
@@ -63,10 +70,11 @@ void write_attempt(const Attempt& attempt) {
     Json metrics;
     for (std::size_t i = 0; i < metric_count; ++i)
         metrics[words_of(quantity(i)).name] = attempt.metrics[i];  // NaN becomes null
-    const Json json{{"format", result_format},        {"version", 1},
-                    {"lesson", attempt.lesson},       {"ended_at", attempt.ended_at},
-                    {"passed", attempt.passed},       {"reasons", attempt.reasons},
-                    {"reference", attempt.reference}, {"metrics", metrics}};
+    Json json{{"format", result_format},        {"version", 1},
+              {"lesson", attempt.lesson},       {"ended_at", attempt.ended_at},
+              {"passed", attempt.passed},       {"reasons", attempt.reasons},
+              {"reference", attempt.reference}, {"metrics", metrics}};
+    if (!attempt.name.empty()) json["name"] = attempt.name;
     write_text_atomically(result_file_of(attempt.recording), json.dump(1) + "\n");
 }
 
@@ -74,12 +82,13 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError("is not JSON", place, result_remedy);
     const LessonFields fields(json, place, "");
-    fields.know(
-        {"format", "version", "lesson", "ended_at", "passed", "reasons", "reference", "metrics"});
+    fields.know({"format", "version", "lesson", "ended_at", "passed", "reasons", "reference",
+                 "metrics", "name"});
     fields.require_format(result_format, result_remedy);
     Attempt attempt;
     attempt.recording = recording;
     attempt.lesson = fields.need("lesson").text();
+    if (fields.has("name")) attempt.name = fields.need("name").text();
     attempt.ended_at = fields.need("ended_at").text();
     attempt.passed = truth_from(fields.need("passed"));
     for (const LessonFields& reason : fields.need("reasons").list())
@@ -124,6 +133,24 @@ Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
     return found;
 }
 
+std::vector<std::string> names_in(const std::vector<Attempt>& attempts) {
+    std::vector<std::string> names;
+    for (const Attempt& attempt : attempts)
+        if (!attempt.name.empty()) names.push_back(attempt.name);
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+std::string name_beside(const fs::path& recording) {
+    const fs::path file = result_file_of(recording);
+    try {
+        return attempt_from(read_text_file(file, result_remedy), recording, file.string()).name;
+    } catch (const InputError&) {
+        return "";
+    }
+}
+
 std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity) {
     std::optional<Band> band;
     for (const Attempt& attempt : attempts) {
@@ -140,12 +167,14 @@ std::string to_csv(const std::vector<Attempt>& attempts) {
     std::string text = "attempt,ended_at,passed,reference";
     for (std::size_t i = 0; i < metric_count; ++i)
         text += std::string(",") + words_of(quantity(i)).name;
-    text += "\n";
+    const bool named = !names_in(attempts).empty();
+    text += named ? ",name\n" : "\n";
     for (std::size_t row = 0; row < attempts.size(); ++row) {
         const Attempt& attempt = attempts[row];
         text += std::to_string(row + 1) + "," + attempt.ended_at + "," +
                 (attempt.passed ? "yes" : "no") + "," + (attempt.reference ? "yes" : "no");
         for (const double value : attempt.metrics) text += "," + digits(value);
+        if (named) text += "," + in_quotes(attempt.name);
         text += "\n";
     }
     return text;

@@ -4,7 +4,8 @@
 //   {"format": "hepatica-result", "version": 1, "lesson": "Gentle pull",
 //    "ended_at": "2026-11-23T13:20:05Z", "passed": false, "reasons": ["limit broken: ..."],
 //    "reference": false, "metrics": {"time_s": 12.5, ..., "dose_target_share": null}}
-// A result names nobody. Whose attempts a folder holds is known by whose folder it is.
+// Where the trainee gave a name or a number, "name": "..." stands beside them; a result of who gave
+// none names nobody.
 #pragma once
 
 #include <array>
@@ -23,6 +24,7 @@ inline constexpr std::size_t metric_count = static_cast<std::size_t>(Quantity::s
 struct Attempt {
     std::filesystem::path recording;
     std::string lesson;    // its name
+    std::string name;      // of the trainee, as he gave it; empty: nobody is named
     std::string ended_at;  // UTC, as in ISO 8601, so that texts sort as times
     bool passed = false;
     std::vector<std::string> reasons;            // why not
@@ -52,6 +54,11 @@ Attempts all_attempts(const std::filesystem::path& folder);
 // Those among them at one lesson.
 Attempts attempts_at(const std::string& lesson, const std::filesystem::path& folder);
 
+// The names among them, each once, in the order of the alphabet.
+std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
+// Whom the result beside this recording names; empty: nobody, or there is none that can be read.
+std::string name_beside(const std::filesystem::path& recording);
+
 // The least and the most of a quantity among the attempts that others are measured by; none where
 // there are none, or where it is not known of any.
 struct Band {
@@ -61,7 +68,8 @@ struct Band {
 };
 std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity);
 
-// "attempt,ended_at,passed,reference,time_s,..." and one row each, with all digits.
+// "attempt,ended_at,passed,reference,time_s,..." and one row each, with all digits. Where any of
+// them is named, "name" comes last.
 std::string to_csv(const std::vector<Attempt>& attempts);
 
 }  // namespace hepatica

@@ -80,6 +80,8 @@ const char* name_of(PlayEventKind kind) {
             return "blood";
         case PlayEventKind::lesson:
             return "lesson";
+        case PlayEventKind::not_passed:
+            return "not_passed";
         case PlayEventKind::trouble:
             break;
     }
@@ -158,7 +160,7 @@ void PlayEvents::see_lesson(const LessonStanding& standing) {
     lesson_ended_ = true;
     if (standing.outcome == LessonOutcome::passed) return note(PlayEventKind::lesson, "Passed");
     for (const std::string& reason : standing.reasons)
-        note(PlayEventKind::lesson, "Not passed: " + reason);
+        note(PlayEventKind::not_passed, "Not passed: " + reason);
 }
 
 }  // namespace hepatica

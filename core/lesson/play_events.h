@@ -15,7 +15,18 @@
 
 namespace hepatica {
 
-enum class PlayEventKind { hand, tool, drug, cut, near_tear, tear, blood, lesson, trouble };
+enum class PlayEventKind {
+    hand,
+    tool,
+    drug,
+    cut,
+    near_tear,
+    tear,
+    blood,
+    lesson,      // a step reached, or all of it passed
+    not_passed,  // and why
+    trouble
+};
 const char* name_of(PlayEventKind kind);
 
 struct PlayEvent {

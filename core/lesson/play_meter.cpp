@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -98,6 +99,7 @@ void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>
 }
 
 std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
+    assert(frame.positions_mm.size() >= 3 * rest_mm_.size());  // what is torn has more
     std::vector<Vec3> places;
     for (const std::vector<int>& around : marks_)
         places.push_back(middle_of(around, [&](int v) {

@@ -33,7 +33,7 @@ class PlayMeter {
     const LessonMoment& moment() const { return moment_; }
     // Where each mark is at rest: the middle of the vessel's surface about a radius along it.
     const std::vector<Vec3>& marks_mm() const { return marks_rest_mm_; }
-    // Where they are in a frame.
+    // Where they are in a frame of the lesson's own scene: in another one the vertices are others.
     std::vector<Vec3> marks_in(const Frame& frame) const;
 
     // A tool that lets go for less than this and touches again has touched once.

@@ -48,7 +48,7 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
         found.standing = run->standing();
         if (!ended)
             for (const std::string& reason : found.standing->reasons)
-                tape.note({now_s, PlayEventKind::lesson, "Not passed: " + reason});
+                tape.note({now_s, PlayEventKind::not_passed, "Not passed: " + reason});
     }
     return found;
 }

@@ -13,7 +13,6 @@ namespace hepatica {
 namespace {
 
 nlohmann::ordered_json what_must_agree(SceneSpec scene) {
-    scene.name.clear();
     if (scene.deform) {
         scene.deform->quality = 0.0;
         scene.deform->setting.reset();
@@ -57,9 +56,7 @@ void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted) {
 std::optional<Lesson> built_in_lesson_of(const Recording& recording) {
     for (const BuiltInLesson& entry : built_in_lessons()) {
         Lesson lesson = find_lesson(entry.id);
-        if (lesson.scene.name == recording.scene.name &&
-            is_same_scene(recording.scene, lesson.scene))
-            return lesson;
+        if (is_same_scene(recording.scene, lesson.scene)) return lesson;
     }
     return std::nullopt;
 }

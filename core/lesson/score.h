@@ -32,8 +32,9 @@ Score score(const Recording& recording, const Lesson& lesson,
 std::optional<Lesson> built_in_lesson_of(const Recording& recording);
 
 bool is_same_scene(const SceneSpec& recorded, const SceneSpec& wanted);
-// Throws InputError unless the scenes have the same parts and settings but for the solver's
-// accuracy, which the machine may choose.
+// Throws InputError unless the scenes have the same name, parts and settings but for the solver's
+// accuracy, which the machine may choose. The name tells lessons apart that are played in scenes of
+// the same parts.
 void require_same_scene(const SceneSpec& recorded, const SceneSpec& wanted);
 
 }  // namespace hepatica

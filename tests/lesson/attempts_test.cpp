@@ -55,6 +55,30 @@ TEST(Attempts, ComeBackInTheOrderOfTimeEachLessonsForItself) {
     EXPECT_TRUE(attempts_at("Gentle pull", folder.path() / "none").list.empty());
 }
 
+TEST(Attempts, NameWhoGaveANameAndNobodyElse) {
+    const TemporaryFolder folder;
+    const fs::path plain = folder.path() / "a.hrec", named = folder.path() / "b.hrec";
+    write_attempt(attempt_at(plain, "1", 5.0));
+    Attempt of_someone = attempt_at(named, "2", 6.0);
+    of_someone.name = "Nr. 7, \"Ä\"";
+    write_attempt(of_someone);
+    std::ifstream file(result_file_of(plain));
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(text.find("\"name\""), std::string::npos) << text;
+    const Attempts found = all_attempts(folder.path());
+    ASSERT_EQ(found.list.size(), 2u);
+    EXPECT_EQ(found.list[0].name, "");
+    EXPECT_EQ(found.list[1].name, of_someone.name);
+    EXPECT_EQ(names_in(found.list), std::vector<std::string>{of_someone.name});
+    EXPECT_EQ(name_beside(named), of_someone.name);
+    EXPECT_EQ(name_beside(plain), "");
+    EXPECT_EQ(name_beside(folder.path() / "none.hrec"), "");
+    EXPECT_EQ(to_csv({found.list[0]}).find("name"), std::string::npos);
+    const std::string table = to_csv(found.list);
+    EXPECT_THAT(table, HasSubstr(",name\n"));
+    EXPECT_THAT(table, HasSubstr(",\"Nr. 7, \"\"Ä\"\"\"\n"));
+}
+
 TEST(Attempts, TheBandIsOfThoseThatOthersAreMeasuredBy) {
     std::vector<Attempt> attempts{attempt_at("a.hrec", "1", 5.0), attempt_at("b.hrec", "2", 2.0),
                                   attempt_at("c.hrec", "3", 9.0)};

@@ -2,6 +2,7 @@
 // What a lesson's file may say at its limits, each tool that may be allowed, and tables in full.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -10,6 +11,7 @@
 #include "core/lesson/metrics.h"
 #include "core/lesson/play_meter.h"
 #include "core/lesson/score.h"
+#include "core/session/recording.h"
 #include "tests/lesson/frames.h"
 
 namespace hepatica {
@@ -97,6 +99,15 @@ TEST(LessonLimits, EachCommandNeedsItsOwnTool) {
         {SetTether{}, LessonTool::settings},
         {SetWall{}, LessonTool::settings},
         {UseTear{}, LessonTool::settings}};
+    const std::map<LessonTool, std::string> called{{LessonTool::pull, "pulling by hand"},
+                                                   {LessonTool::sphere, "probe"},
+                                                   {LessonTool::capsule, "rod probe"},
+                                                   {LessonTool::forceps, "forceps"},
+                                                   {LessonTool::hook, "hook"},
+                                                   {LessonTool::blade, "blade"},
+                                                   {LessonTool::cut_line, "cut line"},
+                                                   {LessonTool::inject, "injecting"},
+                                                   {LessonTool::settings, "changing settings"}};
     for (const auto& [command, tool] : needs)
         for (int other = 0; other <= static_cast<int>(LessonTool::settings); ++other) {
             Lesson lesson;
@@ -105,8 +116,7 @@ TEST(LessonLimits, EachCommandNeedsItsOwnTool) {
             if (lesson.tools[0] == tool)
                 EXPECT_EQ(objection, "");
             else
-                EXPECT_EQ(objection,
-                          std::string("the lesson does not allow the tool ") + name_of(tool));
+                EXPECT_EQ(objection, "the lesson does not allow this: " + called.at(tool));
         }
     for (const Command& free :
          {Command(MoveGrab{}), Command(ReleaseGrab{}), Command(RemoveDrug{}), Command(PlayDrug{}),
@@ -181,7 +191,6 @@ TEST(LessonLimits, ScenesMayDifferInTheSolversAccuracyAlone) {
     SceneSpec scene;
     scene.deform.emplace();
     SceneSpec other = scene;
-    other.name = "another name";
     other.deform->quality = 0.25;
     EXPECT_NO_THROW(require_same_scene(scene, other));
     other.dt_s = 0.5 * scene.dt_s;
@@ -189,6 +198,23 @@ TEST(LessonLimits, ScenesMayDifferInTheSolversAccuracyAlone) {
     other = scene;
     other.deform.reset();
     EXPECT_THROW(require_same_scene(scene, other), InputError);
+}
+
+// Two lessons of flow alone have scenes of the same parts.
+TEST(LessonScene, IsTheLessonsOwnByItsNameToo) {
+    Recording recording;
+    recording.scene = find_lesson("selective_injection").scene;
+    const SceneSpec embolization = find_lesson("embolization").scene;
+    EXPECT_FALSE(is_same_scene(recording.scene, embolization));
+    EXPECT_EQ(built_in_lesson_of(recording)->name, "Selective injection");
+    try {
+        require_same_scene(recording.scene, embolization);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("name is \"injection\", not \"embolization\""),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 // What differs, and not two whole scenes.

@@ -175,7 +175,7 @@ TEST(LegendPlace, HasARowMoreForGapsAndForPlaces) {
     view.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
     const double with_gaps = height();
     EXPECT_GT(with_gaps, alone);
-    view.set_marks({Vec3(0, 0, 0)});
+    view.set_marks({{Vec3(0, 0, 0), "1", false}});
     EXPECT_GT(height(), with_gaps);
     view.set_marks({});
     view.set_bridges({});

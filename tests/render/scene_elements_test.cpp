@@ -168,6 +168,23 @@ TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
     EXPECT_FALSE(look_alike(picture(), plain));
 }
 
+TEST_F(SceneElements, a_mark_its_number_and_that_it_is_reached_are_each_seen) {
+    view_.show(fake_frame());
+    const Vec3 beside(-30, 0, -30);
+    const Picture without = picture();
+    view_.set_marks({{beside, "", false}});
+    const Picture ball = picture();
+    EXPECT_FALSE(look_alike(ball, without));
+    view_.set_marks({{beside, "1", false}});
+    const Picture numbered = picture();
+    EXPECT_FALSE(look_alike(numbered, ball));
+    EXPECT_TRUE(view_.set_marks({{beside, "1", true}}));
+    EXPECT_FALSE(look_alike(picture(), numbered));
+    EXPECT_FALSE(view_.set_marks({{beside, "1", true}})) << "as it was";
+    view_.set_marks({});
+    EXPECT_TRUE(look_alike(picture(), without));
+}
+
 TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
     const Picture plain = picture_of(fake_frame());
     const MeasureView measure{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, "40.0 mm"};

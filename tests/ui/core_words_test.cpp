@@ -183,7 +183,7 @@ TEST(CoreWords, AreSaidInGermanWithWhatIsPutIn) {
         {"the window runs from 120.500000 to 80.000000 HU",
          "Das Fenster reicht von 120,500000 bis 80,000000 HU"},
         {"distance of the tip to the first mark at most 12 mm",
-         "Abstand der Spitze zu: erste Marke höchstens 12 mm"},
+         "Abstand der Spitze zu „erste Marke“ höchstens 12 mm"},
         {"limit broken: force at most 200 mN, but it was 200.5 mN",
          "Grenze verletzt: Kraft höchstens 200 mN, es war aber 200,5 mN"},
         {"the vessel would join two systems: portal vein and hepatic veins",

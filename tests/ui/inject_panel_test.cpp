@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QSlider>
 #include <vector>
+
+#include "core/lesson/lesson_file.h"
+#include "core/session/script.h"
 
 namespace hepatica {
 namespace {
@@ -21,6 +25,22 @@ TEST(InjectPanel, BeginsWithTheDefaultInjection) {
     EXPECT_EQ(offered.second_phase, unchosen.second_phase);
     EXPECT_EQ(offered.pressure_model, unchosen.pressure_model);
     EXPECT_FALSE(offered.drug_viscosity_pa_s.has_value());
+}
+
+// A lesson's hint names what the panel offers, and its mixture is the one that the play of the
+// lesson's tests passes with.
+TEST(InjectPanel, OffersWhatTheHintOfTheEmbolizationNames) {
+    const std::string hint = find_lesson("embolization").steps[0].hint;
+    InjectPanel panel([](const Command&) {});
+    auto& drugs = *panel.findChild<QComboBox*>("drug");
+    const int named = drugs.findText("Lipiodol emulsion, 2 to 1");
+    ASSERT_GE(named, 0);
+    EXPECT_NE(hint.find(drugs.itemText(named).toStdString()), std::string::npos) << hint;
+    drugs.setCurrentIndex(named);
+    const Script play =
+        read_script(HEPATICA_SOURCE_DIR "/tests/lesson/plays/embolization_passes.json");
+    EXPECT_EQ(std::get<InjectDrug>(play.actions.at(0).command.value()).void_fraction,
+              panel.injection_at(Vec3::Zero()).void_fraction);
 }
 
 DrugView injected_drug() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Making a lesson with the whole window: a place that is clicked on in the view, and a play to try.
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -77,6 +78,8 @@ TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
 TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     editor().show_editor();
     editor().findChild<QLineEdit*>("lessonName")->setText("Tried");
+    editor().findChild<QTabWidget*>("lessonPages")->setCurrentIndex(2);
+    editor().findChild<QDoubleSpinBox*>("goal0bound")->setValue(0.0);  // reached after its second
     click("lessonTry");
     ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
     EXPECT_TRUE(editor().isHidden());
@@ -85,8 +88,8 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
     EXPECT_TRUE(editor().isHidden());
     EXPECT_EQ(window_.lessons().findChild<QLabel*>("lessonTitle")->text(), "<b>Tried</b>");
-    // A tool that it does not allow ends it, so that its recording is whole.
-    window_.actions()[ActionId::reset].trigger();
+    // It ends by itself, so that its recording is whole.
+    EXPECT_FALSE(window_.actions()[ActionId::reset].isEnabled());
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
     wait_for_figures();
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();

@@ -20,7 +20,7 @@
 #include "core/lesson/lesson_writer.h"
 #include "core/lesson/score.h"
 #include "tests/session/small_patient.h"
-#include "tests/ui/window_test.h"
+#include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_dock.h"
@@ -33,6 +33,7 @@
 namespace hepatica {
 namespace {
 
+using testing::LessonWindowTest;
 using testing::wait_for;
 
 Lesson two_steps() {
@@ -66,12 +67,26 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     standing_.steps[0].held_s = 1.0;
     panel_.show_standing(standing_);
     EXPECT_EQ(text("lessonStep"), "Step 1 of 2: Pull");
-    EXPECT_TRUE(text("lessonGoal").contains("force at least 2 mN"));
-    EXPECT_TRUE(text("lessonGoal").contains("1 mN"));
-    EXPECT_TRUE(text("lessonLimits").contains("force at most 10 mN"));
+    EXPECT_TRUE(text("lessonGoal").contains("force at least 2\u202fmN"));
+    EXPECT_TRUE(text("lessonGoal").contains("1\u202fmN"));
+    EXPECT_TRUE(text("lessonLimits").contains("force at most 10\u202fmN"));
     EXPECT_TRUE(text("lessonTitle").contains("A &lt;name&gt;")) << "a name is no markup";
     EXPECT_EQ(panel_.findChild<QProgressBar*>("lessonHold")->value(), 25);
     EXPECT_TRUE(button("lessonReport")->isHidden());
+}
+
+// Who knows them only in the end plays for something else.
+TEST_F(LessonPanelTest, says_the_pass_marks_from_the_start) {
+    standing_.pass = {{{Quantity::impulse_mn_s, -1, false, 6000.0}, std::nan(""), false}};
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPass")->isHidden());
+    EXPECT_TRUE(text("lessonPass").contains("force over time at most 6000\u202fmN\u202fs"));
+    EXPECT_FALSE(text("lessonPass").contains("none"));
+    standing_.outcome = LessonOutcome::passed;
+    standing_.pass[0].value = 1.0;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPass")->isHidden()) << "they are told of below";
+    EXPECT_TRUE(text("lessonEnd").contains("force over time"));
 }
 
 TEST_F(LessonPanelTest, says_whether_it_fits_the_patient) {
@@ -88,15 +103,15 @@ TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
     standing_.limits = {bleeding};
     panel_.set_units(FlowUnits::clinic);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30 mL/min"));
-    EXPECT_TRUE(text("lessonLimits").contains("60 mL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30\u202fmL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("60\u202fmL/min"));
     standing_.outcome = LessonOutcome::failed;
     standing_.reasons = {reason_of_limit(bleeding, {})};
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("it was 60 mL/min"));
+    EXPECT_TRUE(text("lessonEnd").contains("it was 60\u202fmL/min"));
     panel_.set_units(FlowUnits::computed);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06 g/s"));
+    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06\u202fg/s"));
 }
 
 TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
@@ -132,38 +147,6 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     EXPECT_TRUE(text("lessonEnd").contains("✓ Passed"));
 }
 
-// The small patient is whatever is opened.
-class LessonWindowTest : public testing::WindowTest {
-  protected:
-    LessonWindowTest()
-        : WindowTest({[](const OpenRequest& request, Job& job) {
-                          LoadedPatient loaded = play(test::small_patient(), job);
-                          if (!request.built_in) loaded.folder = request.reconstruct.ct;
-                          return loaded;
-                      },
-                      [](const std::filesystem::path&, const PatientCase&) {}}) {}
-
-    std::string lesson_file(const std::string& goal) {
-        const std::string file = folder_.filePath("lesson.json").toStdString();
-        std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Take hold",
-            "scene": {"name": "take hold", "deform": {}}, "tools": ["pull"],
-            "marks": {"the mark": {"share_of_longest_path": 0.2}},
-            "steps": [{"text": "Take the vessel", "goal": [)"
-                            << goal << R"(]}, {"text": "Let it go",
-                 "goal": [{"what": "holding", "at_most": 0}]}]})";
-        return file;
-    }
-    QString shown(const char* name) { return window_.lessons().findChild<QLabel*>(name)->text(); }
-    std::filesystem::path only_recording() {
-        std::vector<std::filesystem::path> files;
-        for (const auto& entry :
-             std::filesystem::directory_iterator(to_path(folder_.filePath("recordings"))))
-            if (entry.path().extension() == ".hrec") files.push_back(entry.path());
-        EXPECT_EQ(files.size(), 1u);
-        return files.front();
-    }
-};
-
 TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
     QStringList names;
     for (const QAction* menu : window_.menuBar()->actions())
@@ -181,7 +164,7 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
     paint();
     EXPECT_EQ(shown("lessonStep"), "Step 1 of 2: Take the vessel");
-    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0);
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
     QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
     ASSERT_TRUE(wait_for([&] { return shown("lessonStep").startsWith("Step 2"); }));
     QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
@@ -214,6 +197,7 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
 TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     std::vector<Attempt> attempts(3);
     for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);
+    for (Attempt& attempt : attempts) attempt.passed = true;
     Chart chart = learning_curve(attempts, Quantity::time_s);
     ASSERT_EQ(chart.curves.size(), 1u);
     ASSERT_EQ(chart.curves[0].x, (std::vector<double>{1, 2, 3, 5}));
@@ -226,6 +210,17 @@ TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     ASSERT_EQ(chart.curves.size(), 3u);
     EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 10}));
     EXPECT_EQ(chart.curves[2].y, (std::vector<double>{8, 8}));
+}
+
+TEST(LearningCurve, MarksWhatWasNotPassed) {
+    std::vector<Attempt> attempts(3);
+    for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);
+    attempts[1].passed = true;
+    const Chart chart = learning_curve(attempts, Quantity::time_s);
+    ASSERT_EQ(chart.curves.size(), 2u);
+    EXPECT_TRUE(chart.curves[1].points_only);
+    EXPECT_EQ(chart.curves[1].x, (std::vector<double>{1, 3}));
+    EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 8}));
 }
 
 // A course whose first lesson asks for more than the lesson itself.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace hepatica {
 namespace {
 
@@ -24,6 +26,43 @@ TEST(LessonWords, SayBloodInTheUnitsOfTheClinicAndAllElseAsEver) {
               "way moved by a at least 3 mm");
 }
 
+// As many digits as mean something, always as many, and none of a number that only trembles.
+TEST(LessonWords, SayWhatWasMeasuredWithThreeDigitsAtMost) {
+    const auto said = [](Quantity quantity, double value) {
+        return to_words(quantity, value, computed);
+    };
+    EXPECT_EQ(said(Quantity::moved_mm, 0.005867), "0.0 mm");
+    EXPECT_EQ(said(Quantity::moved_mm, -1e-9), "0.0 mm");
+    EXPECT_EQ(said(Quantity::time_s, 0.7333), "0.7 s");
+    EXPECT_EQ(said(Quantity::time_s, 24.13), "24.1 s");
+    EXPECT_EQ(said(Quantity::time_s, 26.0), "26.0 s");
+    EXPECT_EQ(said(Quantity::time_s, 123.45), "123 s");
+    EXPECT_EQ(said(Quantity::force_mn, 467.26), "467 mN");
+    EXPECT_EQ(said(Quantity::impulse_mn_s, 12345.0), "12300 mN s");
+    EXPECT_EQ(said(Quantity::largest_stretch, 1.23456), "1.23");
+    EXPECT_EQ(said(Quantity::contacts, 3.0), "3");
+    EXPECT_EQ(said(Quantity::distance_mm, std::numeric_limits<double>::infinity()), "none");
+    const Predicate limit{Quantity::force_mn, -1, false, 350.0};
+    EXPECT_EQ(to_words_beside(limit, 467.26, computed), "467 mN");
+    EXPECT_EQ(to_words_beside(limit, 350.04, computed), "350.04 mN");
+}
+
+TEST(LessonWords, SayThatNoneIsAllowedWhereNoneIs) {
+    EXPECT_EQ(to_words(Predicate{Quantity::holding, -1, false, 0.0}, {}, computed),
+              "no vessels held by the hand");
+    EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, false, 1.0}, {}, computed),
+              "pieces torn off at most 1");
+    EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, true, 0.0}, {}, computed),
+              "pieces torn off at least 0");
+    EXPECT_EQ(to_words(Predicate{Quantity::force_mn, -1, false, 0.0}, {}, computed),
+              "force at most 0 mN");
+}
+
+TEST(LessonWords, NoLineBreaksBeforeAUnit) {
+    EXPECT_EQ(with_units_beside("at most 350 mN, 10 mN s, 3 mm and 5 matters"),
+              QString("at most 350\u202fmN, 10\u202fmN\u202fs, 3\u202fmm and 5 matters"));
+}
+
 TEST(LessonWords, SayTheReasonsAlike) {
     LessonStanding standing;
     standing.limits = {{bleeding, 1.06, false}, {drug, 3.0, false}};
@@ -31,12 +70,16 @@ TEST(LessonWords, SayTheReasonsAlike) {
     standing.reasons = {"another reason", reason_of_limit(standing.limits[0], {}),
                         reason_of_limit(standing.limits[1], {}),
                         reason_of_pass_mark(standing.pass[0], {})};
-    EXPECT_EQ(reasons_in(standing, {}, computed), standing.reasons);
+    EXPECT_EQ(reasons_in(standing, {}, computed),
+              (std::vector<std::string>{
+                  "another reason", "limit broken: bleeding at most 0.53 g/s, but it was 1.06 g/s",
+                  "limit broken: injected at most 2 g, but it was 3.00 g",
+                  "pass mark missed: blood lost at most 10.6 g, but it is 21.2 g"}));
     EXPECT_EQ(
         reasons_in(standing, {}, clinic),
         (std::vector<std::string>{"another reason",
                                   "limit broken: bleeding at most 30 mL/min, but it was 60 mL/min",
-                                  "limit broken: injected at most 2 g, but it was 3 g",
+                                  "limit broken: injected at most 2 g, but it was 3.00 g",
                                   "pass mark missed: blood lost at most 10 mL, but it is 20 mL"}));
     // What breaks a limit by a hair is told apart from it.
     standing.limits[0].value = 0.53 * (1.0 + 1e-5);

@@ -19,6 +19,7 @@
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
+#include "ui/review_list.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/time_line.h"
@@ -55,6 +56,15 @@ const Played& played() {
         return made;
     }();
     return play;
+}
+
+TEST(ReviewList, AVerdictThatIsNotPassedLooksLikeNoStepThatIsReached) {
+    ReviewList list;
+    list.fill({{1.0, PlayEventKind::lesson, "Step 1 reached"},
+               {2.0, PlayEventKind::not_passed, "Not passed: limit broken: force"}},
+              {}, {});
+    ASSERT_EQ(list.ticks().size(), 2u);
+    EXPECT_NE(list.ticks()[0].colour, list.ticks()[1].colour);
 }
 
 // The small patient is whatever is opened.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After an attempt: whose it was where he gave a name, and the way to the next lesson.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <fstream>
+
+#include "core/lesson/attempts.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_writer.h"
+#include "tests/ui/lesson_window_test.h"
+#include "ui/attempts_dialog.h"
+
+namespace hepatica {
+namespace {
+
+using testing::wait_for;
+
+class LessonAttemptsTest : public testing::LessonWindowTest {
+  protected:
+    // It is over after a fifth of a second.
+    std::string short_lesson(const char* name) {
+        Lesson lesson = new_lesson();
+        lesson.name = name;
+        lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+        const std::string file =
+            folder_.filePath(QString("%1.json").arg(name).toLower()).toStdString();
+        write_lesson(file, lesson);
+        return file;
+    }
+    void play(const std::string& file) {
+        window_.lessons().start(file);
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+        wait_for_figures();
+    }
+    QLineEdit& name() { return *window_.lessons().findChild<QLineEdit*>("lessonName"); }
+    Attempts kept() { return all_attempts(to_path(settings_.recordings_folder())); }
+    void type_name(const char* text) {
+        name().setText(text);
+        QTest::keyClick(&name(), Qt::Key_Return);
+    }
+};
+
+TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
+    const std::string file = short_lesson("First");
+    play(file);
+    ASSERT_EQ(kept().list.size(), 1u);
+    EXPECT_EQ(kept().list[0].name, "");
+    EXPECT_EQ(settings_.trainee(), "");
+    AttemptsDialog& dialog = window_.lessons().attempts();
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    EXPECT_TRUE(dialog.findChild<QComboBox*>("attemptsWhose")->isHidden());
+    EXPECT_TRUE(dialog.findChild<QTableWidget*>("attempts")->isColumnHidden(4));
+    dialog.hide();
+    type_name("  Nr.  7 ");
+    EXPECT_EQ(settings_.trainee(), "Nr. 7");
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    ASSERT_TRUE(wait_for([&] { return kept().list.size() == 2; }));
+    EXPECT_EQ(kept().list[0].name, "") << "of before";
+    EXPECT_EQ(kept().list[1].name, "Nr. 7");
+    wait_for_figures();
+    // His own first, and everybody's where they are asked for.
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    auto& whose = *dialog.findChild<QComboBox*>("attemptsWhose");
+    EXPECT_FALSE(whose.isHidden());
+    EXPECT_EQ(whose.currentText(), "of Nr. 7");
+    EXPECT_EQ(dialog.attempts().size(), 1u);
+    EXPECT_EQ(dialog.findChild<QTableWidget*>("attempts")->item(0, 4)->text(), "Nr. 7");
+    whose.setCurrentIndex(0);
+    EXPECT_EQ(dialog.attempts().size(), 2u);
+    dialog.hide();
+    type_name("");
+    EXPECT_EQ(settings_.trainee(), "");
+}
+
+TEST_F(LessonAttemptsTest, a_new_window_knows_the_name) {
+    settings_.set_trainee("A. B.");
+    MainWindow other(settings_, {});
+    EXPECT_EQ(other.lessons().findChild<QLineEdit*>("lessonName")->text(), "A. B.");
+}
+
+TEST_F(LessonAttemptsTest, the_next_lesson_of_the_course_is_one_click_away) {
+    const std::string first = short_lesson("First");
+    short_lesson("Second");
+    const std::string course = folder_.filePath("course.json").toStdString();
+    std::ofstream(course) << R"({"format": "hepatica-course", "version": 1, "name": "Two",
+        "lessons": [{"lesson": "first.json"}, {"lesson": "second.json"}]})";
+    window_.lessons().show_course(course);
+    play(first);
+    auto* next = window_.lessons().findChild<QPushButton*>("lessonNext");
+    EXPECT_FALSE(next->isHidden());
+    EXPECT_EQ(next->text(), "&Next lesson: Second");
+    next->click();
+    EXPECT_TRUE(wait_for([&] { return shown("lessonTitle").contains("Second"); }));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    EXPECT_TRUE(next->isHidden()) << "the last one";
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a lesson takes over from the play before it, which is nothing, and what cannot be chosen
+// while it is played.
+#include <QAction>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_writer.h"
+#include "tests/ui/lesson_window_test.h"
+#include "ui/mouse_tool.h"
+#include "ui/review_dock.h"
+
+namespace hepatica {
+namespace {
+
+using testing::wait_for;
+
+class LessonToolsTest : public testing::LessonWindowTest {
+  protected:
+    void begin(const Lesson& lesson) {
+        const std::string file = folder_.filePath("lesson.json").toStdString();
+        write_lesson(file, lesson);
+        begin(file);
+    }
+    void begin(const std::string& file) {
+        window_.lessons().start(file);
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+        paint();
+    }
+    bool runs_for(double seconds) {
+        return wait_for([&] {
+            return window_.lessons().standing().outcome != LessonOutcome::running ||
+                   window_.lessons().standing().metrics.time_s > seconds;
+        });
+    }
+    bool enabled(const char* name) { return window_.findChild<QWidget*>(name)->isEnabled(); }
+    LessonStanding standing() { return window_.lessons().standing(); }
+    QAction& action(ActionId id) { return window_.actions()[id]; }
+};
+
+TEST_F(LessonToolsTest, it_begins_with_nothing_of_the_play_before) {
+    open_built_in();
+    window_.findChild<QCheckBox*>("vesselsTear")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.frame().tear.has_value(); }));
+    wait_for_figures();
+    action(ActionId::sphere_tool).trigger();
+    Lesson lesson = new_lesson();
+    lesson.scene.tear.emplace();
+    for (int time = 0; time < 2; ++time) {  // begun again, the box shows that its scene tears
+        begin(lesson);
+        ASSERT_TRUE(runs_for(0.3));
+        EXPECT_EQ(standing().outcome, LessonOutcome::running);
+        EXPECT_TRUE(standing().reasons.empty()) << standing().reasons.front();
+        wait_for_figures();
+        EXPECT_TRUE(window_.findChild<QCheckBox*>("vesselsTear")->isChecked());
+    }
+    // In free play vessels tear where the user wants it.
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(wait_for([&] { return window_.frame().tear.has_value(); }));
+}
+
+TEST_F(LessonToolsTest, a_scene_in_which_nothing_moves_is_told_of_no_tool) {
+    open_built_in();
+    action(ActionId::sphere_tool).trigger();
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    lesson.limits.clear();
+    begin(lesson);
+    ASSERT_TRUE(runs_for(0.3));
+    EXPECT_EQ(window_.frame().statistics.message, "");
+    EXPECT_FALSE(window_.view().mouse().hand().holds());
+}
+
+TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
+    begin(new_lesson());
+    EXPECT_TRUE(action(ActionId::pull_mode).isEnabled());
+    for (const ActionId id : {ActionId::sphere_tool, ActionId::forceps_tool, ActionId::cut_mode,
+                              ActionId::inject_mode, ActionId::reset}) {
+        EXPECT_FALSE(action(id).isEnabled());
+        EXPECT_TRUE(action(id).toolTip().startsWith("The lesson does not allow this"));
+    }
+    for (const char* control : {"vesselsTear", "speed", "gravity", "tissue"})
+        EXPECT_FALSE(enabled(control)) << control;
+    QTest::keyClick(&window_, Qt::Key_4);
+    EXPECT_FALSE(window_.view().mouse().hand().holds());
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    for (const ActionId id : {ActionId::sphere_tool, ActionId::cut_mode, ActionId::reset}) {
+        EXPECT_TRUE(action(id).isEnabled());
+        EXPECT_FALSE(action(id).toolTip().contains("lesson"));
+    }
+    for (const char* control : {"vesselsTear", "speed", "gravity"})
+        EXPECT_TRUE(enabled(control)) << control;
+}
+
+TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {
+    begin(new_lesson());
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, Qt::ControlModifier, on_widget(mark));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "the lesson does not allow this: injecting");
+    const double now_s = standing().metrics.time_s;
+    ASSERT_TRUE(runs_for(now_s + 0.2));
+    EXPECT_EQ(standing().outcome, LessonOutcome::running);
+}
+
+TEST_F(LessonToolsTest, where_nothing_may_be_pulled_a_drag_turns_the_view) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::sphere};
+    begin(lesson);
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    const Vec3 looked = window_.view().scene().axes().forward;
+    const QPoint at = on_widget(mark);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, at);
+    QMouseEvent move(QEvent::MouseMove, at + QPoint(60, 0), window_.view().mapToGlobal(at),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_.view(), &move);
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, at + QPoint(60, 0));
+    EXPECT_NE(window_.view().scene().axes().forward, looked);
+    EXPECT_EQ(standing().outcome, LessonOutcome::running);
+}
+
+// The review shows the lesson's own body; free play after it another one.
+TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    begin(lesson);
+    EXPECT_EQ(window_.view().scene().marks().size(), 1u);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    window_.lessons().findChild<QPushButton*>("lessonLookBack")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    window_.review().findChild<QPushButton*>("reviewLeave")->click();
+    paint();
+    EXPECT_TRUE(window_.lessons().marks_in(window_.frame()).empty());
+    EXPECT_TRUE(window_.view().scene().marks().empty());
+    EXPECT_FALSE(window_.lessons().isHidden()) << "how it went can still be read";
+}
+
+TEST_F(LessonToolsTest, its_marks_are_numbered_and_one_that_is_done_with_is_ticked) {
+    Lesson lesson = new_lesson();
+    lesson.marks.push_back({"mark 2", {std::nullopt, 0.8}});
+    lesson.steps[0].goal = {{Quantity::moved_mm, 0, false, 5.0}};
+    lesson.steps[0].hold_s = 0.2;
+    lesson.steps.push_back(lesson.steps[0]);
+    lesson.steps[1].goal = {{Quantity::moved_mm, 1, true, 50.0}};
+    begin(lesson);
+    ASSERT_TRUE(wait_for([&] { return standing().step == 1; }));
+    paint();
+    const std::vector<MarkView>& marks = window_.view().scene().marks();
+    ASSERT_EQ(marks.size(), 2u);
+    EXPECT_EQ(marks[0].number, "1");
+    EXPECT_EQ(marks[1].number, "2");
+    EXPECT_TRUE(wait_for([&] { return window_.view().scene().marks()[0].reached; }));
+    EXPECT_FALSE(window_.view().scene().marks()[1].reached);
+}
+
+// Space starts the drug there; on "Begin again" it would end the attempt.
+TEST_F(LessonToolsTest, a_control_that_is_disabled_gives_the_keyboard_back_to_the_view) {
+    begin(new_lesson());
+    auto* hint = window_.lessons().findChild<QPushButton*>("lessonHintButton");
+    hint->setFocus();
+    ASSERT_TRUE(hint->hasFocus());
+    hint->click();
+    EXPECT_FALSE(hint->isEnabled());
+    EXPECT_TRUE(window_.view().hasFocus())
+        << QApplication::focusWidget()->objectName().toStdString();
+    hint->setEnabled(true);
+    hint->setFocus();
+    hint->hide();
+    EXPECT_TRUE(window_.view().hasFocus());
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson_tools.h"
+
+#include <QVariant>
+#include <QWidget>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/words.h"
+
+namespace hepatica {
+namespace {
+
+constexpr std::array<std::pair<LessonTool, ActionId>, 8> action_of_tool{{
+    {LessonTool::pull, ActionId::pull_mode},
+    {LessonTool::inject, ActionId::inject_mode},
+    {LessonTool::sphere, ActionId::sphere_tool},
+    {LessonTool::capsule, ActionId::capsule_tool},
+    {LessonTool::forceps, ActionId::forceps_tool},
+    {LessonTool::hook, ActionId::hook_tool},
+    {LessonTool::blade, ActionId::cut_mode},
+    {LessonTool::cut_line, ActionId::weaken_mode},
+}};
+
+constexpr const char* own_tip = "ownTip";  // property: the tip of a control that is allowed
+
+}  // namespace
+
+bool allows(std::span<const LessonTool> tools, LessonTool tool) {
+    return std::ranges::find(tools, tool) != tools.end();
+}
+
+std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools) {
+    std::set<ActionId> forbidden{ActionId::reset};
+    for (const auto& [tool, action] : action_of_tool)
+        if (!allows(tools, tool)) forbidden.insert(action);
+    return forbidden;
+}
+
+void set_allowed(QWidget& control, bool allowed) {
+    if (!control.property(own_tip).isValid()) control.setProperty(own_tip, control.toolTip());
+    control.setEnabled(allowed);
+    control.setToolTip(allowed ? control.property(own_tip).toString()
+                               : Words::tr("The lesson does not allow this"));
+}
+
+}  // namespace hepatica

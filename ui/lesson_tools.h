@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of the window a lesson forbids while it is played: actions of tools that it does not allow,
+// and controls of its settings.
+#pragma once
+
+#include <set>
+#include <span>
+
+#include "core/lesson/lesson.h"
+#include "ui/actions.h"
+
+class QWidget;
+
+namespace hepatica {
+
+bool allows(std::span<const LessonTool> tools, LessonTool tool);
+
+// The actions that would take a tool which is not among these, or take the play back.
+std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools);
+
+// Enables a control, or disables it with a tip that says why.
+void set_allowed(QWidget& control, bool allowed);
+
+}  // namespace hepatica
