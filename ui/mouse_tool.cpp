@@ -19,7 +19,7 @@ void MouseTool::set_mode(MouseMode mode) {
 
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
     cancel();
-    clicked_ = false;
+    clicked_ = dragged_ = false;
     callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
     pressed_ = last_ = at;
     if (button == MouseButton::middle || (button == MouseButton::left && modifiers.shift)) {
@@ -43,6 +43,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = Action::wait_for_click;
     } else {
         action_ = Action::pull;
+        pulled_ = pick;
         held_mm_ = pick.position_mm;
         pace_ = HandPace(HandPace::Clock::now());
         callbacks_.post(GrabPoint{held_mm_});
@@ -51,6 +52,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
 
 bool MouseTool::move(const Pixel& at) {
     const Pixel from = std::exchange(last_, at);
+    dragged_ |= !is_click(at);
     switch (action_) {
         case Action::none:
             if (mode_ == MouseMode::tool) {
@@ -72,7 +74,7 @@ bool MouseTool::move(const Pixel& at) {
             view_.drag_pan(from, at);
             return true;
         case Action::wait_for_click:
-            if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) {
+            if (is_click(at)) {
                 last_ = from;
                 return false;
             }
@@ -85,11 +87,17 @@ bool MouseTool::move(const Pixel& at) {
     return false;
 }
 
+bool MouseTool::is_click(const Pixel& at) const {
+    return std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_;
+}
+
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
+    const bool points = pulling() && !dragged_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
     if (clicked_) click_at(at);
+    if (points) callbacks_.pointed(pulled_);
 }
 
 void MouseTool::double_click(const Pixel& at) {

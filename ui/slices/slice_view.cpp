@@ -11,6 +11,7 @@
 
 #include "render/palette.h"
 #include "ui/slices/slice_picture.h"
+#include "ui/theme.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -44,6 +45,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     setAccessibleName(Words::tr("%1 slice").arg(title_of(direction)));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(paints_own_focus, true);
     setMinimumSize(120, 90);
     setCursor(Qt::CrossCursor);
     scene_.on_change([this] { update(); });
