@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QFocusFrame>
 #include <QPainter>
@@ -198,6 +199,8 @@ class Style : public QProxyStyle {
     }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
+        // One frame is enough; within a list it is the row's.
+        if (element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView*>(widget)) return;
         if (element != PE_IndicatorCheckBox)
             return QProxyStyle::drawPrimitive(element, option, painter, widget);
         draw_check_box(*option, *painter);

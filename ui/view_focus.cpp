@@ -21,7 +21,7 @@ void ViewFocus::show_aim(const std::optional<QPointF>& aim, bool holds) {
 
 void ViewFocus::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    const QColor colour = palette().color(QPalette::Highlight);
+    const QColor colour = palette().color(QPalette::Link);
     painter.setPen(QPen(colour, 2.0));
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
     if (!aim_) return;

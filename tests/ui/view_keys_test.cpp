@@ -15,7 +15,7 @@ class ViewKeys : public testing::FakeWindowTest {
         view().setFocus(Qt::TabFocusReason);
         ASSERT_TRUE(testing::wait_for([this] { return view().hasFocus(); }));
     }
-    void press(int key, Qt::KeyboardModifiers modifiers = {}) {
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(&view(), key, modifiers);
     }
     // Until the cross in the middle lies on the trunk.

@@ -248,7 +248,7 @@ void SliceView::paint_words(QPainter& painter) const {
 
 void SliceView::paint_focus(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
