@@ -40,7 +40,7 @@ MessageBar::MessageBar(QWidget* pictures)
     row->setContentsMargins(12, 3, 6, 3);
     row->addWidget(label_, 1);
     for (QWidget* button : std::initializer_list<QWidget*>{more_, offer_, close})
-        row->addWidget(button, 0, Qt::AlignTop);
+        row->addWidget(button, 0, Qt::AlignVCenter);
 }
 
 void MessageBar::show_failure(const Failure& failure) {

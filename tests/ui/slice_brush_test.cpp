@@ -145,7 +145,9 @@ TEST_F(BrushOnSlices, IsTakenBackByTheUndoOfAllElse) {
     ASSERT_EQ(brush().strokes().size(), 2u);
     EXPECT_TRUE(window_.isWindowModified());
     for (const QListWidget* list : window_.findChildren<QListWidget*>())
-        if (list->accessibleName() == "Edits") EXPECT_EQ(list->count(), 2);
+        if (list->accessibleName() == "Edits") {
+            EXPECT_EQ(list->count(), 2);
+        }
     QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(brush().strokes().size(), 1u);
     EXPECT_EQ(scene().systems().voxels, painted().voxels);
