@@ -105,8 +105,8 @@ void Annotations::set_words(PictureWords words) {
     shown_ = {};
 }
 
-void Annotations::set_caption(const std::string& text) {
-    caption_text_ = text;
+bool Annotations::set_caption(const std::string& text) {
+    return std::exchange(caption_text_, text) != text;
 }
 
 void Annotations::update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,

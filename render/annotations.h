@@ -42,7 +42,7 @@ class Annotations {
     void update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
                 const Legend::Count& count);
     const PictureBox& legend_box() const { return legend_.box(); }
-    void set_caption(const std::string& text);
+    bool set_caption(const std::string& text);  // true if it was another
     void set_visible(bool visible) { visible_ = visible; }
     void set_look(const ViewLook& look);
     void set_words(PictureWords words);  // of all but the caption; English at first

@@ -38,6 +38,25 @@ const Side& side_of(ViewDirection direction) {
     return sides()[static_cast<std::size_t>(direction)];
 }
 
+// `from`: towards the eye, `up` across it; both of unit length.
+void fit(vtkCamera& camera, const Vec3& from, const Vec3& up, const Vec3& lower_mm,
+         const Vec3& upper_mm, double aspect) {
+    const Vec3 centre = 0.5 * (lower_mm + upper_mm);
+    const Vec3 half = (0.5 * (upper_mm - lower_mm)).cwiseMax(Vec3::Constant(1.0));
+    const double half_height = half.dot(up.cwiseAbs());
+    const double half_width = half.dot(up.cross(from).cwiseAbs());
+    const double half_depth = half.dot(from.cwiseAbs());
+    const double tangent = std::tan(0.5 * view_angle_deg * pi / 180.0);
+    const double margin = 1.12;
+    const double distance =
+        margin * std::max(half_height, half_width / std::max(aspect, 1e-3)) / tangent + half_depth;
+    const Vec3 eye = centre + distance * from;
+    camera.SetViewAngle(view_angle_deg);
+    camera.SetFocalPoint(centre.x(), centre.y(), centre.z());
+    camera.SetPosition(eye.x(), eye.y(), eye.z());
+    camera.SetViewUp(up.x(), up.y(), up.z());
+}
+
 }  // namespace
 
 const std::vector<ViewDirection>& all_view_directions() {
@@ -61,20 +80,13 @@ std::optional<ViewDirection> view_direction_named(const std::string& name) {
 void look_from(vtkCamera& camera, ViewDirection direction, const Vec3& lower_mm,
                const Vec3& upper_mm, double aspect) {
     const Side& side = side_of(direction);
-    const Vec3 centre = 0.5 * (lower_mm + upper_mm);
-    const Vec3 half = (0.5 * (upper_mm - lower_mm)).cwiseMax(Vec3::Constant(1.0));
-    const double half_height = half.dot(side.up.cwiseAbs());
-    const double half_width = half.dot(side.up.cross(side.from).cwiseAbs());
-    const double half_depth = half.dot(side.from.cwiseAbs());
-    const double tangent = std::tan(0.5 * view_angle_deg * pi / 180.0);
-    const double margin = 1.12;
-    const double distance =
-        margin * std::max(half_height, half_width / std::max(aspect, 1e-3)) / tangent + half_depth;
-    const Vec3 eye = centre + distance * side.from;
-    camera.SetViewAngle(view_angle_deg);
-    camera.SetFocalPoint(centre.x(), centre.y(), centre.z());
-    camera.SetPosition(eye.x(), eye.y(), eye.z());
-    camera.SetViewUp(side.up.x(), side.up.y(), side.up.z());
+    fit(camera, side.from, side.up, lower_mm, upper_mm, aspect);
+}
+
+void look_at_all(vtkCamera& camera, const Vec3& lower_mm, const Vec3& upper_mm, double aspect) {
+    const Vec3 from = (Vec3(camera.GetPosition()) - Vec3(camera.GetFocalPoint())).normalized();
+    const Vec3 up(camera.GetViewUp());
+    fit(camera, from, (up - up.dot(from) * from).normalized(), lower_mm, upper_mm, aspect);
 }
 
 void orbit(vtkCamera& camera, double right_deg, double up_deg) {

@@ -25,6 +25,9 @@ std::optional<ViewDirection> view_direction_named(const std::string& name);
 void look_from(vtkCamera& camera, ViewDirection direction, const Vec3& lower_mm,
                const Vec3& upper_mm, double aspect);
 
+// Looks at the box from where it looks now, so that all of it fits.
+void look_at_all(vtkCamera& camera, const Vec3& lower_mm, const Vec3& upper_mm, double aspect);
+
 // Turns around the focal point; angles in degrees, to the right and up.
 void orbit(vtkCamera& camera, double right_deg, double up_deg);
 // Moves camera and focal point by a displacement of the scene, in mm, in the picture's plane.

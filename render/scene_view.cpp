@@ -320,8 +320,8 @@ void SceneView::set_words(const PictureWords& words) {
     parts_->tool.set_words(words);
 }
 
-void SceneView::set_caption(const std::string& text) {
-    parts_->annotations.set_caption(text);
+bool SceneView::set_caption(const std::string& text) {
+    return parts_->annotations.set_caption(text);
 }
 
 void SceneView::set_annotations_visible(bool visible) {
@@ -487,6 +487,16 @@ void SceneView::drag_pan(const Pixel& from, const Pixel& to) {
 
 void SceneView::zoom_by(double factor) {
     zoom(camera(), factor);
+}
+
+void SceneView::turn_by(double right_deg, double down_deg) {
+    orbit(camera(), right_deg, -down_deg);
+}
+
+void SceneView::show_whole() {
+    const SurfaceGeometry& surface = parts_->tree.surface();
+    if (surface.triangles().empty()) return;
+    look_at_all(camera(), surface.lower_mm(), surface.upper_mm(), parts_->aspect());
 }
 
 }  // namespace hepatica

@@ -104,7 +104,7 @@ class SceneView {
     // Whether vessels that pass in front of others are set off by a rim, as at first; pictures that
     // must be quick (Smoothing::none) have none.
     void set_halos_visible(bool visible);
-    void set_caption(const std::string& text);
+    bool set_caption(const std::string& text);  // true if the picture is another now
     void set_annotations_visible(bool visible);
     // Whether vessels that are near tearing are coloured, from the next frame on; not at first.
     void set_warnings_visible(bool visible);
@@ -136,6 +136,10 @@ class SceneView {
     void drag_orbit(const Pixel& from, const Pixel& to);
     void drag_pan(const Pixel& from, const Pixel& to);
     void zoom_by(double factor);
+    // To the right and down [degrees], as drag_orbit() does.
+    void turn_by(double right_deg, double down_deg);
+    // All of the tree from where it is looked at now.
+    void show_whole();
 
   private:
     void keep_in_sight();

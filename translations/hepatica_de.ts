@@ -164,10 +164,6 @@
         <translation>Haken: Die Maus führt ihn, und er hält ein Gefäß beiseite</translation>
     </message>
     <message>
-        <source>&amp;Blade</source>
-        <translation>S&amp;kalpell</translation>
-    </message>
-    <message>
         <source>Blade: a line drawn across a vessel cuts through it</source>
         <translation>Skalpell: Eine Linie quer über ein Gefäß durchtrennt es</translation>
     </message>
@@ -186,10 +182,6 @@
     <message>
         <source>Turn the tool in hand against the clock, by 15°</source>
         <translation>Das Werkzeug um 15° gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>Turn the tool bac&amp;k</source>
-        <translation>Werkzeug zurückdrehe&amp;n</translation>
     </message>
     <message>
         <source>Turn the tool in hand with the clock, by 15°</source>
@@ -250,10 +242,6 @@
     <message>
         <source>Stop the simulation; the view stays alive</source>
         <translation>Die Simulation anhalten; die Ansicht bleibt bedienbar</translation>
-    </message>
-    <message>
-        <source>&amp;Reset</source>
-        <translation>Zur&amp;ücksetzen</translation>
     </message>
     <message>
         <source>Back to the rest shape: no pull, no tool, no drug</source>
@@ -328,10 +316,6 @@
         <translation>Legende, Maßstabsbalken und Orientierung zeigen</translation>
     </message>
     <message>
-        <source>Rims at &amp;crossings</source>
-        <translation>Ränder an Kreu&amp;zungen</translation>
-    </message>
-    <message>
         <source>Set off the nearer of two crossing vessels by a thin rim</source>
         <translation>Das vordere zweier sich kreuzender Gefäße durch einen dünnen Rand absetzen</translation>
     </message>
@@ -344,10 +328,6 @@
         <translation>Die Oberfläche der Leber um die Gefäße zeigen</translation>
     </message>
     <message>
-        <source>&amp;Open the view</source>
-        <translation>A&amp;nsicht öffnen</translation>
-    </message>
-    <message>
         <source>Take away what lies in front of a plane across the line of sight</source>
         <translation>Wegnehmen, was vor einer Ebene quer zur Blickrichtung liegt</translation>
     </message>
@@ -358,10 +338,6 @@
     <message>
         <source>Move that plane 2 mm away from where it was put</source>
         <translation>Diese Ebene um 2 mm weiter in die Tiefe schieben</translation>
-    </message>
-    <message>
-        <source>Open it less dee&amp;p</source>
-        <translation>&amp;Weniger tief öffnen</translation>
     </message>
     <message>
         <source>Move that plane 2 mm back</source>
@@ -414,10 +390,6 @@
     <message>
         <source>Dark, as in a reading room</source>
         <translation>Dunkel, wie in einem Befundungsraum</translation>
-    </message>
-    <message>
-        <source>L&amp;ight</source>
-        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>Light, for lecture rooms and print</source>
@@ -1702,24 +1674,12 @@
         <translation>Wie lange das Ziel gehalten wurde</translation>
     </message>
     <message>
-        <source>&amp;Hint</source>
-        <translation>&amp;Hinweis</translation>
-    </message>
-    <message>
         <source>Write a &amp;report…</source>
         <translation>Be&amp;richt schreiben …</translation>
     </message>
     <message>
         <source>All &amp;attempts…</source>
         <translation>Alle &amp;Versuche …</translation>
-    </message>
-    <message>
-        <source>&amp;Begin again</source>
-        <translation>Von &amp;vorn beginnen</translation>
-    </message>
-    <message>
-        <source>&amp;Leave</source>
-        <translation>Ver&amp;lassen</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -1848,10 +1808,6 @@
     <message>
         <source>%1 is not there any more; it was taken off the list of recent files.</source>
         <translation>%1 ist nicht mehr da; der Eintrag wurde aus der Liste der zuletzt benutzten Dateien genommen.</translation>
-    </message>
-    <message>
-        <source>Open case (a folder NAME.hep)</source>
-        <translation>Fall öffnen (ein Ordner NAME.hep)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -2455,10 +2411,6 @@
         <translation>Es gibt schon einen Fall %1. Soll er ersetzt werden?</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>Zuletz&amp;t benutzt</translation>
-    </message>
-    <message>
         <source>(missing)</source>
         <translation>(fehlt)</translation>
     </message>
@@ -2471,16 +2423,8 @@
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>Co&amp;mpare with…</source>
-        <translation>&amp;Vergleichen mit …</translation>
-    </message>
-    <message>
         <source>Show another recording of this patient beside it</source>
         <translation>Eine andere Aufzeichnung dieses Patienten daneben zeigen</translation>
-    </message>
-    <message>
-        <source>Save a &amp;film…</source>
-        <translation>&amp;Film speichern …</translation>
     </message>
     <message>
         <source>As one MP4 file where ffmpeg is installed, else as a folder of pictures</source>
@@ -2489,10 +2433,6 @@
     <message>
         <source>It is still being gone through.</source>
         <translation>Sie wird noch durchlaufen.</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the review</source>
-        <translation>&amp;Rückblick verlassen</translation>
     </message>
     <message>
         <source>To what happened before</source>
@@ -2543,10 +2483,6 @@
         <translation>Öffnen Sie erst den Fall, an dem gespielt wurde</translation>
     </message>
     <message>
-        <source>No &amp;more beside it</source>
-        <translation>&amp;Nichts mehr daneben</translation>
-    </message>
-    <message>
         <source>was played on another patient</source>
         <translation>wurde an einem anderen Patienten gespielt</translation>
     </message>
@@ -2593,10 +2529,6 @@
     <message>
         <source>the best for the liver&apos;s vessels</source>
         <translation>die beste für die Lebergefäße</translation>
-    </message>
-    <message>
-        <source>of the best, %1</source>
-        <translation>statt der besten, %1</translation>
     </message>
     <message>
         <source>Choose a series</source>
@@ -7116,10 +7048,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Gefäßverläufe im CT werden bestimmt …</translation>
     </message>
     <message>
-        <source>%L1 mL of vessels, %L2 mL now</source>
-        <translation>%L1 mL Gefäße, jetzt %L2 mL</translation>
-    </message>
-    <message>
         <source>%1 is no share of the usual threshold</source>
         <translation>%1 ist kein Anteil der üblichen Schwelle</translation>
     </message>
@@ -7332,10 +7260,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1, Korrektur %2</translation>
     </message>
     <message>
-        <source>Branch %1 (%2) is an end and takes %3 % of the flow: it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
-        <translation>Ast %1 (%2) ist ein Ende und nimmt %3 % des Flusses: Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
-    </message>
-    <message>
         <source>The CT of this patient</source>
         <translation>Das CT dieses Patienten</translation>
     </message>
@@ -7534,6 +7458,253 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>distance of the touch to %1 at most %2</source>
         <translation>Abstand der Berührung zu „%1“ höchstens %2</translation>
+    </message>
+    <message>
+        <source>Bl&amp;ade</source>
+        <translation>S&amp;kalpell</translation>
+    </message>
+    <message>
+        <source>Tur&amp;n the tool back</source>
+        <translation>Werkzeug zurückdrehe&amp;n</translation>
+    </message>
+    <message>
+        <source>Re&amp;set</source>
+        <translation>Zur&amp;ücksetzen</translation>
+    </message>
+    <message>
+        <source>Rims at cr&amp;ossings</source>
+        <translation>Ränder an Kreu&amp;zungen</translation>
+    </message>
+    <message>
+        <source>Open the vie&amp;w</source>
+        <translation>A&amp;nsicht öffnen</translation>
+    </message>
+    <message>
+        <source>Open it l&amp;ess deep</source>
+        <translation>&amp;Weniger tief öffnen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>H&amp;int</source>
+        <translation>H&amp;inweis</translation>
+    </message>
+    <message>
+        <source>Be&amp;gin again</source>
+        <translation>Von v&amp;orn beginnen</translation>
+    </message>
+    <message>
+        <source>Leav&amp;e</source>
+        <translation>Verla&amp;ssen</translation>
+    </message>
+    <message>
+        <source>Open recen&amp;t</source>
+        <translation>Zuletz&amp;t benutzt</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation>Ver&amp;gleichen mit …</translation>
+    </message>
+    <message>
+        <source>&amp;Save a film…</source>
+        <translation>&amp;Film speichern …</translation>
+    </message>
+    <message>
+        <source>Leave &amp;the review</source>
+        <translation>Rückbli&amp;ck verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;No more beside it</source>
+        <translation>&amp;Nichts mehr daneben</translation>
+    </message>
+    <message>
+        <source>Branch %1 is an end and takes %2 % of the flow of its tree (%3, root: branch %4): it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
+        <translation>Ast %1 ist ein Ende und nimmt %2 % des Flusses seines Baums (%3, Wurzel: Ast %4): Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>to the view, and on to the panels; a frame shows who has the keys</source>
+        <translation>zur Ansicht und weiter zu den Bedienfeldern; ein Rahmen zeigt, wer die Tasten hat</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>turn by 5°; with Shift pan</source>
+        <translation>um 5° drehen; mit der Umschalttaste verschieben</translation>
+    </message>
+    <message>
+        <source>+ and -</source>
+        <translation>+ und -</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>the whole patient, from where one looks</source>
+        <translation>der ganze Patient, von da, woher man schaut</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>act at the cross in the middle: take hold of the vessel (Pull), inject, edit, measure, bring the tool, set the blade down; Ctrl + Enter injects in Pull mode</source>
+        <translation>am Kreuz in der Mitte wirken: das Gefäß fassen (Ziehen), injizieren, korrigieren, messen, das Werkzeug holen, das Skalpell ansetzen; Strg + Eingabetaste injiziert beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Arrow keys, then Enter or Esc</source>
+        <translation>Pfeiltasten, dann Eingabetaste oder Esc</translation>
+    </message>
+    <message>
+        <source>lead what is held, a tool also in depth by Page Up and Page Down, then let go</source>
+        <translation>führen, was gefasst ist, ein Werkzeug mit Bild auf und Bild ab auch in die Tiefe, dann loslassen</translation>
+    </message>
+    <message>
+        <source>Arrow keys in a slice</source>
+        <translation>Pfeiltasten in einer Schicht</translation>
+    </message>
+    <message>
+        <source>move the crosshair by a voxel</source>
+        <translation>das Fadenkreuz um ein Voxel bewegen</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down in a slice</source>
+        <translation>Bild auf, Bild ab in einer Schicht</translation>
+    </message>
+    <message>
+        <source>the next slice, the one before</source>
+        <translation>die nächste Schicht, die vorige</translation>
+    </message>
+    <message>
+        <source>Enter in a slice</source>
+        <translation>Eingabetaste in einer Schicht</translation>
+    </message>
+    <message>
+        <source>do at the crosshair what a click does</source>
+        <translation>am Fadenkreuz tun, was ein Klick tut</translation>
+    </message>
+    <message>
+        <source>Delete in a slice</source>
+        <translation>Entf in einer Schicht</translation>
+    </message>
+    <message>
+        <source>take the last point or stroke back</source>
+        <translation>den letzten Punkt oder Strich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Click on a vessel with slices beside</source>
+        <translation>Klick auf ein Gefäß mit Schichten daneben</translation>
+    </message>
+    <message>
+        <source>the slices go there (in Pull mode)</source>
+        <translation>die Schichten gehen dorthin (beim Ziehen)</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Keys in the view of the vessels</source>
+        <translation>Tasten in der Ansicht der Gefäße</translation>
+    </message>
+    <message>
+        <source>Keys in a slice</source>
+        <translation>Tasten in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Menu %1</source>
+        <translation>Menü %1</translation>
+    </message>
+    <message>
+        <source>Vessels erased (waits for Rebuild)</source>
+        <translation>Gefäße radiert (wartet auf Neu bauen)</translation>
+    </message>
+    <message>
+        <source>Vessels painted (waits for Rebuild)</source>
+        <translation>Gefäße gemalt (wartet auf Neu bauen)</translation>
+    </message>
+    <message>
+        <source>(safe mode: nothing is remembered)</source>
+        <translation>(abgesicherter Modus: nichts wird behalten)</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation>Fall öffnen</translation>
+    </message>
+    <message>
+        <source>Folder NAME.hep or file NAME.hepz:</source>
+        <translation>Ordner NAME.hep oder Datei NAME.hepz:</translation>
+    </message>
+    <message>
+        <source>There is no %1.</source>
+        <translation>Es gibt kein %1.</translation>
+    </message>
+    <message>
+        <source>%1 is no case. A case is a folder NAME.hep or a file NAME.hepz; a CT is opened by Open CT folder or Open CT file.</source>
+        <translation>%1 ist kein Fall. Ein Fall ist ein Ordner NAME.hep oder eine Datei NAME.hepz; ein CT öffnen Sie mit CT-Ordner öffnen oder CT-Datei öffnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) at the vessels of %1 are not made into vessels yet.</source>
+        <translation>
+            <numerusform>%n Strich an den Gefäßen von %1 ist noch kein Gefäß.</numerusform>
+            <numerusform>%n Striche an den Gefäßen von %1 sind noch keine Gefäße.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No case can hold strokes: rebuild the vessels with them first, or drop them.</source>
+        <translation>Kein Fall kann Striche aufnehmen: Bauen Sie erst die Gefäße mit ihnen neu, oder lassen Sie sie wegfallen.</translation>
+    </message>
+    <message>
+        <source>&amp;Rebuild first</source>
+        <translation>Erst &amp;neu bauen</translation>
+    </message>
+    <message>
+        <source>&amp;Drop them</source>
+        <translation>&amp;Wegfallen lassen</translation>
+    </message>
+    <message>
+        <source>it is %1 mm high: not all of the liver is in it</source>
+        <translation>sie ist %1 mm hoch: Nicht die ganze Leber ist darin</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>the first is better: %1</source>
+        <translation>die erste ist besser: %1</translation>
+    </message>
+    <message>
+        <source>The case holds %L1 mL of vessels, by %2 % of the usual threshold.</source>
+        <translation>Der Fall enthält %L1 mL Gefäße, mit %2 % der üblichen Schwelle.</translation>
+    </message>
+    <message>
+        <source>The slices show %L1 mL of vessels (%2%L3 mL).</source>
+        <translation>Die Schichten zeigen %L1 mL Gefäße (%2%L3 mL).</translation>
+    </message>
+    <message>
+        <source>The vessels in three dimensions</source>
+        <translation>Die Gefäße in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>Saved %1, without strokes that wait for Rebuild</source>
+        <translation>%1 gespeichert, ohne Striche, die auf Neu bauen warten</translation>
     </message>
 </context>
 </TS>

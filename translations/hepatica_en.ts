@@ -73,5 +73,12 @@
             <numerusform>%n more under All messages.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n stroke(s) at the vessels of %1 are not made into vessels yet.</source>
+        <translation>
+            <numerusform>%n stroke at the vessels of %1 is not made into vessels yet.</numerusform>
+            <numerusform>%n strokes at the vessels of %1 are not made into vessels yet.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

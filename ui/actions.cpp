@@ -9,6 +9,8 @@
 #include <QMenuBar>
 #include <QWidget>
 #include <array>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "ui/tool_icons.h"
@@ -65,7 +67,7 @@ constexpr std::array table{
                Words::id("Forceps: the mouse leads two jaws that hold a vessel and pull it"), true},
     ActionSpec{hook_tool, Words::id("&Play"), Words::id("Hoo&k"), "7",
                Words::id("Hook: the mouse leads it, and it holds a vessel aside"), true},
-    ActionSpec{cut_mode, Words::id("&Play"), Words::id("&Blade"), "8",
+    ActionSpec{cut_mode, Words::id("&Play"), Words::id("Bl&ade"), "8",
                Words::id("Blade: a line drawn across a vessel cuts through it"), true},
     ActionSpec{
         weaken_mode, Words::id("&Play"), Words::id("Cut &line"), "9",
@@ -73,7 +75,7 @@ constexpr std::array table{
         true},
     ActionSpec{turn_tool, Words::id("&Play"), Words::id("&Turn the tool"), "T",
                Words::id("Turn the tool in hand against the clock, by 15°")},
-    ActionSpec{turn_tool_back, Words::id("&Play"), Words::id("Turn the tool bac&k"), "Shift+T",
+    ActionSpec{turn_tool_back, Words::id("&Play"), Words::id("Tur&n the tool back"), "Shift+T",
                Words::id("Turn the tool in hand with the clock, by 15°")},
     ActionSpec{close_or_open, Words::id("&Play"), Words::id("&Close or open the forceps"), "C",
                Words::id("The jaws close until they hold, or open again")},
@@ -95,7 +97,7 @@ constexpr std::array table{
                Words::id("Take the drug out again"), false, true},
     ActionSpec{pause_simulation, Words::id("&Play"), Words::id("&Hold the clock"), "H",
                Words::id("Stop the simulation; the view stays alive"), true, true},
-    ActionSpec{reset, Words::id("&Play"), Words::id("&Reset"), "Backspace",
+    ActionSpec{reset, Words::id("&Play"), Words::id("Re&set"), "Backspace",
                Words::id("Back to the rest shape: no pull, no tool, no drug"), false, true},
     ActionSpec{restore, Words::id("&Play"), Words::id("Back to the last &good state"),
                "Ctrl+Backspace",
@@ -115,19 +117,19 @@ constexpr std::array table{
                Words::id("Look from the feet")},
     ActionSpec{toggle_annotations, Words::id("&View"), Words::id("Le&gend and scale"), "G",
                Words::id("Show legend, scale bar and orientation"), true},
-    ActionSpec{toggle_halos, Words::id("&View"), Words::id("Rims at &crossings"), "X",
+    ActionSpec{toggle_halos, Words::id("&View"), Words::id("Rims at cr&ossings"), "X",
                Words::id("Set off the nearer of two crossing vessels by a thin rim"), true},
     ActionSpec{toggle_liver, Words::id("&View"), Words::id("Li&ver"), "V",
                Words::id("Show the surface of the liver around the vessels"), true, true},
     ActionSpec{toggle_volume, Words::id("&View"), Words::id("CT as volu&me"), "Shift+V",
                Words::id("Draw the CT around the vessels: bones, enhanced blood, organs as a haze"),
                true, true},
-    ActionSpec{toggle_clip, Words::id("&View"), Words::id("&Open the view"), "O",
+    ActionSpec{toggle_clip, Words::id("&View"), Words::id("Open the vie&w"), "O",
                Words::id("Take away what lies in front of a plane across the line of sight"), true,
                true},
     ActionSpec{clip_deeper, Words::id("&View"), Words::id("Open it &deeper"), "D",
                Words::id("Move that plane 2 mm away from where it was put"), false, true},
-    ActionSpec{clip_less_deep, Words::id("&View"), Words::id("Open it less dee&p"), "Shift+D",
+    ActionSpec{clip_less_deep, Words::id("&View"), Words::id("Open it l&ess deep"), "Shift+D",
                Words::id("Move that plane 2 mm back"), false, true},
     ActionSpec{toggle_slices, Words::id("&View"), Words::id("Slices of the C&T"), "F7",
                Words::id("Axial, coronal and sagittal slices of the CT beside the vessels"), true},
@@ -143,7 +145,7 @@ constexpr std::array table{
                Words::id("The window fills the screen, and back"), true},
     ActionSpec{theme_dark, Words::id("&View"), Words::id("Dar&k"), "",
                Words::id("Dark, as in a reading room"), true},
-    ActionSpec{theme_light, Words::id("&View"), Words::id("L&ight"), "",
+    ActionSpec{theme_light, Words::id("&View"), Words::id("Light"), "",
                Words::id("Light, for lecture rooms and print"), true},
     ActionSpec{theme_high_contrast, Words::id("&View"), Words::id("&High contrast"), "",
                Words::id("Black and white, for eyes that need more contrast"), true},
@@ -169,7 +171,30 @@ constexpr std::array table{
                Words::id("Version, renderer and licence")},
 };
 
-constexpr std::array<std::pair<const char*, const char*>, 18> gestures{{
+using Rows = std::span<const std::pair<const char*, const char*>>;
+
+// In the three-dimensional view while it has the keyboard; see KeyTool.
+constexpr std::array<std::pair<const char*, const char*>, 6> keys_in_the_view{{
+    {Words::id("Tab"),
+     Words::id("to the view, and on to the panels; a frame shows who has the keys")},
+    {Words::id("Arrow keys"), Words::id("turn by 5°; with Shift pan")},
+    {Words::id("+ and -"), Words::id("zoom")},
+    {Words::id("Home"), Words::id("the whole patient, from where one looks")},
+    {Words::id("Enter"),
+     Words::id("act at the cross in the middle: take hold of the vessel (Pull), inject, edit, "
+               "measure, bring the tool, set the blade down; Ctrl + Enter injects in Pull mode")},
+    {Words::id("Arrow keys, then Enter or Esc"),
+     Words::id("lead what is held, a tool also in depth by Page Up and Page Down, then let go")},
+}};
+
+constexpr std::array<std::pair<const char*, const char*>, 4> keys_in_slices{{
+    {Words::id("Arrow keys in a slice"), Words::id("move the crosshair by a voxel")},
+    {Words::id("Page Up, Page Down in a slice"), Words::id("the next slice, the one before")},
+    {Words::id("Enter in a slice"), Words::id("do at the crosshair what a click does")},
+    {Words::id("Delete in a slice"), Words::id("take the last point or stroke back")},
+}};
+
+constexpr std::array<std::pair<const char*, const char*>, 19> gestures{{
     {Words::id("Left drag on a vessel"), Words::id("pull it (in Pull mode)")},
     {Words::id("Left drag beside the vessels, right drag"), Words::id("orbit")},
     {Words::id("Middle drag, Shift + left drag"), Words::id("pan; View > Mouse has other ways")},
@@ -186,6 +211,8 @@ constexpr std::array<std::pair<const char*, const char*>, 18> gestures{{
     {Words::id("Click on vessels while measuring"),
      Words::id("set the points of a distance, an angle or a diameter")},
     {Words::id("Click on a dashed line"), Words::id("bridge that gap")},
+    {Words::id("Click on a vessel with slices beside"),
+     Words::id("the slices go there (in Pull mode)")},
     {Words::id("Hover"), Words::id("show what lies downstream, and its share of the flow")},
     {Words::id("Shift + hover with slices beside"), Words::id("the slices go there")},
     {Words::id("Left drag on a slice"),
@@ -288,12 +315,23 @@ QString Actions::cheat_sheet() {
         html += "<tr><td><b>" + left.toHtmlEscaped() + "</b></td><td>" + right.toHtmlEscaped() +
                 "</td></tr>";
     };
-    for (const auto& [gesture, effect] : gestures) row(Words::tr(gesture), Words::tr(effect));
+    const auto heading = [&](const QString& text) {
+        html += "<tr><td colspan='2'><h3>" + text.toHtmlEscaped() + "</h3></td></tr>";
+    };
+    const auto group = [&](const QString& title, Rows rows) {
+        heading(title);
+        for (const auto& [left, right] : rows) row(Words::tr(left), Words::tr(right));
+    };
+    group(Words::tr("Mouse"), gestures);
+    group(Words::tr("Keys in the view of the vessels"), keys_in_the_view);
+    group(Words::tr("Keys in a slice"), keys_in_slices);
+    const char* menu = "";
     for (const ActionSpec& spec : table) {
-        if (*spec.keys) {
-            row(QKeySequence::fromString(spec.keys).toString(QKeySequence::NativeText),
-                plain(spec.text) + ": " + Words::tr(spec.tip));
-        }
+        if (!*spec.keys) continue;
+        if (std::string_view(menu) != spec.menu)
+            heading(Words::tr("Menu %1").arg(plain(menu = spec.menu)));
+        row(QKeySequence::fromString(spec.keys).toString(QKeySequence::NativeText),
+            plain(spec.text) + ": " + Words::tr(spec.tip));
     }
     return html + "</table>";
 }

@@ -2,6 +2,7 @@
 #include "ui/case_editing.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -46,6 +47,13 @@ QString name_of(const TreeEdit& edit) {
 
 QString text_of(const TreeEdit& edit) {
     return Words::tr("%1 at %2").arg(name_of(edit), translated(place_text(edit.at_mm)));
+}
+
+QString text_of(const BrushStroke& stroke) {
+    return Words::tr("%1 at %2")
+        .arg(stroke.erases ? Words::tr("Vessels erased (waits for Rebuild)")
+                           : Words::tr("Vessels painted (waits for Rebuild)"),
+             translated(place_text(stroke.path_mm.front())));
 }
 
 QString text_of(const Bridge& bridge) {
@@ -109,7 +117,16 @@ void CaseEditing::accept_all() {
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
     QStringList edits;
-    for (const TreeEdit& edit : workspace_.edits()) edits << text_of(edit);
+    auto stroke = workspace_.strokes().begin();
+    const auto add_strokes = [&](std::size_t before_edit) {
+        for (; stroke != workspace_.strokes().end() && stroke->after_edits <= before_edit; ++stroke)
+            edits << text_of(stroke->stroke);
+    };
+    for (std::size_t i = 0; i < workspace_.edits().size(); ++i) {
+        add_strokes(i);
+        edits << text_of(workspace_.edits()[i]);
+    }
+    add_strokes(std::numeric_limits<std::size_t>::max());
     panel_.show_edits(edits, workspace_.can_undo(), workspace_.can_redo());
     QStringList state;
     if (workspace_.awaits_body())

@@ -2,6 +2,7 @@
 #include "ui/help_dialogs.h"
 
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -33,6 +34,9 @@ void show_cheat_sheet(QWidget& parent) {
     text->setHtml(Actions::cheat_sheet());
     auto* column = new QVBoxLayout(sheet);
     column->addWidget(text);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, sheet);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, sheet, &QDialog::reject);
+    column->addWidget(buttons);
     sheet->show();
 }
 

@@ -66,7 +66,7 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     column->addWidget(hold_);
     hint_ = add_label(*column, "lessonHint");
     auto* first_row = new QHBoxLayout;
-    hint_button_ = add_button(*first_row, Words::tr("&Hint"), "lessonHintButton", [this] {
+    hint_button_ = add_button(*first_row, Words::tr("H&int"), "lessonHintButton", [this] {
         hinted_step_ = shown_step_;
         hint_->setVisible(true);
         hint_button_->setEnabled(false);
@@ -91,8 +91,8 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
     column->addWidget(attempts_);
     auto* last_row = new QHBoxLayout;
-    add_button(*last_row, Words::tr("&Begin again"), "lessonAgain", ways.again);
-    add_button(*last_row, Words::tr("&Leave"), "lessonLeave", ways.leave);
+    add_button(*last_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
+    add_button(*last_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
     column->addLayout(last_row);
     column->addLayout(make_name());
     connect(name_, &QLineEdit::editingFinished, this, [this, run = ways.name] {

@@ -103,7 +103,7 @@ void show_dock(QDockWidget& dock, bool visible) {
 MainWindow::MainWindow(Settings& settings, Patients patients,
                        std::optional<PatientKeeper::Questions> questions)
     : settings_(settings) {
-    setWindowTitle("Hepatica");
+    show_title({});
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});
     actions_ = std::make_unique<Actions>(*this, *menuBar());
@@ -169,7 +169,10 @@ void MainWindow::build_view() {
          [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
              tear(mode, stroke);
          },
-         [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); }},
+         [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); },
+         [this](const SurfacePick& pick) {
+             if (patient_) lead_crosshair_to(frame().origin_of(pick.nearest_vertex));
+         }},
         centre);
     give_focus_back_to(*view_);
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
@@ -268,6 +271,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
         statusBar()->showMessage(QString::fromStdString(text), 6000);
     };
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
+    screen.remake_painted = [this] { view_layout_->remake_painted(); };
     screen.not_opened = [this] {
         lessons_->patient_not_shown();
         before_lesson_.reset();

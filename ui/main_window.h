@@ -132,6 +132,7 @@ class MainWindow : public QMainWindow {
 
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
+    void show_corrections_with_slices();
     void build_editing();
 
     // main_window_lessons.cpp: lessons, and recordings that are looked back on.
@@ -170,6 +171,7 @@ class MainWindow : public QMainWindow {
     void show_patient(LoadedPatient patient, bool corrected);
     void show_warnings();
     void show_workspace();
+    void show_title(const QString& patient);
     // Frames come when the simulation has one to show: nothing asks for them.
     void follow_simulation();
     void show_newest_frame();
@@ -184,6 +186,8 @@ class MainWindow : public QMainWindow {
     void show_message_of(const FrameStatistics& statistics);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
+    // The slices' crosshair, to a vertex of the body at rest; -1: nowhere.
+    void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);
     void tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke);
     void picture_shown(const PictureTime& time);

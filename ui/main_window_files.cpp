@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QProcess>
@@ -24,6 +25,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/open_case_dialog.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
 #include "ui/plot_panel.h"
@@ -31,6 +33,7 @@
 #include "ui/questions.h"
 #include "ui/review_dock.h"
 #include "ui/save_case_dialog.h"
+#include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/video_export.h"
@@ -96,9 +99,10 @@ void MainWindow::fail(const QString& doing, const Failure& failure) {
 }
 
 void MainWindow::ask_for_case() {
-    const QString folder = QFileDialog::getExistingDirectory(
-        this, Words::tr("Open case (a folder NAME.hep)"), settings_.last_folder());
-    if (!folder.isEmpty()) open(folder);
+    OpenCaseDialog dialog(
+        settings_.last_folder(),
+        [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); }, this);
+    if (dialog.exec() == QDialog::Accepted) open(to_text(dialog.chosen()));
 }
 
 void MainWindow::ask_for_reconstruction() {
@@ -108,8 +112,8 @@ void MainWindow::ask_for_reconstruction() {
 }
 
 void MainWindow::ask_where_to_save_picture() {
-    const QString file = QFileDialog::getSaveFileName(
-        this, Words::tr("Save picture"), settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
+    const QString file = ask_where_to_save_file(
+        *this, Words::tr("Save picture"), settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
     if (!file.isEmpty()) attempt(Words::tr("Save picture"), [&] { save_picture(file); });
 }
 
@@ -126,23 +130,22 @@ void MainWindow::ask_where_to_archive() {
     }
     if (!fs::is_directory(ct, ignored)) ct = ct.parent_path();
     const QString name = QString::fromStdString(workspace().title());  // such as NAME.hep
-    QString file = QFileDialog::getSaveFileName(
-        this,
+    const QString file = ask_where_to_save_file(
+        *this,
         Words::tr("Save the vessels as a DICOM segmentation, which names the patient as the CT "
                   "does"),
         settings_.last_folder() + "/" + QFileInfo(name).completeBaseName() + ".dcm",
         Words::tr("DICOM segmentations (*.dcm)"));
     if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += ".dcm";
     keeper_->archive(ct, to_path(file),
                      [this, digest, ct] { settings_.remember_image(digest, to_text(ct)); });
 }
 
 void MainWindow::save_plots(bool picture) {
-    const QString file = QFileDialog::getSaveFileName(
-        this, Words::tr("Save curves"),
-        settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
-        picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
+    const QString file =
+        ask_where_to_save_file(*this, Words::tr("Save curves"),
+                               settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
+                               picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     attempt(Words::tr("Save curves"), [&] {
         PlotPanel& plots = curves_->plots();
@@ -151,9 +154,9 @@ void MainWindow::save_plots(bool picture) {
 }
 
 void MainWindow::save_table(const QString& name, const std::string& csv) {
-    const QString file = QFileDialog::getSaveFileName(this, Words::tr("Save the table"),
-                                                      settings_.last_folder() + "/" + name + ".csv",
-                                                      Words::tr("Tables (*.csv)"));
+    const QString file = ask_where_to_save_file(*this, Words::tr("Save the table"),
+                                                settings_.last_folder() + "/" + name + ".csv",
+                                                Words::tr("Tables (*.csv)"));
     if (!file.isEmpty())
         attempt(Words::tr("Save the table"), [&] { write_text_atomically(to_path(file), csv); });
 }
@@ -250,12 +253,10 @@ void MainWindow::ask_and_save_film(double end_s, const std::function<void(double
             ? QFileDialog::getExistingDirectory(
                   this, Words::tr("Folder for the pictures of the film (ffmpeg is not installed)"),
                   start)
-            : QFileDialog::getSaveFileName(this, Words::tr("Save a film"), start + "/play.mp4",
-                                           Words::tr("Films (*.mp4)"));
+            : ask_where_to_save_file(*this, Words::tr("Save a film"), start + "/play.mp4",
+                                     Words::tr("Films (*.mp4)"));
     if (place.isEmpty()) return;
-    const bool named = ffmpeg_program().isEmpty() || place.endsWith(".mp4", Qt::CaseInsensitive);
-    attempt(Words::tr("Save a film"),
-            [&] { save_film(to_path(named ? place : place + ".mp4"), end_s, go_to); });
+    attempt(Words::tr("Save a film"), [&] { save_film(to_path(place), end_s, go_to); });
 }
 
 void MainWindow::save_film(const std::filesystem::path& place, double end_s,

@@ -20,6 +20,7 @@
 #include "ui/questions.h"
 #include "ui/quality_panel.h"
 #include "ui/review_dock.h"
+#include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
@@ -97,6 +98,11 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
 void MainWindow::offer_patient_from_before() {
     const std::optional<OpenRequest> before = std::exchange(before_lesson_, std::nullopt);
     if (!before) return;
+    // It was a lesson on the patient who was there anyway.
+    if (const auto now = patient_from_where();
+        now && now->built_in == before->built_in &&
+        (now->built_in || same_place(now->reconstruct.ct, before->reconstruct.ct)))
+        return;
     const QString name = before->built_in ? Words::tr("the built-in patient")
                                           : to_text(before->reconstruct.ct.filename());
     messages_->show_notice(
@@ -160,12 +166,9 @@ void MainWindow::build_lesson_editor() {
     };
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
         const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
-        QFileDialog dialog(lesson_editor_, Words::tr("Save lesson"), suggested,
-                           Words::tr("Lessons (*.json)"));
-        dialog.setAcceptMode(QFileDialog::AcceptSave);
-        dialog.setDefaultSuffix("json");  // before it asks about a file that is there
-        if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-        return to_path(dialog.selectedFiles().front());
+        const QString file = ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
+                                                    suggested, Words::tr("Lessons (*.json)"));
+        return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.unsaved = [this](bool kept) {
         return ask_unsaved_lesson(*lesson_editor_, lesson_editor_->document().lesson().name, kept);

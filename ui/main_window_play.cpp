@@ -127,15 +127,24 @@ void MainWindow::show_warnings() {
                            [this] { log_->show(); });
 }
 
+// Whoever is shown, none at first; in safe mode that stands there, too.
+void MainWindow::show_title(const QString& patient) {
+    QString title = "Hepatica";
+    if (settings_.safe()) title += " " + Words::tr("(safe mode: nothing is remembered)");
+    setWindowTitle(patient.isEmpty() ? title : patient + "[*] - " + title);
+}
+
 void MainWindow::show_workspace() {
     const Workspace& workspace = keeper_->workspace();
     if (!workspace.has_patient()) return;
-    setWindowTitle(translated(workspace.title()) + "[*] - Hepatica");
-    setWindowModified(workspace.dirty());
-    view_->scene().set_caption(translated(workspace.title()).toStdString());
+    show_title(translated(workspace.title()));
+    setWindowModified(workspace.unsaved());
+    if (view_->scene().set_caption(translated(workspace.title()).toStdString()))
+        view_->draw_again();
     recovery_->follow(workspace);
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
+    view_layout_->show_strokes(workspace.strokes());
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());
 }
@@ -227,14 +236,18 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     if (pick.nearest_vertex == hovered_vertex_) return;
     hovered_vertex_ = pick.nearest_vertex;
     const int vertex = frame().origin_of(pick.nearest_vertex);
-    if (vertex >= 0 && QGuiApplication::keyboardModifiers() & Qt::ShiftModifier)
-        view_layout_->slices().set_crosshair(
-            patient_->patient->mesh.vertices_mm[static_cast<std::size_t>(vertex)]);
+    if (QGuiApplication::keyboardModifiers() & Qt::ShiftModifier) lead_crosshair_to(vertex);
     const TreePoint point = patient_->anatomy.tree_point(vertex);
     if (QGuiApplication::keyboardModifiers() & Qt::ShiftModifier) branches_->select(point.segment);
     inject_->show_hover(translated(patient_->anatomy.describe(point, patient_->flow_shares)));
     view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
     view_->draw_again();
+}
+
+void MainWindow::lead_crosshair_to(int vertex) {
+    const std::vector<Vec3>& at_rest = patient_->patient->mesh.vertices_mm;
+    if (vertex >= 0 && static_cast<std::size_t>(vertex) < at_rest.size())
+        view_layout_->slices().set_crosshair(at_rest[static_cast<std::size_t>(vertex)]);
 }
 
 void MainWindow::inject(const SurfacePick& pick) {

@@ -63,7 +63,11 @@ void MainWindow::build_slices(QWidget* parent) {
         return true;
     };
     callbacks.take_strokes_back = [this](std::size_t strokes) {
-        for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_stroke();
+        for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_tumour_stroke();
+    };
+    callbacks.paint_vessels = [this](const BrushStroke& stroke) { keeper_->add_stroke(stroke); };
+    callbacks.take_vessel_strokes_back = [this](std::size_t strokes) {
+        keeper_->take_strokes_back(strokes);
     };
     callbacks.tumours = [this](const TriangleMesh& surface) {
         view_->scene().set_tumours(surface);
@@ -71,6 +75,11 @@ void MainWindow::build_slices(QWidget* parent) {
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
+    show_corrections_with_slices();
+}
+
+// As soon as a click in a slice corrects.
+void MainWindow::show_corrections_with_slices() {
     SliceScene& slices = view_layout_->slices();
     slices.on_change([this, &slices, did = false]() mutable {
         if (!std::exchange(did, slices.corrects()) && did) {

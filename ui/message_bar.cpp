@@ -4,9 +4,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QStyle>
-#include <QTextDocumentFragment>
 #include <QToolButton>
+#include <initializer_list>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -15,11 +16,16 @@
 namespace hepatica {
 
 MessageBar::MessageBar(QWidget* pictures)
-    : OverlayBar(Qt::TopEdge, pictures), label_(new QLabel(this)), offer_(new QPushButton(this)) {
+    : OverlayBar(Qt::TopEdge, pictures),
+      label_(new QLabel(this)),
+      more_(new QToolButton(this)),
+      offer_(new QPushButton(this)) {
     setObjectName("messageBar");
-    label_->setWordWrap(true);
     label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    more_->setObjectName("moreOfMessage");
+    connect(more_, &QToolButton::clicked, this, [this] { set_open(!open_); });
     offer_->setObjectName("offer");
     connect(offer_, &QPushButton::clicked, this, [this] {
         dismiss();
@@ -31,24 +37,23 @@ MessageBar::MessageBar(QWidget* pictures)
     close->setAccessibleName(Words::tr("Dismiss"));
     connect(close, &QToolButton::clicked, this, [this] { dismiss(); });
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(14, 8, 8, 8);
+    row->setContentsMargins(12, 3, 6, 3);
     row->addWidget(label_, 1);
-    row->addWidget(offer_, 0, Qt::AlignTop);
-    row->addWidget(close, 0, Qt::AlignTop);
+    for (QWidget* button : std::initializer_list<QWidget*>{more_, offer_, close})
+        row->addWidget(button, 0, Qt::AlignVCenter);
 }
 
 void MessageBar::show_failure(const Failure& failure) {
-    const auto escaped = [](const std::string& text) { return translated(text).toHtmlEscaped(); };
     QString problem = translated(failure.problem);
     if (!problem.isEmpty()) problem[0] = problem[0].toUpper();
-    QString html = "<b>" + problem.toHtmlEscaped() + "</b>";
-    if (!failure.place.empty()) html += "<br>" + Words::tr("in %1").arg(escaped(failure.place));
-    if (!failure.remedy.empty()) html += "<br>" + escaped(failure.remedy);
-    show_as("failure", html);
+    QStringList lines{problem};
+    if (!failure.place.empty()) lines << Words::tr("in %1").arg(translated(failure.place));
+    if (!failure.remedy.empty()) lines << translated(failure.remedy);
+    show_as("failure", lines);
 }
 
 void MessageBar::show_notice(const QString& text) {
-    show_as("notice", text.toHtmlEscaped().replace("\n", "<br>"));
+    show_as("notice", text.split("\n"));
 }
 
 void MessageBar::show_notice(const QString& text, const QString& button,
@@ -57,19 +62,68 @@ void MessageBar::show_notice(const QString& text, const QString& button,
     act_ = std::move(act);
     offer_->setText(button);
     offer_->show();
+    write();  // it has less room now
 }
 
 QString MessageBar::text() const {
-    return isHidden() ? QString() : QTextDocumentFragment::fromHtml(label_->text()).toPlainText();
+    return isHidden() ? QString() : lines_.join("\n");
 }
 
-void MessageBar::show_as(const char* kind, const QString& html) {
+void MessageBar::show_as(const char* kind, const QStringList& lines) {
     setProperty("kind", kind);
     style()->unpolish(this);
     style()->polish(this);
-    label_->setText(html);
+    lines_ = lines;
+    strong_ = QString(kind) == "failure";
+    open_ = false;
     offer_->hide();
     show();
+    write();
+}
+
+void MessageBar::set_open(bool open) {
+    open_ = open;
+    write();
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    OverlayBar::resizeEvent(event);
+    write();
+}
+
+// In one line as far as there is room, or all of it.
+void MessageBar::write() {
+    const QString first = lines_.value(0);
+    const auto strongly = [this](const QString& text) {
+        return strong_ ? "<b>" + text.toHtmlEscaped() + "</b>" : text.toHtmlEscaped();
+    };
+    const QString one_line = lines_.join(strong_ ? " – " : "  ");
+    QFont font = label_->font();
+    font.setBold(strong_);
+    const QMargins margins = layout()->contentsMargins();
+    int room = width() - margins.left() - margins.right();
+    for (int i = 1; i < layout()->count(); ++i)
+        if (QWidget* beside = layout()->itemAt(i)->widget(); beside != more_ && !beside->isHidden())
+            room -= beside->sizeHint().width() + layout()->spacing();
+    const QFontMetrics metrics(font);
+    const bool fits =
+        lines_.size() == 1 || !open_ ? metrics.horizontalAdvance(one_line) <= room : false;
+    more_->setText(open_ ? Words::tr("Less") : Words::tr("More"));
+    more_->setVisible(!fits);
+    if (fits) open_ = false;
+    label_->setWordWrap(open_);
+    if (open_) {
+        QStringList rest;
+        for (const QString& line : lines_.mid(1)) rest << line.toHtmlEscaped();
+        label_->setText((QStringList(strongly(first)) + rest).join("<br>"));
+    } else {
+        if (!fits) room -= more_->sizeHint().width() + layout()->spacing();
+        const QString shown = metrics.elidedText(one_line, Qt::ElideRight, room);
+        const qsizetype strong = shown.startsWith(first) ? first.size() : shown.size();
+        label_->setText(strongly(shown.left(strong)) + shown.mid(strong).toHtmlEscaped());
+    }
+    layout()->activate();
+    lie_on_edge();
 }
 
 }  // namespace hepatica

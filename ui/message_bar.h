@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line over the top of the pictures that says what went wrong, where, and what to do; it stays
-// until it is dismissed or replaced, and moves nothing. Where something can be done at once, it has
-// a button for it.
+// until it is dismissed or replaced, and moves nothing. What does not fit in one line opens on
+// demand, so that no vessel is hidden behind words. Where something can be done at once, it has a
+// button for it.
 #pragma once
 
+#include <QStringList>
 #include <functional>
 
 #include "ui/background_job.h"
@@ -11,6 +13,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace hepatica {
 
@@ -23,12 +26,23 @@ class MessageBar : public OverlayBar {
     // With a button of this name that does `act` and dismisses the message.
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
     void dismiss() { hide(); }
-    QString text() const;  // plain, of what is shown; empty while hidden
+    QString text() const;                // plain, all of it, a paragraph a line; empty while hidden
+    bool open() const { return open_; }  // all of it is to be seen
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
-    void show_as(const char* kind, const QString& html);
+    // The first line is written more strongly where it is a failure's.
+    void show_as(const char* kind, const QStringList& lines);
+    void set_open(bool open);
+    void write();
 
+    QStringList lines_;
+    bool strong_ = false;
+    bool open_ = false;
     QLabel* label_;
+    QToolButton* more_;
     QPushButton* offer_;
     std::function<void()> act_;
 };

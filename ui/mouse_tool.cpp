@@ -19,7 +19,7 @@ void MouseTool::set_mode(MouseMode mode) {
 
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
     cancel();
-    clicked_ = false;
+    clicked_ = dragged_ = false;
     callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
     pressed_ = last_ = at;
     if (const auto gesture = scheme_->camera(button, modifiers)) {
@@ -47,6 +47,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = Action::orbit;
     } else {
         action_ = Action::pull;
+        pulled_ = pick;
         held_mm_ = pick.position_mm;
         pace_ = HandPace(HandPace::Clock::now());
         callbacks_.post(GrabPoint{held_mm_});
@@ -55,6 +56,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
 
 bool MouseTool::move(const Pixel& at) {
     const Pixel from = std::exchange(last_, at);
+    dragged_ |= !is_click(at);
     switch (action_) {
         case Action::none:
             if (mode_ == MouseMode::tool) {
@@ -79,7 +81,7 @@ bool MouseTool::move(const Pixel& at) {
             view_.zoom_by(std::pow(1.01, from.y - at.y));
             return true;
         case Action::wait_for_click:
-            if (std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_) {
+            if (is_click(at)) {
                 last_ = from;
                 return false;
             }
@@ -92,11 +94,17 @@ bool MouseTool::move(const Pixel& at) {
     return false;
 }
 
+bool MouseTool::is_click(const Pixel& at) const {
+    return std::hypot(at.x - pressed_.x, at.y - pressed_.y) <= click_radius_px_;
+}
+
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
+    const bool points = pulling() && !dragged_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
     if (clicked_) click_at(at);
+    if (points) callbacks_.pointed(pulled_);
 }
 
 void MouseTool::double_click(const Pixel& at) {

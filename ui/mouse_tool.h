@@ -10,6 +10,7 @@
 // the tool in depth, Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
 // vessel tears more easily there.
+// In pull mode a click on a vessel points at it.
 // In inject, edit, place and measure mode a plain click on a vessel injects, edits, sets a place or
 // a point of what is measured there, and a drag that began on it orbits. In every mode a click on
 // the dashed line of a gap bridges it.
@@ -46,6 +47,8 @@ class MouseTool {
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
         // A click for a vessel, in inject, edit, place or measure mode, met none.
         std::function<void()> missed = [] {};
+        // A plain click met this vessel in a mode in which it does nothing else.
+        std::function<void(const SurfacePick& pick)> pointed = [](const SurfacePick&) {};
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
@@ -75,11 +78,15 @@ class MouseTool {
     void cancel();
 
     bool pulling() const { return action_ == Action::pull; }
+    // A vessel, or the pen of a line.
+    bool holds() const { return pulling() || action_ == Action::draw; }
+    bool waits_for_click() const { return action_ == Action::wait_for_click; }
 
   private:
     enum class Action { none, pull, orbit, pan, zoom, wait_for_click, draw };
 
     void click_at(const Pixel& at);
+    bool is_click(const Pixel& at) const;  // and no drag
     // Whether a plain click is for a vessel.
     bool clicks_vessels() const { return mode_ == MouseMode::inject || chooses(); }
     // Whether it is told to callbacks_.edit.
@@ -100,6 +107,8 @@ class MouseTool {
     bool may_pull_ = true;
     Action action_ = Action::none;
     bool clicked_ = false;  // the last press ended as a click
+    bool dragged_ = false;  // since the last press
+    SurfacePick pulled_;    // what is or was pulled last
     Pixel pressed_;
     Pixel last_;
     HandPace pace_;                // of a pull

@@ -15,10 +15,10 @@ class OverlayBar : public QFrame {
   protected:
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
-
-  private:
+    // After what it shows has become higher or lower.
     void lie_on_edge();
 
+  private:
     Qt::Edge edge_;
 };
 

@@ -24,12 +24,16 @@ PatientKeeper::PatientKeeper(Ways ways, Questions questions, Screen screen,
 
 void PatientKeeper::leave(std::function<void()> go, std::function<void()> stay) {
     discarded_version_.reset();
+    dropped_strokes_.reset();
     leave_if_safe(std::move(go), std::move(stay));
 }
 
 void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()> stay) {
     go_ = nullptr;
     if (!jobs_.holds(JobKind::save)) {
+        bool stays = false;
+        if (!strokes_let_go([&stays] { stays = true; }))
+            return stays ? stay() : wait_to_go(std::move(go), std::move(stay));
         if (!workspace_.dirty() || discarded_version_ == workspace_.version())
             return go_when_archived(std::move(go), std::move(stay));
         const UnsavedAnswer answer = questions_.unsaved(workspace_.title());
@@ -40,19 +44,41 @@ void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()
         }
         if (!save()) return stay();
     }
+    wait_to_go(std::move(go), std::move(stay));
+}
+
+void PatientKeeper::wait_to_go(std::function<void()> go, std::function<void()> stay) {
     go_ = std::move(go);
     stay_ = std::move(stay);
+}
+
+bool PatientKeeper::strokes_let_go(const std::function<void()>& stay) {
+    if (workspace_.strokes().empty() || dropped_strokes_ == workspace_.strokes_version())
+        return true;
+    switch (questions_.strokes(workspace_.title(), workspace_.strokes().size())) {
+        case StrokesAnswer::drop:
+            dropped_strokes_ = workspace_.strokes_version();
+            return true;
+        case StrokesAnswer::rebuild:
+            if (!jobs_.holds(JobKind::remake)) screen_.remake_painted();
+            if (jobs_.holds(JobKind::remake)) return false;  // go_on() when that has ended
+            break;
+        case StrokesAnswer::cancel:
+            break;
+    }
+    stay();
+    return false;
 }
 
 void PatientKeeper::go_when_archived(std::function<void()> go, std::function<void()> stay) {
     if (!jobs_.holds(JobKind::archive)) return go();
-    go_ = std::move(go);
-    stay_ = std::move(stay);
+    wait_to_go(std::move(go), std::move(stay));
 }
 
-// After a save: what was corrected since then is asked about again.
+// After a save or a remaking: what was corrected since then is asked about again.
 void PatientKeeper::go_on() {
-    if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive))
+    if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive) &&
+        !jobs_.holds(JobKind::remake))
         leave_if_safe(std::exchange(go_, nullptr), stay_);
 }
 
@@ -136,18 +162,36 @@ bool PatientKeeper::waits_for_remaking() const {
 
 void PatientKeeper::undo() {
     if (!workspace_.can_undo() || waits_for_remaking()) return;
+    if (workspace_.undo_is_of_stroke()) return take_strokes_back(1);
     if (workspace_.before_remaking() != nullptr) return take_back_remaking();
     workspace_.undo() ? correct() : screen_.changed();
 }
 
-void PatientKeeper::undo_stroke() {
+void PatientKeeper::add_stroke(const BrushStroke& stroke) {
+    if (!workspace_.has_patient()) return;
+    workspace_.add_stroke(stroke);
+    screen_.changed();
+}
+
+// Of those that are being made into vessels none is taken away; they are shown again then.
+void PatientKeeper::take_strokes_back(std::size_t strokes) {
+    if (!waits_for_remaking())
+        for (std::size_t i = 0; i < strokes; ++i) workspace_.undo_stroke();
+    screen_.changed();
+}
+
+void PatientKeeper::undo_tumour_stroke() {
     const Workspace::Edits& edits = workspace_.edits();
-    const bool is_last = workspace_.before_remaking() == nullptr;
+    const bool is_last = workspace_.before_remaking() == nullptr && !workspace_.undo_is_of_stroke();
     if (is_last && !edits.empty() && !changes_tree(edits.back().kind)) undo();
 }
 
 void PatientKeeper::redo() {
     if (!workspace_.can_redo() || waits_for_remaking()) return;
+    if (workspace_.redo_is_of_stroke()) {
+        workspace_.redo_stroke();
+        return screen_.changed();
+    }
     workspace_.redo() ? correct() : screen_.changed();
 }
 
@@ -175,22 +219,24 @@ void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
     job.kind = JobKind::remake;
     job.title = Words::tr("Rebuilding the vessels").toStdString();
     job.begin = [this, ct = std::move(ct),
-                 painted = std::make_shared<const Mask>(std::move(vessels))] {
-        return remaking(ct, painted);
-    };
+                 painted = std::make_shared<const Mask>(std::move(vessels)),
+                 strokes = workspace_.strokes().size()] { return remaking(ct, painted, strokes); };
     job.failed = [this, title = job.title](const Failure& failure) {
+        go_ = nullptr;
         screen_.failed(title, failure);
     };
     job.cancelled = [this] {
+        go_ = nullptr;
         screen_.say(Words::tr("Not rebuilt: what was painted is still there").toStdString());
     };
     jobs_.replace(std::move(job));
 }
 
 BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
-                                            std::shared_ptr<const Mask> vessels) {
-    return [this, ct = std::move(ct), vessels = std::move(vessels), patient = workspace_.patient(),
-            edits = workspace_.made_edits(),
+                                            std::shared_ptr<const Mask> vessels,
+                                            std::size_t strokes) {
+    return [this, ct = std::move(ct), vessels = std::move(vessels), strokes,
+            patient = workspace_.patient(), edits = workspace_.made_edits(),
             folder = workspace_.folder()](Job& job) -> std::function<void()> {
         constexpr int reading_and_preparing = 3;
         job.expect_stages(reading_and_preparing + remade_stages);
@@ -201,8 +247,8 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
         loaded->warnings = std::move(made.warnings);
-        return [this, before, loaded] {
-            workspace_.show_remade(before, loaded->patient);
+        return [this, before, loaded, strokes] {
+            workspace_.show_remade(before, loaded->patient, strokes);
             screen_.show(std::move(*loaded), true);
             screen_.changed();
         };
@@ -292,9 +338,24 @@ bool PatientKeeper::save() {
 
 bool PatientKeeper::ask_and_save() {
     if (!workspace_.has_patient()) return false;
-    const std::optional<std::filesystem::path> folder = questions_.where_to_save();
+    const std::optional<std::filesystem::path> folder = questions_.where_to_save(proposed_folder());
     if (folder) save_as(*folder);
     return folder.has_value();
+}
+
+// Beside a CT called "ct.nii.gz", or a folder "ct" of slices: "ct.hep".
+std::filesystem::path PatientKeeper::proposed_folder() const {
+    if (!workspace_.folder().empty()) return workspace_.folder();
+    const std::filesystem::path& ct = workspace_.image();
+    if (ct.empty()) return {};
+    const std::filesystem::path place = ct.has_filename() ? ct : ct.parent_path();
+    std::error_code ignored;
+    std::filesystem::path name = place.filename();
+    if (!std::filesystem::is_directory(place, ignored)) {
+        if (name.extension() == ".gz") name = name.stem();
+        name = name.stem();
+    }
+    return place.parent_path() / (name.string() + ".hep");
 }
 
 void PatientKeeper::save_as(const std::filesystem::path& folder) {
@@ -332,7 +393,10 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
             written_.insert(folder);
             screen_.remember(folder);
             screen_.changed();
-            screen_.say(Words::tr("Saved %1").arg(to_text(folder)).toStdString());
+            const QString text = workspace_.strokes().empty()
+                                     ? Words::tr("Saved %1")
+                                     : Words::tr("Saved %1, without strokes that wait for Rebuild");
+            screen_.say(text.arg(to_text(folder)).toStdString());
         };
     };
 }

@@ -20,6 +20,7 @@
 namespace hepatica {
 
 enum class UnsavedAnswer { save, discard, cancel };
+enum class StrokesAnswer { rebuild, drop, cancel };
 
 // UI thread; needs Qt's event loop and nothing else of the toolkit.
 class PatientKeeper {
@@ -51,10 +52,14 @@ class PatientKeeper {
     // Answered by a person, at once; a test answers them itself.
     struct Questions {
         std::function<UnsavedAnswer(const std::string& title)> unsaved;
+        // So many strokes at his vessels wait for a remaking: no case can hold them.
+        std::function<StrokesAnswer(const std::string& title, std::size_t strokes)> strokes;
         // The number of one of these series, from 1, which is the best; none: not after all.
         std::function<std::optional<int>(const std::vector<SeriesDescription>&)> which_series;
-        // The folder of the case; none: not after all.
-        std::function<std::optional<std::filesystem::path>()> where_to_save;
+        // The folder of the case; none: not after all. `proposed`: where it lies, or beside the CT
+        // that it was made from; empty: nothing is known of either.
+        std::function<std::optional<std::filesystem::path>(const std::filesystem::path& proposed)>
+            where_to_save;
     };
     struct Screen {
         // To be seen from now on; `corrected`: it is the patient before, with other corrections.
@@ -69,6 +74,8 @@ class PatientKeeper {
         std::function<void()> not_opened = [] {};
         // A file that was opened or saved, and can be opened again.
         std::function<void(const std::filesystem::path&)> remember;
+        // Shall call remake() with the voxels as the strokes that wait have left them; may refuse.
+        std::function<void()> remake_painted = [] {};
     };
 
     PatientKeeper(Ways ways, Questions questions, Screen screen, JobQueue::Watcher watcher);
@@ -79,10 +86,15 @@ class PatientKeeper {
     // Each returns at once. An opening that is under way is given up for a newer one.
     void open(const OpenRequest& request);
     void add(const TreeEdit& edit);
+    // A stroke at the vessels' voxels, which waits for a remaking of them all.
+    void add_stroke(const BrushStroke& stroke);
+    // Of whatever was done last: a correction, a remaking or a stroke.
     void undo();
     void redo();
     // The last correction back, where it is a stroke at a tumour.
-    void undo_stroke();
+    void undo_tumour_stroke();
+    // So many of the last strokes at vessels back, whatever was corrected since.
+    void take_strokes_back(std::size_t strokes);
     // The vessels anew from these voxels of theirs, which lie in the frame of the patient's CT; an
     // undo takes it back. What was asked before and is not begun is given up.
     void remake(std::shared_ptr<const Volume> ct, Mask vessels);
@@ -97,9 +109,9 @@ class PatientKeeper {
     // Cancels the job that runs; a correction is then taken back.
     void cancel();
 
-    // Does `go` once nothing is lost by it: at once, or when all is saved. Not at all where the
-    // person chose to stay (then `stay`), or where saving or correcting failed; only the newest
-    // `go` counts.
+    // Does `go` once nothing is lost by it: at once, or when all is made and saved. Not at all
+    // where the person chose to stay (then `stay`), or where saving or correcting failed; only the
+    // newest `go` counts.
     void leave(
         std::function<void()> go, std::function<void()> stay = [] {});
     // Cancels all jobs and waits for the one that runs; a case that is being written is finished.
@@ -119,7 +131,11 @@ class PatientKeeper {
     Possible possible_edits(const PatientCase& patient, const Workspace::Edits& wanted) const;
     BackgroundJob::Work correction();
     BackgroundJob::Work remaking(std::shared_ptr<const Volume> ct,
-                                 std::shared_ptr<const Mask> vessels);
+                                 std::shared_ptr<const Mask> vessels, std::size_t strokes);
+    // What is to become of strokes that wait; true: nothing that keeps one here.
+    std::filesystem::path proposed_folder() const;
+    bool strokes_let_go(const std::function<void()>& stay);
+    void wait_to_go(std::function<void()> go, std::function<void()> stay);
     void take_back_remaking();
     bool waits_for_remaking() const;
     void add_writing(QueuedJob job);
@@ -133,6 +149,7 @@ class PatientKeeper {
     Workspace workspace_;
     std::function<void()> go_, stay_;                 // wait for saving to end
     std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
+    std::optional<std::uint64_t> dropped_strokes_;    // likewise, strokes_version()
     std::set<std::filesystem::path> written_;         // cases, since the last opening began to read
     JobQueue jobs_;
 };

@@ -19,6 +19,7 @@
 #include "ui/background_job.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/series_dialog.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -165,15 +166,14 @@ void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     for (const SeriesDescription& one : series) {
         QString text = Words::tr("%1: %2, %3 images")
                            .arg(series_->count() + 1)
-                           .arg(QString::fromStdString(one.description))
+                           .arg(name_in_list(one))
                            .arg(one.slices);
         if (one.spacing_mm > 0.0)
             text += Words::tr(", %L1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
         for (const std::string& word : {one.kernel, one.phase})
-            if (!word.empty()) text += ", " + translated(word);
+            if (!word.empty()) text += ", " + translated(word).replace("\\", ", ");
         series_->addItem(text);
-        const QString why = translated(one.why_not_chosen);
-        series_->setItemData(series_->count() - 1, why, Qt::ToolTipRole);
+        series_->setItemData(series_->count() - 1, why_not_first(one), Qt::ToolTipRole);
     }
     form_->setRowVisible(series_, series.size() > 1);
 }

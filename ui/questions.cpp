@@ -32,6 +32,24 @@ UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
     }
 }
 
+StrokesAnswer ask_strokes(QWidget& parent, const std::string& title, std::size_t strokes) {
+    QMessageBox box(QMessageBox::Question, "Hepatica",
+                    Words::tr("%n stroke(s) at the vessels of %1 are not made into vessels yet.",
+                              nullptr, static_cast<int>(strokes))
+                        .arg(translated(title)),
+                    QMessageBox::Cancel, &parent);
+    box.setInformativeText(
+        Words::tr("No case can hold strokes: rebuild the vessels with them first, or drop them."));
+    QPushButton* rebuild = box.addButton(Words::tr("&Rebuild first"), QMessageBox::AcceptRole);
+    QPushButton* drop = box.addButton(Words::tr("&Drop them"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(rebuild);
+    box.setEscapeButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == rebuild ? StrokesAnswer::rebuild
+           : box.clickedButton() == drop  ? StrokesAnswer::drop
+                                          : StrokesAnswer::cancel;
+}
+
 bool ask_replace(QWidget& parent, const QString& name) {
     return QMessageBox::question(
                &parent, "Hepatica", Words::tr("There is a case %1 already. Replace it?").arg(name),
@@ -43,15 +61,22 @@ bool ask_replace(QWidget& parent, const QString& name) {
 PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& settings) {
     PatientKeeper::Questions questions;
     questions.unsaved = [&parent](const std::string& title) { return ask_unsaved(parent, title); };
+    questions.strokes = [&parent](const std::string& title, std::size_t strokes) {
+        return ask_strokes(parent, title, strokes);
+    };
     questions.which_series =
         [&parent](const std::vector<SeriesDescription>& series) -> std::optional<int> {
         SeriesDialog dialog(series, &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();
     };
-    questions.where_to_save = [&parent, &settings]() -> std::optional<std::filesystem::path> {
+    questions.where_to_save =
+        [&parent,
+         &settings](const std::filesystem::path& proposed) -> std::optional<std::filesystem::path> {
+        const bool known = !proposed.empty();
         SaveCaseDialog dialog(
-            settings.last_folder(), "patient.hep",
+            known ? to_text(proposed.parent_path()) : settings.last_folder(),
+            known ? to_text(proposed.filename()) : "patient.hep",
             [&parent](const QString& name) { return ask_replace(parent, name); }, &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();

@@ -9,7 +9,7 @@
 namespace hepatica {
 
 RecentMenu::RecentMenu(Settings& settings, Callbacks callbacks, QWidget* parent)
-    : QMenu(Words::tr("Open &recent"), parent),
+    : QMenu(Words::tr("Open recen&t"), parent),
       settings_(settings),
       callbacks_(std::move(callbacks)) {
     connect(this, &QMenu::aboutToShow, this, [this] { fill(); });

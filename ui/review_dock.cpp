@@ -105,7 +105,7 @@ QWidget* ReviewDock::build_heading() {
     title_->setObjectName("reviewTitle");
     title_->setMinimumWidth(1);  // a long name is cut
     row->addWidget(title_, 1);
-    compare_ = new QPushButton(Words::tr("Co&mpare with…"));
+    compare_ = new QPushButton(Words::tr("&Compare with…"));
     compare_->setObjectName("reviewCompare");
     compare_->setToolTip(Words::tr("Show another recording of this patient beside it"));
     connect(compare_, &QPushButton::clicked, this, [this] {
@@ -113,7 +113,7 @@ QWidget* ReviewDock::build_heading() {
         if (const auto other = ways_.ask_for_other()) compare(*other);
     });
     row->addWidget(compare_);
-    auto* film = new QPushButton(Words::tr("Save a &film…"));
+    auto* film = new QPushButton(Words::tr("&Save a film…"));
     film->setObjectName("reviewFilm");
     film->setToolTip(
         Words::tr("As one MP4 file where ffmpeg is installed, else as a folder of pictures"));
@@ -123,7 +123,7 @@ QWidget* ReviewDock::build_heading() {
         ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
     });
     row->addWidget(film);
-    auto* leave_button = new QPushButton(Words::tr("&Leave the review"));
+    auto* leave_button = new QPushButton(Words::tr("Leave &the review"));
     leave_button->setObjectName("reviewLeave");
     connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
     row->addWidget(leave_button);
@@ -272,11 +272,11 @@ void ReviewDock::compare(const fs::path& other) {
     other_tape_.reset();
     other_frame_.reset();
     ways_.beside(nullptr, {});
-    compare_->setText(Words::tr("Co&mpare with…"));
+    compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
     other_tape_ = std::make_shared<ReviewTape>();
-    compare_->setText(Words::tr("No &more beside it"));
+    compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
     callbacks.failed = [this](const Failure& failure) {
@@ -430,7 +430,7 @@ void ReviewDock::forget() {
     other_job_.reset();
     other_frame_.reset();
     if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {});
-    compare_->setText(Words::tr("Co&mpare with…"));
+    compare_->setText(Words::tr("&Compare with…"));
     if (screen_) screen_->gone = nullptr;
     screen_.reset();
     tape_.reset();

@@ -190,6 +190,7 @@ constexpr std::array sentences_image{
     Words::id("its slices lie closer together"),
     Words::id("of its phase of the contrast"),
     Words::id("its slices lie far apart: thin vessels are lost"),
+    Words::id("it is %1 mm high: not all of the liver is in it"),
     Words::id("without contrast no vessel is seen"),
     Words::id("it cannot be read: %1"),
     Words::id("holds no DICOM image"),

@@ -33,9 +33,10 @@ constexpr std::array sentences_tree{
     Words::id("Take the edit out of the file"),
     Words::id("Give the edit all of its values, each of its kind"),
     Words::id("%1, edit %2"),
-    Words::id("Branch %1 (%2) is an end and takes %3 % of the flow: it may be cut off there, or "
-              "blood may "
-              "come in by it. Delete it, or set the root there; else drugs go the wrong way."),
+    Words::id(
+        "Branch %1 is an end and takes %2 % of the flow of its tree (%3, root: branch %4): it "
+        "may be cut off there, or blood may come in by it. Delete it, or set the root there; "
+        "else drugs go the wrong way."),
     Words::id("there is no vascular system %1"),
     Words::id("Name one of these: %1"),
     Words::id("a vessel is drawn by %1 points with %2 radii"),

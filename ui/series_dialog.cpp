@@ -10,10 +10,12 @@
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
+#include "ui/paths.h"
 #include "ui/series_thumbnails.h"
 #include "ui/words.h"
 
@@ -26,11 +28,13 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
                                 : Words::tr("unknown");
     const QString why = series.why_not_chosen.empty()
                             ? Words::tr("the best for the liver's vessels")
-                            : Words::tr("of the best, %1").arg(translated(series.why_not_chosen));
+                            : why_not_first(series);
+    // Several words in one field stand apart by a backslash in DICOM files.
+    const QString kernel = QString::fromStdString(series.kernel).replace("\\", ", ");
     const auto warnings = series.warnings.size();
-    return new QTreeWidgetItem({QString::number(number), QString::fromStdString(series.description),
-                                QString::number(series.slices), spacing,
-                                QString::fromStdString(series.kernel), translated(series.phase),
+    return new QTreeWidgetItem({QString::number(number), name_in_list(series),
+                                QString::number(series.slices), spacing, kernel,
+                                translated(series.phase),
                                 warnings > 0 ? QString::number(warnings) : QString(), why});
 }
 
@@ -70,6 +74,17 @@ class WithoutFocusFrame : public QStyledItemDelegate {
 
 }  // namespace
 
+QString name_in_list(const SeriesDescription& series) {
+    QString name = QString::fromStdString(series.description);
+    if (name.startsWith("series")) name = name.mid(6).trimmed();  // as core begins it
+    return name.isEmpty() ? Words::tr("unnamed") : name;
+}
+
+QString why_not_first(const SeriesDescription& series) {
+    if (series.why_not_chosen.empty()) return {};
+    return Words::tr("the first is better: %1").arg(translated(series.why_not_chosen));
+}
+
 SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget* parent)
     : QDialog(parent), list_(new QTreeWidget(this)), warnings_(new QLabel(this)) {
     setWindowTitle(Words::tr("Choose a series"));
@@ -88,6 +103,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
                             Words::tr("Why")});
     for (const SeriesDescription& one : series)
         list_->addTopLevelItem(row_of(one, list_->topLevelItemCount() + 1));
+    name_folders(series);
     begin_pictures(series);
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
@@ -107,6 +123,19 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
 }
 
 SeriesDialog::~SeriesDialog() = default;
+
+void SeriesDialog::name_folders(const std::vector<SeriesDescription>& series) {
+    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = list_->topLevelItem(row);
+        const std::filesystem::path folder =
+            series[static_cast<std::size_t>(row)].middle_slice.parent_path();
+        const QString name = name_in_list(series[static_cast<std::size_t>(row)]);
+        const auto called_so = std::ranges::count(series, name, name_in_list);
+        if (folder.empty()) continue;
+        item->setToolTip(1, to_text(folder));
+        if (called_so > 1) item->setText(1, name + "\n" + to_text(folder.filename()));
+    }
+}
 
 // In full: a column would be cut off where the window is narrow.
 void SeriesDialog::show_warnings_of(const std::vector<SeriesDescription>& series) {

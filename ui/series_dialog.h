@@ -16,6 +16,11 @@ namespace hepatica {
 
 class SeriesThumbnails;
 
+// Its number and name, as lists show it.
+QString name_in_list(const SeriesDescription& series);
+// Why it is not the first of the list; empty of the first.
+QString why_not_first(const SeriesDescription& series);
+
 class SeriesDialog : public QDialog {
   public:
     // Two series or more, the best first.
@@ -27,6 +32,8 @@ class SeriesDialog : public QDialog {
     bool draws_pictures() const;
 
   private:
+    // Of those that would be called the same.
+    void name_folders(const std::vector<SeriesDescription>& series);
     void begin_pictures(const std::vector<SeriesDescription>& series);
     void show_warnings_of(const std::vector<SeriesDescription>& series);
     void show_picture(int row, const QImage& picture);

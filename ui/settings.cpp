@@ -85,15 +85,19 @@ void Settings::set_window(const QByteArray& geometry, const QByteArray& layout) 
 }
 
 QString Settings::place_of_image(const std::string& sha256) const {
-    return store_ && !sha256.empty()
-               ? store_->value(images_key + QString::fromStdString(sha256)).toString()
-               : QString();
+    if (sha256.empty()) return {};
+    if (store_) return store_->value(images_key + QString::fromStdString(sha256)).toString();
+    const auto found = images_in_safe_mode_.find(sha256);
+    return found == images_in_safe_mode_.end() ? QString() : found->second;
 }
 
 void Settings::remember_image(const std::string& sha256, const QString& path) {
-    if (store_ && !sha256.empty())
-        store_->setValue(images_key + QString::fromStdString(sha256),
-                         QDir::cleanPath(QFileInfo(path).absoluteFilePath()));
+    if (sha256.empty()) return;
+    const QString place = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    if (store_)
+        store_->setValue(images_key + QString::fromStdString(sha256), place);
+    else
+        images_in_safe_mode_[sha256] = place;
 }
 
 QString Settings::recordings_folder() const {
@@ -192,11 +196,12 @@ void Settings::set_library_folder(const QString& folder) {
 }
 
 QString Settings::last_folder() const {
-    return store_ ? store_->value(folder_key, QDir::homePath()).toString() : QDir::homePath();
+    if (store_) return store_->value(folder_key, QDir::homePath()).toString();
+    return folder_in_safe_mode_.isEmpty() ? QDir::homePath() : folder_in_safe_mode_;
 }
 
 void Settings::set_last_folder(const QString& folder) {
-    if (store_) store_->setValue(folder_key, folder);
+    store_ ? store_->setValue(folder_key, folder) : void(folder_in_safe_mode_ = folder);
 }
 
 }  // namespace hepatica

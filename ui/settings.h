@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window remembers from one start to the next. In safe mode it remembers nothing: neither
-// reads nor writes, so that no setting can keep the program from starting.
+// What the window remembers from one start to the next. In safe mode it neither reads nor writes,
+// so that no setting can keep the program from starting: what is remembered then ends with the
+// program.
 #pragma once
 
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -23,6 +25,8 @@ class Settings {
     // In a file of its own, for tests.
     explicit Settings(const QString& file);
     ~Settings();
+
+    bool safe() const { return store_ == nullptr; }
 
     // Newest first, ten at most. Absolute paths, whatever was given.
     QStringList recent_files() const;
@@ -86,6 +90,8 @@ class Settings {
 
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
+    QString folder_in_safe_mode_;
+    std::map<std::string, QString> images_in_safe_mode_;  // by their digests
 };
 
 }  // namespace hepatica

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QFocusFrame>
+#include <QPainter>
 #include <QPalette>
+#include <QPointer>
 #include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -30,10 +35,6 @@ QPushButton { padding: 5px 12px; border-radius: 4px; background: {button}; borde
 QPushButton:hover { background: {button_hover}; }
 QPushButton:disabled { color: {disabled}; background: {window}; }
 QPushButton:default { background: {accent}; border-color: {accent_border}; color: {accent_text}; }
-QPushButton:focus { border-color: {link}; }
-QCheckBox::indicator, QAbstractItemView::indicator { width: 14px; height: 14px; border: 1px solid {quiet}; border-radius: 3px;
-    background: {base}; }
-QCheckBox::indicator:checked, QAbstractItemView::indicator:checked { background: {accent_border}; border-color: {link}; }
 QProgressBar { border: none; border-radius: 3px; background: {button}; height: 8px; }
 QProgressBar::chunk { background: {accent_border}; border-radius: 3px; }
 QFrame#messageBar { background: {failure}; }
@@ -168,18 +169,94 @@ QPalette palette_of(const Theme& theme) {
     return palette;
 }
 
-// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer, and
-// disabled words are not written twice.
+// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer,
+// disabled words are not written twice, check boxes hold a tick that no theme hides, and around
+// whatever has the keyboard there is a frame (FocusRing).
 class Style : public QProxyStyle {
   public:
-    Style() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+    explicit Style(const Theme& theme)
+        : QProxyStyle(QStyleFactory::create("Fusion")), theme_(theme) {}
 
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* data) const override {
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
         if (hint == SH_EtchDisabledText) return 0;
+        if (hint == SH_FocusFrame_AboveWidget) return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override {
+        if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return ring_px / 2;
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        if (element != CE_FocusFrame)
+            return QProxyStyle::drawControl(element, option, painter, widget);
+        painter->setPen(QPen(theme_.link, ring_px, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
+    }
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        // One frame is enough; within a list it is the row's.
+        if (element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView*>(widget)) return;
+        if (element != PE_IndicatorCheckBox)
+            return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        draw_check_box(*option, *painter);
+    }
+
+  private:
+    static constexpr int ring_px = 2;
+
+    void draw_check_box(const QStyleOption& option, QPainter& painter) const {
+        const bool on = option.state & State_On, partly = option.state & State_NoChange;
+        const bool enabled = option.state & State_Enabled;
+        const int side = std::min({option.rect.width(), option.rect.height(), 16});
+        QRectF box(0, 0, side - 1, side - 1);
+        box.moveCenter(QRectF(option.rect).center());
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(enabled ? theme_.quiet : theme_.disabled, 1.0));
+        painter.setBrush(on && enabled ? theme_.accent : theme_.base);
+        painter.drawRoundedRect(box, 3, 3);
+        painter.setPen(QPen(!enabled ? theme_.disabled
+                            : on     ? theme_.accent_text
+                                     : theme_.text,
+                            2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        const auto at = [&box](double x, double y) {
+            return QPointF(box.x() + x * box.width(), box.y() + y * box.height());
+        };
+        if (on) painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.42, 0.74), at(0.80, 0.28)});
+        if (partly) painter.drawLine(at(0.25, 0.5), at(0.75, 0.5));
+        painter.restore();
+    }
+
+    const Theme& theme_;
+};
+
+// Follows the keyboard through all windows; the views of slices and vessels paint their own.
+class FocusRing : public QObject {
+  public:
+    explicit FocusRing(QApplication& application) : QObject(&application) {
+        setObjectName(name);
+        connect(&application, &QApplication::focusChanged, this,
+                [this](QWidget*, QWidget* now) { follow(now); });
+        follow(QApplication::focusWidget());
+    }
+    ~FocusRing() override { delete frame_; }
+    static constexpr const char* name = "focusRing";
+
+  private:
+    void follow(QWidget* now) {
+        delete frame_;  // its window may be another one
+        if (now == nullptr || now->isWindow() || now->property(paints_own_focus).isValid()) return;
+        if (now->window()->windowType() == Qt::Popup) return;  // as a list that is chosen from
+        frame_ = new QFocusFrame(now);
+        frame_->setWidget(now);
+    }
+
+    QPointer<QFocusFrame> frame_;
 };
 
 }  // namespace
@@ -195,9 +272,11 @@ const Theme& theme_named(const QString& name) {
 }
 
 void apply_theme(QApplication& application, const Theme& theme) {
-    application.setStyle(new Style);
+    application.setStyle(new Style(theme_named(theme.name)));
     application.setPalette(palette_of(theme));
     application.setStyleSheet(style_sheet(theme));
+    delete application.findChild<QObject*>(FocusRing::name);
+    new FocusRing(application);  // the application owns it
 }
 
 }  // namespace hepatica

@@ -32,6 +32,10 @@ std::span<const Theme> themes();
 // The first where none is called so.
 const Theme& theme_named(const QString& name);
 
+// Name of a property of widgets that show by themselves that they have the keyboard; around all
+// others there is a frame then.
+inline constexpr const char* paints_own_focus = "paintsOwnFocus";
+
 // Of all windows, from now on.
 void apply_theme(QApplication& application, const Theme& theme = themes().front());
 

@@ -4,24 +4,58 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ui/core_words.h"
 #include "ui/pixel_mapping.h"
+#include "ui/theme.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
 
-MouseModifiers modifiers_of(const QSinglePointEvent& event) {
+MouseModifiers modifiers_of(const QInputEvent& event) {
     return {event.modifiers().testFlag(Qt::ShiftModifier),
             event.modifiers().testFlag(Qt::ControlModifier),
             event.modifiers().testFlag(Qt::AltModifier)};
+}
+
+std::optional<ViewKey> view_key_of(const QKeyEvent& event) {
+    switch (event.key()) {
+        case Qt::Key_Left:
+            return ViewKey::left;
+        case Qt::Key_Right:
+            return ViewKey::right;
+        case Qt::Key_Up:
+            return ViewKey::up;
+        case Qt::Key_Down:
+            return ViewKey::down;
+        case Qt::Key_Plus:
+            return ViewKey::nearer;
+        case Qt::Key_Minus:
+            return ViewKey::farther;
+        case Qt::Key_Home:
+            return ViewKey::whole;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            return ViewKey::enter;
+        case Qt::Key_Escape:
+            return ViewKey::escape;
+        case Qt::Key_PageUp:
+            return ViewKey::in;
+        case Qt::Key_PageDown:
+            return ViewKey::out;
+        default:
+            return std::nullopt;
+    }
 }
 
 MouseButton button_of(const QMouseEvent& event) {
@@ -39,7 +73,18 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     window_->SetFrameBlitModeToNoBlit();
     scene_ = std::make_unique<SceneView>(*window_);
     scene_->set_words([](const std::string& english) { return translated(english).toStdString(); });
+    const std::function<void()> missed = callbacks.missed;
     mouse_ = std::make_unique<MouseTool>(*scene_, std::move(callbacks));
+    keys_ = std::make_unique<KeyTool>(
+        *scene_, *mouse_,
+        [this] {
+            const QSize size = pixel_size(this->size(), devicePixelRatioF());
+            return Pixel{static_cast<double>(size.width()), static_cast<double>(size.height())};
+        },
+        missed);
+    focus_ = new ViewFocus(*this);
+    setProperty(paints_own_focus, true);
+    setAccessibleName(Words::tr("The vessels in three dimensions"));
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(200);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
@@ -91,12 +136,15 @@ void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
     // At once, so that a click before the next picture is mapped with the new size.
     const QSize size = pixel_size(this->size(), devicePixelRatioF());
     window_->SetSize(size.width(), size.height());
+    focus_->setGeometry(rect());
+    if (focus_->aim()) show_aim();
 }
 
 void VtkWidget::paintGL() {
     since_painting_.start();
     const QSize size = pixel_size(this->size(), devicePixelRatioF());
     mouse_->set_click_radius(4.0 * devicePixelRatioF());
+    keys_->set_step(6.0 * devicePixelRatioF());
     window_->SetIsCurrent(true);
     window_->GetState()->Reset();
     window_->GetState()->Push();
@@ -168,12 +216,26 @@ Pixel VtkWidget::pixel_of(const QPointF& point) const {
     return pixel_at(point, devicePixelRatioF());
 }
 
+void VtkWidget::take_from_keys() {
+    keys_->let_go();
+    focus_->show_aim(std::nullopt, false);
+}
+
+void VtkWidget::show_aim() {
+    const Pixel aim = keys_->aim();
+    focus_->show_aim(point_at(aim, devicePixelRatioF()), keys_->leads());
+}
+
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
+    take_from_keys();
     mouse_->press(pixel_of(event->position()), button_of(*event), modifiers_of(*event));
     draw_again();
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
+    // A touch of the mouse does not tear a vessel out of the keys' hold; a tool follows it again.
+    if (keys_->leads() && mouse_->mode() != MouseMode::tool) return;
+    if (keys_->leads()) take_from_keys();
     if (mouse_->move(pixel_of(event->position()))) draw_again();
 }
 
@@ -198,8 +260,42 @@ void VtkWidget::leaveEvent(QEvent* event) {
     if (hover_) hover_(SurfacePick{});
 }
 
+// Escape lets go of what is held, before the window's own Escape puts a tool away.
+bool VtkWidget::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && keys_->leads() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+        event->accept();
+    return QOpenGLWidget::event(event);
+}
+
+void VtkWidget::keyPressEvent(QKeyEvent* event) {
+    const std::optional<ViewKey> key = view_key_of(*event);
+    const MouseModifiers modifiers = modifiers_of(*event);
+    const bool enter = key == ViewKey::enter;
+    // Ctrl + Enter is the only one of them that takes Ctrl.
+    if (!key || modifiers.alt || (modifiers.control && !enter) ||
+        (enter && event->isAutoRepeat()) || !keys_->press(*key, modifiers))
+        return QOpenGLWidget::keyPressEvent(event);
+    const bool turned = !keys_->leads() && !enter && !modifiers.shift;
+    if (turned && mouse_->mode() != MouseMode::tool) mouse_->move(keys_->aim());  // what is there
+    show_aim();
+    draw_again();
+}
+
+void VtkWidget::focusInEvent(QFocusEvent* event) {
+    QOpenGLWidget::focusInEvent(event);
+    focus_->setGeometry(rect());
+    focus_->show();
+    focus_->raise();
+    const bool by_key =
+        event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    if (by_key) show_aim();
+}
+
 void VtkWidget::focusOutEvent(QFocusEvent* event) {
     QOpenGLWidget::focusOutEvent(event);
+    take_from_keys();
+    focus_->hide();
     mouse_->cancel();
 }
 

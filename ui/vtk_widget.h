@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bridge between Qt 6 and VTK: a QOpenGLWidget whose context a VTK render window draws into.
-// Mouse and wheel go to a MouseTool, already in the picture's pixels.
+// Mouse and wheel go to a MouseTool, keys to a KeyTool, already in the picture's pixels.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -13,7 +13,9 @@
 #include <memory>
 
 #include "render/scene_view.h"
+#include "ui/key_tool.h"
 #include "ui/mouse_tool.h"
+#include "ui/view_focus.h"
 
 namespace hepatica {
 
@@ -31,6 +33,8 @@ class VtkWidget : public QOpenGLWidget {
 
     SceneView& scene() { return *scene_; }
     MouseTool& mouse() { return *mouse_; }
+    KeyTool& keys() { return *keys_; }
+    const ViewFocus& focus_mark() const { return *focus_; }
 
     // Called for each picture when it has been swapped onto the screen.
     void on_picture(std::function<void(const PictureTime&)> callback) {
@@ -66,10 +70,16 @@ class VtkWidget : public QOpenGLWidget {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
     Pixel pixel_of(const QPointF& point) const;
+    // The mouse is used: whatever keys hold is let go.
+    void take_from_keys();
+    void show_aim();
     bool software() const;
     void picture_swapped();
     void release_graphics();
@@ -77,6 +87,8 @@ class VtkWidget : public QOpenGLWidget {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     std::unique_ptr<SceneView> scene_;
     std::unique_ptr<MouseTool> mouse_;
+    std::unique_ptr<KeyTool> keys_;
+    ViewFocus* focus_ = nullptr;
     std::function<void(const PictureTime&)> on_picture_;
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;

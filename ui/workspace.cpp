@@ -18,6 +18,8 @@ void Workspace::open(const OpenedPatient& opened) {
     never_saved_ = opened.worth_saving;
     undone_.clear();
     remade_.clear();
+    strokes_ = {};
+    ++strokes_version_;
     want(saved_edits_);
 }
 
@@ -30,7 +32,24 @@ void Workspace::add(const TreeEdit& edit) {
     Edits edits = edits_;
     edits.push_back(edit);
     undone_.clear();
+    strokes_.forget_undone();
     want(std::move(edits));
+}
+
+void Workspace::add_stroke(const BrushStroke& stroke) {
+    undone_.clear();
+    strokes_.add(stroke, edits_.size());
+    ++strokes_version_;
+}
+
+void Workspace::undo_stroke() {
+    strokes_.undo();
+    ++strokes_version_;
+}
+
+void Workspace::redo_stroke() {
+    strokes_.redo();
+    ++strokes_version_;
 }
 
 bool Workspace::undo() {
@@ -43,7 +62,7 @@ bool Workspace::undo() {
 }
 
 bool Workspace::redo() {
-    if (!can_redo()) return false;
+    if (undone_.empty()) return false;
     Edits edits = edits_;
     edits.push_back(undone_.back());
     undone_.pop_back();
@@ -78,7 +97,7 @@ void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
 }
 
 void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
-                            std::shared_ptr<const PatientCase> patient) {
+                            std::shared_ptr<const PatientCase> patient, std::size_t strokes) {
     const Edits& begun_with = before->corrections.edits;
     Edits wanted = patient->corrections.edits;
     if (edits_.size() > begun_with.size() &&
@@ -86,7 +105,9 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
         wanted.insert(wanted.end(), edits_.begin() + static_cast<std::ptrdiff_t>(begun_with.size()),
                       edits_.end());
     if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
-    remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_});
+    remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_,
+                       strokes_.take_first(strokes, wanted.size())});
+    ++strokes_version_;
     patient_ = std::move(patient);
     never_saved_ = true;
     undone_.clear();
@@ -102,6 +123,8 @@ void Workspace::take_back_remaking() {
     if (before_remaking() == nullptr) return;
     patient_ = remade_.back().before;
     never_saved_ = remade_.back().was_never_saved;
+    strokes_.put_back(remade_.back().strokes);
+    ++strokes_version_;
     remade_.pop_back();
     undone_.clear();
     want(patient_->corrections.edits);

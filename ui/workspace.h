@@ -12,6 +12,7 @@
 
 #include "core/opening/open_patient.h"
 #include "core/patient/patient_case.h"
+#include "ui/pending_strokes.h"
 
 namespace hepatica {
 
@@ -41,8 +42,8 @@ class Workspace {
     bool awaits_body() const;
     // Those that the body has, and the strokes at tumours that are wanted: what can be written.
     Edits made_edits() const;
-    bool can_undo() const { return !edits_.empty() || !remade_.empty(); }
-    bool can_redo() const { return !undone_.empty(); }
+    bool can_undo() const { return !edits_.empty() || !remade_.empty() || !strokes_.empty(); }
+    bool can_redo() const { return !undone_.empty() || strokes_.can_redo(); }
     void add(const TreeEdit& edit);
     // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
     // changes the tree.
@@ -52,19 +53,34 @@ class Workspace {
     void show_body(std::shared_ptr<const PatientCase> patient);
     // The patient was made anew from other voxels of his vessels: `before`, with all his voxels,
     // became `patient`, whose corrections are those that could be made again. Corrections that were
-    // added since it began stay wanted.
+    // added since it began stay wanted. The first `strokes` of those that waited are in the vessels
+    // now.
     void show_remade(std::shared_ptr<const PatientCase> before,
-                     std::shared_ptr<const PatientCase> patient);
+                     std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
     // The next undo would take that back, to the patient from before; null: it would not.
     std::shared_ptr<const PatientCase> before_remaking() const;
     void take_back_remaking();
     // There will be no other body: back to the corrections that are shown.
     void give_up_edits();
 
+    // --- strokes at the vessels' voxels, which wait for a remaking
+    // -------------------------------------
+    const std::vector<PendingStroke>& strokes() const { return strokes_.made(); }
+    void add_stroke(const BrushStroke& stroke);
+    // The next undo or redo is of a stroke, and what that does.
+    bool undo_is_of_stroke() const { return strokes_.undo_is_mine(edits_.size()); }
+    bool redo_is_of_stroke() const { return strokes_.redo_is_mine(edits_.size()); }
+    void undo_stroke();  // the last one, whatever was corrected since
+    void redo_stroke();
+    // Changes with every stroke that is led, taken back or made into vessels.
+    std::uint64_t strokes_version() const { return strokes_version_; }
+
     // --- disk
     // -------------------------------------------------------------------------------------
-    // Something would be lost without saving: corrections, or a reconstruction.
+    // Something would be lost without saving: corrections, or a reconstruction. Strokes that wait
+    // are lost even so: they are in no case.
     bool dirty() const { return never_saved_ || edits_ != saved_edits_; }
+    bool unsaved() const { return dirty() || !strokes_.empty(); }
     // The case was written there with these corrections.
     void saved(const std::filesystem::path& folder, const Edits& edits);
     // Changes with every patient and with every change of what is wanted.
@@ -75,6 +91,7 @@ class Workspace {
         std::shared_ptr<const PatientCase> before;
         std::size_t edits = 0;  // of the remade patient
         bool was_never_saved = false;
+        std::vector<PendingStroke> strokes;  // that it was made of
     };
     static constexpr std::size_t most_remakings = 5;  // that are kept: each holds a whole patient
 
@@ -90,6 +107,8 @@ class Workspace {
     Edits saved_edits_;
     bool never_saved_ = false;  // although it should be
     std::vector<Remaking> remade_;
+    PendingStrokes strokes_;
+    std::uint64_t strokes_version_ = 0;
     std::uint64_t version_ = 0;
 };
 

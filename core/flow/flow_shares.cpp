@@ -60,10 +60,11 @@ std::vector<std::string> warnings_of_ends(const VesselTree& tree,
         if (!followers[s].empty() || !(shares[s] > too_much) ||
             ends[static_cast<std::size_t>(root[s])] < fewest_ends)
             continue;
-        warnings.push_back("Branch " + std::to_string(s + 1) + " (" +
-                           title_of(tree.segments[s].system) + ") is an end and takes " +
+        warnings.push_back("Branch " + std::to_string(s + 1) + " is an end and takes " +
                            std::to_string(std::lround(100.0 * shares[s])) +
-                           " % of the flow: it may be cut off there, or blood may come in by it. "
+                           " % of the flow of its tree (" + title_of(tree.segments[s].system) +
+                           ", root: branch " + std::to_string(root[s] + 1) +
+                           "): it may be cut off there, or blood may come in by it. "
                            "Delete it, or set the root there; else drugs go the wrong way.");
     }
     return warnings;

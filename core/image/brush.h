@@ -17,6 +17,8 @@ struct BrushStroke {
     std::vector<Vec3> path_mm;  // of the ball's centre, straight from point to point; one: a dab
     double radius_mm = 1.0;     // > 0
     bool erases = false;
+
+    bool operator==(const BrushStroke&) const = default;
 };
 
 // Calls touch(offset) for every voxel whose centre lies within the radius of the path, some of them

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/quoted_name.h"
 #include "core/image/dicom_series.h"
 #include "core/image/header_text.h"
@@ -229,6 +230,11 @@ std::vector<std::string> warnings_of(const Series& series) {
     }
     if (series.spacing_mm > thickest_good_mm)
         warnings.push_back("its slices lie far apart: thin vessels are lost");
+    constexpr double least_height_mm = 100.0;  // of an adult's liver it is 150 or more
+    const double height_mm = series.extent_mm + series.spacing_mm;
+    if (height_mm > 0.0 && height_mm < least_height_mm)
+        warnings.push_back("it is " + number_text(std::round(height_mm)) +
+                           " mm high: not all of the liver is in it");
     if (series.phase() == Phase::without_contrast)
         warnings.push_back("without contrast no vessel is seen");
     return warnings;

@@ -22,6 +22,8 @@ struct ThresholdChoice {
     // 1 more and fainter vessels, and more of what is none; above 1 fewer and surer ones.
     double line_share = 1.0;
     int refinement_recursions = 0;  // of the Gaussian smoothing (paper, II.A.2), to most_recursions
+
+    bool operator==(const ThresholdChoice&) const = default;
 };
 
 // Keeps a dozen bytes a voxel of the liver's box at 0.65 mm, some 300 to 400 MB. After construction

@@ -49,8 +49,27 @@ TEST(FlowShares, AWideEndThatTakesMostOfTheFlowIsNamed) {
     const VesselTree tree = broom({{60, 1.0}, {6, 3.8}, {60, 1.0}, {70, 1.2}});
     const auto warnings = warnings_of_ends(tree, flow_shares(tree));
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_THAT(warnings[0], HasSubstr("Branch 3 (portal vein) is an end and takes "));
+    EXPECT_THAT(warnings[0], HasSubstr("Branch 3 is an end and takes "));
+    EXPECT_THAT(warnings[0], HasSubstr(" % of the flow of its tree (portal vein, root: branch 1)"));
     EXPECT_THAT(warnings[0], HasSubstr("Delete it, or set the root there"));
+}
+
+// Shares of two trees cannot be compared: each warning says of which it is.
+TEST(FlowShares, WarningsNameTheTreeThatTheirShareIsOf) {
+    const VesselTree one = broom({{60, 1.0}, {6, 3.8}, {60, 1.0}, {70, 1.2}});
+    VesselTree both = one;
+    const auto first = static_cast<int>(one.segments.size());
+    for (VesselSegment segment : one.segments) {
+        if (segment.parent >= 0) segment.parent += first;
+        segment.system = VascularSystem::hepatic;
+        both.segments.push_back(std::move(segment));
+    }
+    std::vector<double> shares = flow_shares(one);
+    shares.insert(shares.end(), shares.begin(), shares.end());
+    const auto warnings = warnings_of_ends(both, shares);
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_THAT(warnings[0], HasSubstr("(portal vein, root: branch 1)"));
+    EXPECT_THAT(warnings[1], HasSubstr("root: branch " + std::to_string(first + 1) + ")"));
 }
 
 TEST(FlowShares, WhereNoEndTakesMoreThanHalfNothingIsSaid) {

@@ -130,14 +130,24 @@ TEST(SeriesChoice, WarnsOfWhatSpeaksAgainstASeries) {
             if (one.description.find(name) != std::string::npos) return one.warnings;
         return std::vector<std::string>{"not found"};
     };
-    EXPECT_TRUE(warnings("portal").empty());
+    const std::string slab = "it is 32 mm high: not all of the liver is in it";
+    EXPECT_EQ(warnings("portal"), std::vector<std::string>{slab});
     EXPECT_EQ(warnings("thick"),
-              std::vector<std::string>{"its slices lie far apart: thin vessels are lost"});
-    EXPECT_EQ(warnings("native"), std::vector<std::string>{"without contrast no vessel is seen"});
+              (std::vector<std::string>{"its slices lie far apart: thin vessels are lost",
+                                        "it is 80 mm high: not all of the liver is in it"}));
+    EXPECT_EQ(warnings("native"),
+              (std::vector<std::string>{slab, "without contrast no vessel is seen"}));
     EXPECT_EQ(warnings("magnets"), std::vector<std::string>{"it is no CT"});
-    ASSERT_EQ(warnings("holed").size(), 1u);
+    ASSERT_EQ(warnings("holed").size(), 2u);
     EXPECT_TRUE(warnings("holed")[0].starts_with("it cannot be read: 1 slice is missing between"))
         << warnings("holed")[0];
+}
+
+TEST(SeriesChoice, HasNothingToSayOfOneThatHoldsTheLiver) {
+    Examination exam;
+    exam.add("portal", 60, 60, 2.0);
+    Job job;
+    EXPECT_TRUE(list_series(exam.path(), job).at(0).warnings.empty());
 }
 
 // Anonymisers blank the UIDs; examinations of two dates were stacked into one.

@@ -166,8 +166,24 @@ TEST_F(Choosing, lists_what_tells_the_series_apart) {
               "1 | 3 \"portal\" | 240 | 1.25 mm | B30f | portal venous phase |  | the best for the "
               "liver's vessels");
     EXPECT_EQ(row(1),
-              "2 | 2 \"lung\" | 480 | unknown | B70f |  | 2 | of the best, its kernel is for soft "
-              "tissue");
+              "2 | 2 \"lung\" | 480 | unknown | B70f |  | 2 | the first is better: its kernel is "
+              "for soft tissue");
+}
+
+// Two that nobody has called anything are told apart by where they lie.
+TEST_F(Choosing, names_series_without_a_word_of_the_reader) {
+    SeriesDialog dialog(
+        {{"series", "CT", 240, 1.25, "Br38f\\3", "", "", "/scan/one/5.dcm"},
+         {"series", "CT", 20, 1.25, "", "", "it has more slices", "/scan/two/5.dcm"},
+         {"series 5 \"arterial\"", "CT", 20, 1.25, "", "", "it is a CT"}});
+    const auto cell = [&](int row, int column) {
+        return dialog.findChild<QTreeWidget*>("series")->topLevelItem(row)->text(column);
+    };
+    EXPECT_EQ(cell(0, 1), "unnamed\none");
+    EXPECT_EQ(cell(1, 1), "unnamed\ntwo");
+    EXPECT_EQ(cell(2, 1), "5 \"arterial\"");
+    EXPECT_EQ(cell(0, 4), "Br38f, 3");
+    EXPECT_EQ(cell(1, 7), "the first is better: it has more slices");
 }
 
 // In full beneath the list, wherever its columns end.

@@ -332,6 +332,23 @@ TEST_F(LessonWindowTest, leaving_offers_the_patient_from_before) {
     EXPECT_FALSE(window_.messages().text().contains("other.hep"));
 }
 
+// Who was shown anyway needs no way back.
+TEST_F(LessonWindowTest, leaving_says_nothing_where_the_lessons_patient_was_there_before) {
+    const QString own = folder_.filePath("own.hep");
+    window_.open(own);
+    wait();
+    Lesson lesson = new_lesson();
+    lesson.patient = own.toStdString();
+    const std::string file = folder_.filePath("lesson.json").toStdString();
+    write_lesson(file, lesson);
+    for (int time = 0; time < 2; ++time) {
+        window_.lessons().start(file);
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    }
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_EQ(window_.messages().text(), "");
+}
+
 TEST_F(LessonWindowTest, a_lesson_that_cannot_be_read_is_said_above_the_view) {
     window_.lessons().start(folder_.filePath("nothing.json").toStdString());
     EXPECT_FALSE(window_.lessons().playing());

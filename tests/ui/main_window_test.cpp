@@ -191,6 +191,18 @@ TEST_F(Window, saves_the_case_beside_its_work) {
     EXPECT_EQ(settings_.recent_files().size(), 1);
 }
 
+// The picture names the case, too: it is drawn anew although nothing moves.
+TEST_F(Window, the_view_names_the_case_as_it_was_saved) {
+    open_built_in();
+    int pictures = 0;
+    window_.view().on_picture([&pictures](const PictureTime&) { ++pictures; });
+    window_.view().draw_again();  // and once more when it rests
+    ASSERT_TRUE(testing::wait_for([&] { return pictures >= 2; }));
+    window_.save_case(folder_.filePath("Another name.hep"));
+    ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+    EXPECT_TRUE(testing::wait_for([&] { return pictures >= 3; }));
+}
+
 TEST_F(Window, keys_choose_the_tool_and_turn_the_view) {
     open_built_in();
     QTest::keyClick(&window_, Qt::Key_2);

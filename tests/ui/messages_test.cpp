@@ -2,6 +2,7 @@
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <filesystem>
 
@@ -49,6 +50,36 @@ TEST_F(Messages, a_failure_begins_with_a_capital) {
     EXPECT_TRUE(bar.text().startsWith("Äther is no drug")) << bar.text().toStdString();
     bar.show_failure({"", "", ""});
     EXPECT_EQ(bar.text(), "");
+}
+
+// Whatever is said, it hides one line of the pictures until somebody wants to read it all.
+TEST_F(Messages, a_long_one_takes_one_line_until_it_is_opened) {
+    open_built_in();
+    MessageBar& bar = window_.messages();
+    bar.show_notice("short");
+    QCoreApplication::processEvents();
+    const int low = bar.height();
+    EXPECT_LE(low, 44);
+    auto* more = bar.findChild<QToolButton*>("moreOfMessage");
+    EXPECT_FALSE(more->isVisible());
+    const QString text = QString("a long sentence about vessels ").repeated(12).trimmed();
+    bar.show_notice(text + "\n" + text, "Do it", [] {});
+    QCoreApplication::processEvents();
+    EXPECT_LE(bar.height(), 44);
+    EXPECT_TRUE(more->isVisible());
+    EXPECT_EQ(bar.text(), text + "\n" + text);
+    QTest::mouseClick(more, Qt::LeftButton);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(bar.open());
+    EXPECT_GT(bar.height(), 2 * low);
+    QTest::mouseClick(more, Qt::LeftButton);
+    QCoreApplication::processEvents();
+    EXPECT_LE(bar.height(), 44);
+    bar.show_failure({"this is <no> image", "/some/where", "Give a CT"});
+    QCoreApplication::processEvents();
+    EXPECT_LE(bar.height(), 44);
+    EXPECT_EQ(bar.text(), "This is <no> image\nin /some/where\nGive a CT");
+    EXPECT_TRUE(bar.findChild<QLabel*>()->text().contains("&lt;no&gt;"));
 }
 
 TEST_F(Messages, long_lines_of_the_log_wrap) {

@@ -13,6 +13,7 @@
 #include "tests/ui/fake_simulation.h"
 #include "ui/actions.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/main_window.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
 #include "ui/pixel_mapping.h"
@@ -84,6 +85,21 @@ TEST(Settings, in_safe_mode_read_and_write_nothing) {
     settings.set_window("geometry", "layout");
     EXPECT_TRUE(settings.window_geometry().isEmpty());
     EXPECT_TRUE(settings.recent_files().isEmpty());
+}
+
+// What was read in this run is found again in it, although nothing is kept.
+TEST(SafeMode, knows_until_it_ends_where_a_ct_lies) {
+    Settings settings(Settings::Mode::safe);
+    EXPECT_TRUE(settings.safe());
+    EXPECT_EQ(settings.place_of_image("abc"), "");
+    settings.remember_image("abc", "/some/ct");
+    settings.set_last_folder("/some");
+    EXPECT_EQ(settings.place_of_image("abc"), "/some/ct");
+    EXPECT_EQ(settings.place_of_image("other"), "");
+    EXPECT_EQ(settings.last_folder(), "/some");
+    EXPECT_EQ(Settings(Settings::Mode::safe).place_of_image("abc"), "");
+    MainWindow window(settings, {});
+    EXPECT_TRUE(window.windowTitle().contains("safe mode")) << window.windowTitle().toStdString();
 }
 
 TEST(ActionTable, has_no_key_twice_and_explains_everything) {

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 
 namespace hepatica {
@@ -123,16 +124,53 @@ TEST_F(BrushOnSlices, AsksToRebuildUntilItIsPutAway) {
     EXPECT_FALSE(rebuild().isVisible());
 }
 
-TEST_F(BrushOnSlices, DropsWhatWasPaintedOnOtherVoxels) {
+// As after a correction that gives voxels to another system.
+TEST_F(BrushOnSlices, PaintsTheSameOnOtherVoxels) {
     begin();
     QTest::keyClick(&axial(), Qt::Key_Return);
     scene().set_systems(before_);
     EXPECT_EQ(brush().strokes().size(), 1u) << "they are the same";
-    Mask other = before_;
-    other.voxels[ct_.grid.offset(3, 3, 3)] = 2;
-    scene().set_systems(other);
+    before_.voxels[ct_.grid.offset(3, 3, 3)] = 2;
+    scene().set_systems(before_);
+    EXPECT_EQ(brush().strokes().size(), 1u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+    QTest::keyClick(&axial(), Qt::Key_Delete);
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+}
+
+TEST_F(BrushOnSlices, IsTakenBackByTheUndoOfAllElse) {
+    begin();
+    stroke();
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    EXPECT_TRUE(window_.isWindowModified());
+    for (const QListWidget* list : window_.findChildren<QListWidget*>())
+        if (list->accessibleName() == "Edits") {
+            EXPECT_EQ(list->count(), 2);
+        }
+    QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(brush().strokes().size(), 1u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+    QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(brush().strokes().size(), 2u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+    for (int i = 0; i < 2; ++i) QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(brush().strokes().empty());
-    EXPECT_EQ(scene().systems().voxels, other.voxels);
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+    EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(BrushOnSlices, IsAskedAboutBeforeTheWindowCloses) {
+    begin();
+    stroke();
+    strokes_answer_ = StrokesAnswer::cancel;
+    window_.close();
+    EXPECT_TRUE(window_.isVisible());
+    EXPECT_EQ(strokes_asked_, 1u);
+    EXPECT_EQ(scene().systems().voxels, painted().voxels);
+    strokes_answer_ = StrokesAnswer::drop;
+    window_.close();
+    EXPECT_FALSE(window_.isVisible());
 }
 
 }  // namespace

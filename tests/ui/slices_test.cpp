@@ -397,5 +397,18 @@ TEST_F(Slices, SayWhenThereIsNoPatientYet) {
     EXPECT_TRUE(said);
 }
 
+// What a click was for is not said any more once it only moves the crosshair again.
+TEST_F(Slices, TheBarSaysWhatAClickDoesNow) {
+    show_slices();
+    auto* choice = window_.findChild<QComboBox*>("measure");
+    const auto* place = window_.findChild<QLabel*>("slicePlace");
+    emit choice->activated(3);
+    EXPECT_TRUE(place->text().contains("Click on a vessel"));
+    emit choice->activated(0);
+    EXPECT_FALSE(place->text().contains("Click")) << place->text().toStdString();
+    EXPECT_TRUE(place->text().contains("HU"));
+    EXPECT_EQ(place->toolTip(), "");
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -4,8 +4,10 @@
 #include "ui/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QStyle>
 #include <cmath>
+#include <set>
 
 #include "tests/ui/fake_window_test.h"
 
@@ -92,6 +94,62 @@ TEST_F(ChosenTheme, ColoursWindowAndViewAndStays) {
 
     MainWindow next(settings_, {});
     EXPECT_TRUE(next.actions()[ActionId::theme_light].isChecked());
+}
+
+// Where the keys go is to be seen, whatever takes them.
+TEST_F(ChosenTheme, ShowsEveryStopOfTheTabKey) {
+    QApplication::setCursorFlashTime(0);
+    open_built_in();
+    window_.actions()[ActionId::toggle_branches].trigger();
+    for (const ActionId theme :
+         {ActionId::theme_dark, ActionId::theme_light, ActionId::theme_high_contrast}) {
+        window_.actions()[theme].trigger();
+        window_.view().setFocus(Qt::TabFocusReason);
+        const auto around = [this](const QWidget& stop, int margin) {
+            QCoreApplication::processEvents();
+            const QRect place(stop.mapTo(&window_, QPoint()), stop.size());
+            return window_.grab(place.adjusted(-margin, -margin, margin, margin)).toImage();
+        };
+        std::set<QWidget*> stops;
+        for (QWidget* stop = QApplication::focusWidget(); stops.insert(stop).second;
+             stop = QApplication::focusWidget()) {
+            const QImage with = around(*stop, 2);
+            QTest::keyClick(stop, Qt::Key_Tab);
+            ASSERT_NE(QApplication::focusWidget(), nullptr);
+            if (stop == &window_.view()) continue;  // its picture changes by itself, see below
+            QImage without = around(*stop, 2);
+            int differ = 0;
+            for (int y = 0; y < with.height(); ++y)
+                for (int x = 0; x < with.width(); ++x)
+                    differ += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+            EXPECT_GT(differ, stop->width() + stop->height())
+                << stop->metaObject()->className() << " " << stop->objectName().toStdString() << " "
+                << stop->accessibleName().toStdString();
+        }
+        EXPECT_GT(stops.size(), 15u);
+    }
+    QApplication::setCursorFlashTime(1000);
+}
+
+TEST_F(ChosenTheme, TicksWhatIsChecked) {
+    for (const Theme& theme : themes()) {
+        apply_theme(*qApp, theme);
+        QCheckBox box("word");
+        box.setChecked(true);
+        box.resize(box.sizeHint());
+        const QImage ticked = box.grab().toImage();
+        // Of the tick and of what it stands on.
+        int tick = 0, ground = 0;
+        for (int y = 0; y < ticked.height(); ++y)
+            for (int x = 0; x < 18; ++x) {
+                tick += ticked.pixelColor(x, y) == theme.accent_text ? 1 : 0;
+                ground += ticked.pixelColor(x, y) == theme.accent ? 1 : 0;
+            }
+        EXPECT_GT(tick, 3) << theme.name;
+        EXPECT_GT(ground, 40) << theme.name;
+        EXPECT_GE(contrast(theme.accent_text, theme.accent), 4.5) << theme.name;
+        EXPECT_GE(contrast(theme.link, theme.window), 3.0) << theme.name << ": the frame of focus";
+    }
 }
 
 }  // namespace

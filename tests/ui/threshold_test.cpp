@@ -96,9 +96,64 @@ TEST_F(Threshold, RebuildsWhatTheSlicesShow) {
     // Once they are there, the slider stands for them.
     scene_.set_systems(remade_);
     EXPECT_TRUE(scene_.preview().voxels.empty());
-    EXPECT_EQ(dialog_.choice().line_share, 1.0);
     ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_EQ(dialog_.choice().line_share, 0.8);
+    EXPECT_TRUE(state().contains("by 80 % of the usual")) << state().toStdString();
     EXPECT_FALSE(rebuild().isEnabled());
+}
+
+// A threshold means the same after a rebuild, also where the dialog was closed meanwhile.
+TEST_F(Threshold, LeadsBackByTheUsualOneAfterARebuild) {
+    open();
+    choose(80);
+    rebuild().click();
+    scene_.set_systems(remade_);
+    dialog_.hide();
+    dialog_.show();
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_EQ(dialog_.choice().line_share, 0.8);
+    EXPECT_TRUE(scene_.preview().voxels.empty());
+    choose(100);
+    EXPECT_EQ(scene_.shown_systems().voxels, found().voxels);
+    ASSERT_TRUE(rebuild().isEnabled());
+    rebuild().click();
+    EXPECT_EQ(remade_.voxels, found().voxels);
+    scene_.set_systems(remade_);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+    EXPECT_FALSE(rebuild().isEnabled());
+}
+
+// As after an undo of the rebuild.
+TEST_F(Threshold, KnowsTheVesselsFromBeforeARebuild) {
+    open();
+    choose(80);
+    rebuild().click();
+    scene_.set_systems(remade_);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    scene_.set_systems(found());
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_EQ(dialog_.choice().line_share, 1.0);
+    EXPECT_TRUE(state().contains("by 100 % of the usual")) << state().toStdString();
+    EXPECT_FALSE(rebuild().isEnabled());
+}
+
+// What a hand erased of the vessels that were rebuilt is gone by every threshold.
+TEST_F(Threshold, KeepsWhatAHandChangedAfterARebuild) {
+    open();
+    choose(80);
+    rebuild().click();
+    scene_.set_systems(remade_);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    ASSERT_NE(value_at(scene_.systems(), scene_.crosshair_mm()), 0);
+    scene_.brush().set_mode(BrushMode::erases);
+    scene_.brush().begin(scene_.crosshair_mm());
+    scene_.brush().lift();
+    choose(100);
+    EXPECT_EQ(value_at(scene_.shown_systems(), scene_.crosshair_mm()), 0);
+    EXPECT_LT(count(found(), 0), count(scene_.shown_systems(), 0));
+    choose(80);
+    EXPECT_TRUE(scene_.preview().voxels.empty()) << "that is what there is";
 }
 
 // However often it is moved while one choice is being made.

@@ -83,14 +83,24 @@ class WindowTest : public ::testing::Test {
             ++questions_asked_;
             return unsaved_answer_;
         };
+        answers.strokes = [this](const std::string&, std::size_t strokes) {
+            strokes_asked_ = strokes;
+            return strokes_answer_;
+        };
         answers.which_series = [](const std::vector<SeriesDescription>&) { return 1; };
-        answers.where_to_save = [this] { return save_place_; };
+        answers.where_to_save = [this](const std::filesystem::path& proposed) {
+            proposed_place_ = proposed;
+            return save_place_;
+        };
         return answers;
     }
 
     int questions_asked_ = 0;
     UnsavedAnswer unsaved_answer_ = UnsavedAnswer::discard;
+    std::size_t strokes_asked_ = 0;  // how many waited when it was asked last
+    StrokesAnswer strokes_answer_ = StrokesAnswer::drop;
     std::optional<std::filesystem::path> save_place_;
+    std::filesystem::path proposed_place_;  // when it was asked last
     QTemporaryDir folder_;
     Settings settings_;
     MainWindow window_;

@@ -2,6 +2,7 @@
 #include "ui/slices/mask_brush.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hepatica {
 
@@ -33,15 +34,33 @@ void MaskBrush::lead_to(const Vec3& place_mm) {
     tell();
 }
 
+void MaskBrush::lift() {
+    if (!std::exchange(down_, false)) return;
+    hand_.add(BrushStroke(strokes_.back()));
+    tell();
+}
+
 void MaskBrush::remove_last() {
-    lift();
-    if (!strokes_.empty()) strokes_.pop_back();
+    if (strokes_.empty()) return;
+    strokes_.pop_back();
+    if (!std::exchange(down_, false)) hand_.take_back(1);
     tell();
 }
 
 void MaskBrush::remove_all() {
-    lift();
+    const std::size_t kept = strokes_.size() - (std::exchange(down_, false) ? 1 : 0);
     strokes_.clear();
+    if (kept > 0) hand_.take_back(kept);
+    tell();
+}
+
+void MaskBrush::show(const std::vector<BrushStroke>& strokes) {
+    const std::size_t kept = strokes_.size() - (down_ ? 1 : 0);
+    if (std::equal(strokes.begin(), strokes.end(), strokes_.begin(),
+                   strokes_.begin() + static_cast<std::ptrdiff_t>(kept)))
+        return;
+    down_ = false;
+    strokes_ = strokes;
     tell();
 }
 

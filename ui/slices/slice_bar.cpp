@@ -284,10 +284,10 @@ void SliceBar::follow_tumours() {
 void SliceBar::follow_click() {
     const VesselPen& pen = scene_.pen();
     click_->setCurrentIndex(chosen_click());
-    if (const QString next = guidance(); next.isEmpty())
-        said_.clear();
-    else
+    if (const QString next = guidance(); !next.isEmpty())
         say(next);
+    else if (!std::exchange(said_, {}).isEmpty())
+        show_place(scene_.crosshair_mm());  // what was said holds no longer
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
 }
@@ -305,6 +305,7 @@ void SliceBar::show_place(const Vec3& position_mm) {
     // The place in the first line and what is there in the second, unless a word stands above both.
     place_->setText(works && !said_.isEmpty() ? said_ + "\n" + there
                                               : QString(there).replace("HU   ", "HU\n"));
+    if (said_.isEmpty()) place_->setToolTip({});
 }
 
 void SliceBar::follow_window() {

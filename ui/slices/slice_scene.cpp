@@ -36,6 +36,7 @@ SliceScene::SliceScene() {
 void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const VesselTree& tree) {
     ct_ = std::move(ct);
     systems_ = std::move(systems);
+    ++systems_version_;
     preview_ = {};
     forget_strokes();
     tree_ = tree;
@@ -63,16 +64,23 @@ void SliceScene::set_systems(Mask systems) {
     const Mask& before = brush_.strokes().empty() ? systems_ : unpainted_;
     if (systems.voxels == before.voxels) return;
     systems_ = std::move(systems);
+    ++systems_version_;
     preview_ = {};
-    forget_strokes();
+    paint_anew();
     tell_of_voxels();
 }
 
-// Those of other voxels: they are not taken off these.
+// They are not taken off these voxels, which are others.
 void SliceScene::forget_strokes() {
     unpainted_ = {};
     shown_strokes_ = shown_points_ = 0;
-    brush_.remove_all();
+    brush_.show({});
+}
+
+void SliceScene::paint_anew() {
+    unpainted_ = {};
+    shown_strokes_ = shown_points_ = 0;
+    follow_brush();
 }
 
 // A stroke that is being led changes at its end alone; whatever else happened is made anew.
@@ -93,6 +101,7 @@ void SliceScene::follow_brush() {
     }
     shown_strokes_ = strokes.size();
     shown_points_ = points;
+    ++systems_version_;
     preview_ = {};  // of the voxels before this stroke
     tell_of_voxels();
 }
@@ -166,6 +175,7 @@ Mask SliceScene::vessels() const {
 void SliceScene::clear() {
     ct_.reset();
     systems_ = {};
+    ++systems_version_;
     preview_ = {};
     forget_strokes();
     brush_.set_mode(BrushMode::away);

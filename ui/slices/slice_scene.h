@@ -46,6 +46,8 @@ class SliceScene {
     const std::shared_ptr<const Volume>& shared_ct() const { return ct_; }
     // The vessels' voxels with what is erased by hand, and what is painted as painted_label.
     const Mask& systems() const { return systems_; }
+    // Counts their changes.
+    std::uint64_t systems_version() const { return systems_version_; }
     // What the slices show instead while a choice is tried out, and which becomes the vessels where
     // the person says so; empty: nothing is tried.
     void set_preview(Mask systems);
@@ -53,8 +55,8 @@ class SliceScene {
     const Mask& shown_systems() const { return preview_.voxels.empty() ? systems_ : preview_; }
     // What is shown, with what is painted or found anew as vessels of an unknown system.
     Mask vessels() const;
-    // Others, of the same patient; what was painted on those before is dropped. Nothing changes
-    // where they are those before.
+    // Others, of the same patient: what is painted is painted on them. Nothing changes where they
+    // are those before.
     void set_systems(Mask systems);
     std::vector<CentrelinePoint> const& centrelines() const { return centrelines_; }
     const VesselTree& tree() const { return tree_; }
@@ -111,7 +113,10 @@ class SliceScene {
     void tell_of_voxels();
     // Brings the voxels up to the strokes: the last one's new piece, or all of them anew.
     void follow_brush();
+    // Those of another patient.
     void forget_strokes();
+    // The voxels are others, without any of the strokes.
+    void paint_anew();
     bool brushing_tumours() const { return tumours_.mode() != BrushMode::away; }
     // Why a brush leaves nothing of vessels at this place; empty: it does.
     std::string why_not_painted(const Vec3& position_mm) const;
@@ -138,6 +143,7 @@ class SliceScene {
     bool shows_centrelines_ = true;
     bool corrects_ = false;
     std::uint64_t voxels_version_ = 0;
+    std::uint64_t systems_version_ = 0;
     std::vector<std::function<void()>> watchers_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "render/palette.h"
 #include "ui/slices/slice_picture.h"
+#include "ui/theme.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -44,6 +45,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     setAccessibleName(Words::tr("%1 slice").arg(title_of(direction)));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(paints_own_focus, true);
     setMinimumSize(120, 90);
     setCursor(Qt::CrossCursor);
     scene_.on_change([this] { update(); });
@@ -246,7 +248,7 @@ void SliceView::paint_words(QPainter& painter) const {
 
 void SliceView::paint_focus(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 

@@ -22,7 +22,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr int usual_percent = 100;
 constexpr int progress_steps = 1000;
 
 double millilitres(const Mask& vessels) {
@@ -90,10 +89,13 @@ void ThresholdDialog::build() {
     column->addLayout(buttons);
     connect(share_, &QSlider::valueChanged, this, [this] { preview(); });
     connect(refinement_, &QSpinBox::valueChanged, this, [this] { preview(); });
-    connect(usual_, &QPushButton::clicked, this, [this] { back_to_usual(); });
-    connect(remake_, &QPushButton::clicked, this, [this] { ways_.remake(ct_, scene_.vessels()); });
+    connect(usual_, &QPushButton::clicked, this, [this] { stand_at({}); });
+    connect(remake_, &QPushButton::clicked, this, [this] {
+        history_.rebuild(choice(), scene_.vessels());
+        ways_.remake(ct_, scene_.vessels());
+    });
     connect(close, &QPushButton::clicked, this, &QDialog::hide);
-    back_to_usual();
+    stand_at({});
 }
 
 ThresholdChoice ThresholdDialog::choice() const {
@@ -118,7 +120,7 @@ void ThresholdDialog::forget() {
     lines_.reset();
     previewing_ = false;
     scene_.set_preview({});
-    back_to_usual();
+    stand_at(history_.empty() ? ThresholdChoice() : history_.choice());
 }
 
 // The lines are those of one CT; what is previewed is of the vessels as they are now, which other
@@ -131,13 +133,26 @@ void ThresholdDialog::follow_scene() {
         return state_->setText(Words::tr("Waiting for the CT"));
     }
     if (ct_ != scene_.shared_ct()) return measure();
-    if (!previewing_ || !scene_.preview().voxels.empty()) return;
-    previewing_ = false;
-    back_to_usual();
+    const bool dropped = previewing_ && scene_.preview().voxels.empty();
+    if (dropped) previewing_ = false;
+    // A stroke is taken in when it has been led.
+    const bool others = scene_.systems_version() != vessels_seen_ && !scene_.brush().leads();
+    if (!dropped && !others) return;
+    const bool by_hand = follow_vessels();
+    dropped || !by_hand ? stand_at(history_.choice()) : preview();
+}
+
+bool ThresholdDialog::follow_vessels() {
+    if (vessels_seen_ == scene_.systems_version()) return true;
+    vessels_seen_ = scene_.systems_version();
+    return history_.follow(scene_.systems());
 }
 
 void ThresholdDialog::measure() {
     ct_ = scene_.shared_ct();
+    if (history_ct_.lock() != ct_) history_.forget();
+    history_ct_ = ct_;
+    follow_vessels();
     forget();
     if (scene_.systems().voxels.empty()) {
         state_->setText(Words::tr("This case knows no voxels of its vessels"));
@@ -162,15 +177,16 @@ void ThresholdDialog::preview() {
     stale_ = true;
     if (!lines_ || job_) return;
     stale_ = false;
+    follow_vessels();
     start(
         [this, lines = lines_, choice = choice(),
-         present =
-             std::make_shared<const Mask>(scene_.systems())](Job& job) -> std::function<void()> {
+         usual = history_.usual()](Job& job) -> std::function<void()> {
             auto vessels =
-                std::make_shared<Mask>(lines->vessels(*present, choice, painted_label, job));
-            return [this, present, vessels] {
+                std::make_shared<Mask>(lines->vessels(*usual, choice, painted_label, job));
+            return [this, usual, vessels] {
                 // Other hands may have changed them meanwhile.
-                if (present->voxels == scene_.systems().voxels)
+                follow_vessels();
+                if (usual == history_.usual())
                     show_found(std::move(*vessels));
                 else
                     stale_ = true;
@@ -180,19 +196,32 @@ void ThresholdDialog::preview() {
 }
 
 void ThresholdDialog::show_found(Mask vessels) {
-    const bool same = vessels.voxels == scene_.systems().voxels;
-    state_->setText(Words::tr("%L1 mL of vessels, %L2 mL now")
-                        .arg(millilitres(vessels), 0, 'f', 1)
-                        .arg(millilitres(scene_.systems()), 0, 'f', 1));
+    const bool same = !changes_vessels() || vessels.voxels == scene_.systems().voxels;
+    tell_volumes(same ? scene_.systems() : vessels);
     scene_.set_preview(same ? Mask() : std::move(vessels));
     previewing_ = !same;
     remake_->setEnabled(previewing_);
 }
 
-void ThresholdDialog::back_to_usual() {
+void ThresholdDialog::tell_volumes(const Mask& shown) {
+    const double now_ml = millilitres(scene_.systems()), shown_ml = millilitres(shown);
+    const QString now =
+        Words::tr("The case holds %L1 mL of vessels, by %2 % of the usual threshold.")
+            .arg(now_ml, 0, 'f', 1)
+            .arg(std::lround(100.0 * history_.choice().line_share));
+    state_->setText(&shown == &scene_.systems()
+                        ? now
+                        : now + "\n" +
+                              Words::tr("The slices show %L1 mL of vessels (%2%L3 mL).")
+                                  .arg(shown_ml, 0, 'f', 1)
+                                  .arg(shown_ml < now_ml ? QChar(0x2212) : QChar('+'))
+                                  .arg(std::abs(shown_ml - now_ml), 0, 'f', 1));
+}
+
+void ThresholdDialog::stand_at(const ThresholdChoice& choice) {
     const QSignalBlocker no_share(share_), no_refinement(refinement_);
-    share_->setValue(usual_percent);
-    refinement_->setValue(0);
+    share_->setValue(static_cast<int>(std::lround(100.0 * choice.line_share)));
+    refinement_->setValue(choice.refinement_recursions);
     remake_->setEnabled(false);
     preview();
 }

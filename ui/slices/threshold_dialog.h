@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More or fewer vessels by a slider: what another threshold or a smoother surface would make of the
-// CT shows in the slices at once, and becomes the vessels where the person says so.
+// CT shows in the slices at once, and becomes the vessels where the person says so. A threshold is
+// the same afterwards as before: the slider stands at the one that the vessels were made by.
 #pragma once
 
 #include <QDialog>
@@ -10,6 +11,7 @@
 #include "core/reconstruction/vessel_preview.h"
 #include "ui/background_job.h"
 #include "ui/slices/slice_scene.h"
+#include "ui/slices/threshold_history.h"
 
 class QLabel;
 class QProgressBar;
@@ -45,10 +47,14 @@ class ThresholdDialog : public QDialog {
   private:
     void build();
     void follow_scene();
+    // The vessels may be others than those that were seen last; true where another hand made them.
+    bool follow_vessels();
     void measure();
     void preview();
     void show_found(Mask vessels);
-    void back_to_usual();
+    void stand_at(const ThresholdChoice& choice);
+    void tell_volumes(const Mask& shown);
+    bool changes_vessels() const { return !history_.empty() && choice() != history_.choice(); }
     void forget();
     void start(BackgroundJob::Work work, bool with_progress);
 
@@ -63,8 +69,11 @@ class ThresholdDialog : public QDialog {
     QPushButton* remake_ = nullptr;
     std::shared_ptr<const VesselPreview> lines_;
     std::shared_ptr<const Volume> ct_;  // that they are of, or shall be
-    bool stale_ = false;                // something was chosen since the job began
-    bool previewing_ = false;           // the scene has a preview from here
+    std::weak_ptr<const Volume> history_ct_;
+    ThresholdHistory history_;        // of its vessels, also while this is closed
+    std::uint64_t vessels_seen_ = 0;  // SliceScene::systems_version()
+    bool stale_ = false;              // something was chosen since the job began
+    bool previewing_ = false;         // the scene has a preview from here
     std::unique_ptr<BackgroundJob> job_;
 };
 

@@ -23,6 +23,7 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
       keeper_(settings, readings_,
               {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                    scene_.show(std::move(ct), std::move(systems), patient_->tree);
+                   scene_.brush().show(strokes_);
                    callbacks_.ct_read();
                    want_segments();
                    tumours_.want();
@@ -93,6 +94,7 @@ void ViewLayout::connect_scene() {
          },
          [this](std::size_t strokes) { callbacks_.take_strokes_back(strokes); },
          [this] { tumours_.show_again(); }});
+    scene_.brush().on_stroke({callbacks_.paint_vessels, callbacks_.take_vessel_strokes_back});
     scene_.on_change([this] { mark_crosshair(); });
     scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
@@ -169,6 +171,13 @@ void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     want_segments();
 }
 
+// They are shown as soon as there is a CT that they lie in.
+void ViewLayout::show_strokes(const std::vector<PendingStroke>& strokes) {
+    strokes_.clear();
+    for (const PendingStroke& pending : strokes) strokes_.push_back(pending.stroke);
+    if (!scene_.empty()) scene_.brush().show(strokes_);
+}
+
 void ViewLayout::choose_threshold() {
     threshold_->show();
     threshold_->raise();
@@ -185,6 +194,7 @@ void ViewLayout::clear() {
     segments_.show(nullptr, {});
     tumours_.show(nullptr, {});
     patient_.reset();
+    strokes_.clear();
     scene_.clear();
     enlarged_ = nullptr;
     arrange();

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "ui/pending_strokes.h"
 #include "ui/slices/ct_keeper.h"
 #include "ui/slices/segment_keeper.h"
 #include "ui/slices/slice_scene.h"
@@ -42,6 +43,9 @@ class ViewLayout : public QWidget {
         // A stroke at a tumour as a correction; false: not now. And so many of the last ones back.
         std::function<bool(const TreeEdit&)> paint_tumour;
         std::function<void(std::size_t)> take_strokes_back;
+        // Likewise at vessels, which waits until they are made anew.
+        std::function<void(const BrushStroke&)> paint_vessels;
+        std::function<void(std::size_t)> take_vessel_strokes_back;
         // The surface of all tumours, for the three-dimensional view.
         std::function<void(const TriangleMesh&)> tumours;
         // A click on a place of the CT that is for a correction, and what that would be.
@@ -59,6 +63,10 @@ class ViewLayout : public QWidget {
     void show_corrected(std::shared_ptr<const PatientCase> patient);
     // The corrections that are wanted of him, for the tumours among them.
     void show_tumours(const std::vector<TreeEdit>& edits) { tumours_.follow(edits); }
+    // The strokes at his vessels that wait to be made into vessels.
+    void show_strokes(const std::vector<PendingStroke>& strokes);
+    // Asks for that, as the button does. Nothing where the slices are not there.
+    void remake_painted() { scene_.brush().remake(); }
     // Forgets him; nothing is read any more.
     void clear();
 
@@ -97,7 +105,8 @@ class ViewLayout : public QWidget {
     SegmentKeeper segments_;
     TumourKeeper tumours_;
     std::shared_ptr<const PatientCase> patient_;
-    std::filesystem::path folder_;  // his case
+    std::filesystem::path folder_;      // his case
+    std::vector<BrushStroke> strokes_;  // that wait
     QWidget* view_;
     std::array<SliceView*, 3> views_{};
     SliceBar* bar_ = nullptr;

@@ -38,8 +38,14 @@ FakeWard::FakeWard() {
         if (on_question) on_question(title);
         return answer;
     };
-    answers.where_to_save = [this]() -> std::optional<std::filesystem::path> {
+    answers.strokes = [this](const std::string&, std::size_t strokes) {
+        strokes_asked.push_back(strokes);
+        return strokes_answer;
+    };
+    answers.where_to_save =
+        [this](const std::filesystem::path& to) -> std::optional<std::filesystem::path> {
         ++places_asked;
+        proposed = to;
         if (!place) return std::nullopt;
         return path_of(*place);
     };
@@ -62,6 +68,7 @@ FakeWard::FakeWard() {
         if (on_word) on_word();
     };
     screen.remember = [](const std::filesystem::path&) {};
+    screen.remake_painted = [this] { remake_painted(); };
     keeper_ = std::make_unique<PatientKeeper>(
         ways(), std::move(answers), std::move(screen),
         JobQueue::Watcher{[](const std::string&) {}, [](const JobProgress&) {}, [] {}});

@@ -57,12 +57,17 @@ class FakeWard {
 
     // What a person answers, and was asked and shown.
     UnsavedAnswer answer = UnsavedAnswer::cancel;
+    StrokesAnswer strokes_answer = StrokesAnswer::cancel;
+    std::vector<std::size_t> strokes_asked;  // how many waited, each time
+    // Whoever shows the voxels, asked to make vessels of them.
+    std::function<void()> remake_painted = [] {};
     std::optional<std::string> place;
     std::optional<int> series;
     bool left = false;
     std::vector<std::string> archived;  // "CT to FILE with corrections"
     int questions = 0;
     int places_asked = 0;
+    std::filesystem::path proposed;  // for a case, when it was asked last
     int series_asked = 0;
     std::vector<std::string> failures;
     std::vector<std::string> said;

@@ -71,10 +71,10 @@ TEST_F(Keeper, strokes_at_tumours_make_no_body_and_are_saved_and_undone_like_all
     ASSERT_TRUE(ward.finish());
     EXPECT_FALSE(ward.workspace().dirty());
     EXPECT_EQ(ward.edits_on_disk("a.hep").back(), stroke);
-    ward.keeper().undo_stroke();
+    ward.keeper().undo_tumour_stroke();
     EXPECT_TRUE(ward.workspace().dirty());
     EXPECT_EQ(edits(), Numbers{1});
-    ward.keeper().undo_stroke();
+    ward.keeper().undo_tumour_stroke();
     EXPECT_EQ(edits(), Numbers{1}) << "that is no stroke";
     ward.keeper().redo();
     EXPECT_FALSE(ward.keeper().jobs().busy());
@@ -407,10 +407,22 @@ TEST_F(Keeper, a_stroke_is_not_taken_back_through_a_rebuilding) {
     ASSERT_TRUE(ward.finish());
     remake(7);
     ASSERT_TRUE(ward.finish());
-    ward.keeper().undo_stroke();
+    ward.keeper().undo_tumour_stroke();
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(label(), 7);
     EXPECT_EQ(edits().size(), 1u);
+}
+
+TEST_F(Keeper, a_case_is_proposed_where_it_lies_or_beside_its_ct) {
+    ward.keeper().ask_and_save();
+    EXPECT_EQ(ward.proposed, FakeWard::path_of("a.hep"));
+    for (const auto& [ct, proposed] : {std::pair{"ct.nii.gz", "ct.hep"}, {"ct9", "ct9.hep"}}) {
+        ward.open(ct);
+        ASSERT_TRUE(ward.finish());
+        ward.answer = UnsavedAnswer::discard;
+        ward.keeper().ask_and_save();
+        EXPECT_EQ(ward.proposed, FakeWard::path_of(proposed));
+    }
 }
 
 TEST_F(Keeper, paths_are_made_absolute) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which case is opened and under which name something is saved, as a person types and clicks it.
+#include <QAbstractButton>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTimer>
+
+#include "tests/ui/fake_window_test.h"
+#include "ui/message_bar.h"
+#include "ui/open_case_dialog.h"
+#include "ui/paths.h"
+#include "ui/save_file_dialog.h"
+
+namespace hepatica {
+namespace {
+
+class OpenCase : public ::testing::Test {
+  protected:
+    OpenCase() {
+        QDir(folder_.path()).mkpath("a.hep");
+        QDir(folder_.path()).mkpath("plain");
+        QDir(folder_.path()).mkpath("empty.hep");
+        write("a.hep/case.json");
+        write("b.hepz");
+        write("ct.nii");
+        dialog_.show();
+    }
+    void write(const char* name) {
+        QFile file(folder_.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("{}");
+    }
+    void type(const QString& name) {
+        dialog_.findChild<QLineEdit*>("fileNameEdit")->setText(name);
+        dialog_.accept();
+    }
+
+    QTemporaryDir folder_;
+    QString refused_;
+    OpenCaseDialog dialog_{folder_.path(), [this](const QString& why) { refused_ = why; }};
+};
+
+TEST_F(OpenCase, TakesAFolder) {
+    type("a.hep");
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog_.chosen(), to_path(folder_.filePath("a.hep")));
+}
+
+TEST_F(OpenCase, TakesOneFileByItsWholePath) {
+    type(folder_.filePath("b.hepz"));
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog_.chosen(), to_path(folder_.filePath("b.hepz")));
+}
+
+TEST_F(OpenCase, TakesACaseThatIsEnteredByADoubleClick) {
+    emit dialog_.directoryEntered(folder_.filePath("a.hep"));
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog_.chosen().filename(), "a.hep");
+}
+
+TEST_F(OpenCase, NamesTheFolderThatIsClickedOnce) {
+    emit dialog_.currentChanged(folder_.filePath("a.hep"));
+    dialog_.accept();
+    EXPECT_EQ(dialog_.result(), QDialog::Accepted);
+}
+
+TEST_F(OpenCase, SaysWhyWhatIsNoCaseIsNotTaken) {
+    type("ct.nii");
+    EXPECT_TRUE(refused_.contains("ct.nii is no case")) << refused_.toStdString();
+    EXPECT_TRUE(refused_.contains("Open CT file"));
+    type("empty.hep");
+    EXPECT_TRUE(refused_.contains("empty.hep is no case"));
+    type("nothing.hep");
+    EXPECT_EQ(refused_, "There is no nothing.hep.");
+    EXPECT_TRUE(dialog_.isVisible());
+    type("plain");
+    EXPECT_EQ(dialog_.directory().dirName(), "plain") << "a folder is entered";
+}
+
+class NamedFiles : public testing::FakeWindowTest {
+  protected:
+    // What is typed into the next dialog of files.
+    void type_when_asked(const QString& name) {
+        name_ = name;
+        QObject::connect(&answering_, &QTimer::timeout, &answering_, [this] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog || name_.isEmpty()) return;
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name_);
+            name_.clear();
+            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+        });
+        answering_.start(20);
+    }
+    QTimer answering_;
+    QString name_;
+};
+
+TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
+    open_built_in();
+    for (const auto& [typed, got] : {std::pair{"pic", "pic.png"}, std::pair{"b.2024", "b.2024.png"},
+                                     std::pair{"c.PNG", "c.PNG"}}) {
+        type_when_asked(folder_.filePath(typed));
+        window_.actions()[ActionId::save_picture].trigger();
+        EXPECT_TRUE(QFile::exists(folder_.filePath(got))) << got;
+    }
+    EXPECT_FALSE(QFile::exists(folder_.filePath("pic")));
+    type_when_asked(folder_.filePath("branches"));
+    EXPECT_EQ(ask_where_to_save_file(window_, "Save", folder_.filePath("x.csv"), "Tables (*.csv)"),
+              folder_.filePath("branches.csv"));
+}
+
+TEST_F(NamedFiles, AreProposedBesideTheCt) {
+    open_built_in();
+    window_.actions()[ActionId::save_case_as].trigger();
+    EXPECT_TRUE(proposed_place_.empty()) << "the built-in patient has none";
+    window_.save_case(folder_.filePath("p.hep"));
+    ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+    window_.actions()[ActionId::save_case_as].trigger();
+    EXPECT_EQ(proposed_place_, to_path(folder_.filePath("p.hep")));
+}
+
+}  // namespace
+}  // namespace hepatica

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/save_file_dialog.h"
+
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QRegularExpression>
+
+namespace hepatica {
+namespace {
+
+// "csv" of "Tables (*.csv)".
+QString suffix_of(const QString& filter) {
+    static const QRegularExpression pattern(R"(\*\.([^ )]+))");
+    return pattern.match(filter).captured(1);
+}
+
+// Completes the name before the dialog looks whether it is there. "a.b" has a suffix to Qt's
+// mind, which its own default would leave as it is.
+class SaveFileDialog : public QFileDialog {
+  public:
+    using QFileDialog::QFileDialog;
+
+    void accept() override {
+        auto* name = findChild<QLineEdit*>("fileNameEdit");
+        const QString suffix = "." + suffix_of(selectedNameFilter());
+        if (name && !name->text().isEmpty() &&
+            !name->text().endsWith(suffix, Qt::CaseInsensitive) &&
+            !QFileInfo(directory(), name->text()).isDir())
+            name->setText(name->text() + suffix);
+        QFileDialog::accept();
+    }
+};
+
+}  // namespace
+
+QString ask_where_to_save_file(QWidget& parent, const QString& title, const QString& suggested,
+                               const QString& filter) {
+    SaveFileDialog dialog(&parent, title, suggested, filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setDefaultSuffix(suffix_of(filter));  // for a dialog of the desktop
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return dialog.selectedFiles().value(0);
+}
+
+}  // namespace hepatica
