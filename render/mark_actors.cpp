@@ -3,6 +3,7 @@
 
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
+#include <vtkCamera.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -20,7 +21,8 @@ namespace {
 
 constexpr double radius_points = 13.0;
 constexpr double opacity = 0.35;
-constexpr int text_size = 15;
+constexpr int text_size = 19;
+constexpr double before_radii = 4.0;  // of its ball, to the eye
 
 vtkSmartPointer<vtkActor> new_ball() {
     vtkNew<vtkSphereSource> sphere;
@@ -63,14 +65,18 @@ bool MarkActors::update(std::vector<MarkView> marks) {
         const std::string text = mark.number + (mark.reached ? "✓" : "");
         drawn_[i].number->SetInput(text.c_str());
         drawn_[i].number->SetVisibility(!text.empty());
-        drawn_[i].number->SetPosition(mark.place_mm.x(), mark.place_mm.y(), mark.place_mm.z());
     }
     return true;
 }
 
 void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
+    // Numbers stand before what would cover them.
+    const Vec3 to_eye = -Vec3(renderer_.GetActiveCamera()->GetDirectionOfProjection());
     const int away = static_cast<int>(std::lround(0.8 * radius_points * pixel_ratio));
-    for (const Drawn& drawn : drawn_) {
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+        const Drawn& drawn = drawn_[i];
+        const Vec3 at = shown_[i].place_mm + before_radii * radius_points * mm_per_point * to_eye;
+        drawn.number->SetPosition(at.x(), at.y(), at.z());
         drawn.ball->SetScale(radius_points * mm_per_point);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);
