@@ -445,6 +445,13 @@ void MainWindow::connect_views() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
+    // Tab goes into panels that stand behind others, too: they come to the front then.
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        for (QWidget* up = now; up != nullptr && up != this; up = up->parentWidget())
+            if (auto* dock = qobject_cast<QDockWidget*>(up);
+                dock && dock->visibleRegion().isEmpty())
+                dock->raise();
+    });
     actions_->on(ActionId::guide, [this] { show_guide(*this); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
     actions_->on(ActionId::messages, [this] { log_->show(); });

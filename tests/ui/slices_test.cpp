@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 
 namespace hepatica {
 namespace {
@@ -333,6 +334,9 @@ TEST_F(Slices, StayWhereTheyAreWhileMessagesComeAndGo) {
     EXPECT_EQ(progress->geometry().bottomRight(), pictures.rect().bottomRight());
     const int one_line = messages.height();
     messages.show_notice(QString("many words ").repeated(60));
+    EXPECT_EQ(places(), before);
+    EXPECT_EQ(messages.height(), one_line);
+    messages.findChild<QToolButton*>("moreOfMessage")->click();
     EXPECT_EQ(places(), before);
     EXPECT_GT(messages.height(), one_line) << "they wrap";
     window_.resize(window_.width() - 100, window_.height());

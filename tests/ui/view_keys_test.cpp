@@ -12,6 +12,7 @@ class ViewKeys : public testing::FakeWindowTest {
   protected:
     void begin() {
         open_built_in();
+        view().clearFocus();  // it may have come otherwise
         view().setFocus(Qt::TabFocusReason);
         ASSERT_TRUE(testing::wait_for([this] { return view().hasFocus(); }));
     }
