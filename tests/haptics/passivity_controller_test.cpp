@@ -102,6 +102,18 @@ TEST(PassivityController, GivesNoMoreThanItsCredit) {
     EXPECT_EQ(controller.damping_un_s_per_mm(), 0.0);
 }
 
+TEST(PassivityController, LeavesFreeSpaceFreeWhateverTheDebt) {
+    PassivityController controller(HapticTraits{});
+    HapticSample sample;
+    for (int i = 0; i < 20; ++i) {
+        ++sample.number;
+        sample.pose.at_mm.x() += 0.1;
+        sample.work_nj += 1e6;  // it has given, and never got
+        EXPECT_EQ(controller.limited({}, sample).both(), Vec6(Vec6::Zero()));
+    }
+    EXPECT_LT(controller.credit_nj(), -1e6);
+}
+
 TEST(PassivityController, CouplingObeysColgateAndSchenkel) {
     HapticTraits traits;
     traits.damping_un_s_per_mm = 2e3;
