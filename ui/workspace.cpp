@@ -14,6 +14,8 @@ void Workspace::open(const OpenedPatient& opened) {
     folder_ = opened.folder;
     image_ = opened.image;
     kept_copy_ = opened.kept_copy;
+    base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
+    opened_origin_ = ++origin_;
     saved_edits_ = patient_->corrections.edits;
     never_saved_ = opened.worth_saving;
     undone_.clear();
@@ -89,6 +91,8 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
     remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_});
     patient_ = std::move(patient);
     never_saved_ = true;
+    base_.clear();
+    ++origin_;
     undone_.clear();
     want(std::move(wanted));
 }
@@ -101,6 +105,8 @@ std::shared_ptr<const PatientCase> Workspace::before_remaking() const {
 void Workspace::take_back_remaking() {
     if (before_remaking() == nullptr) return;
     patient_ = remade_.back().before;
+    base_.clear();
+    ++origin_;
     never_saved_ = remade_.back().was_never_saved;
     remade_.pop_back();
     undone_.clear();
@@ -114,7 +120,7 @@ void Workspace::give_up_edits() {
 }
 
 void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
-    folder_ = folder;
+    base_ = folder_ = folder;
     title_ = folder.filename().string();
     saved_edits_ = edits;
     never_saved_ = false;

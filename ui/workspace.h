@@ -34,6 +34,13 @@ class Workspace {
     // The copy of unsaved work that it was opened from; else empty.
     const std::filesystem::path& kept_copy() const { return kept_copy_; }
 
+    // A case on disk on which the corrections can be made again; empty: there is none.
+    const std::filesystem::path& base() const { return base_; }
+    // Changes with every patient and every remaking: corrections belong to one origin.
+    std::uint64_t origin() const { return origin_; }
+    // The vessels are others than when he was opened.
+    bool remade() const { return origin_ != opened_origin_; }
+
     // --- corrections: of an open patient only
     // -----------------------------------------------------
     const Edits& edits() const { return edits_; }  // that are wanted
@@ -44,6 +51,8 @@ class Workspace {
     bool can_undo() const { return !edits_.empty() || !remade_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     void add(const TreeEdit& edit);
+    // In place of all others, as a program left them.
+    void take_up(const Edits& edits) { want(edits); }
     // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
     // changes the tree.
     bool undo();
@@ -85,12 +94,14 @@ class Workspace {
     std::filesystem::path folder_;
     std::filesystem::path image_;
     std::filesystem::path kept_copy_;
+    std::filesystem::path base_;
     Edits edits_;
     Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;
     bool never_saved_ = false;  // although it should be
     std::vector<Remaking> remade_;
     std::uint64_t version_ = 0;
+    std::uint64_t origin_ = 0, opened_origin_ = 0;
 };
 
 }  // namespace hepatica
