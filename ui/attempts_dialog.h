@@ -32,19 +32,24 @@ class AttemptsDialog : public QDialog {
     };
     AttemptsDialog(Ways ways, QWidget* parent);
 
-    // Reads them anew and shows them; the newest is chosen.
-    void show_lesson(const std::string& lesson, const std::filesystem::path& folder);
+    // Reads them anew and shows them; the newest is chosen. Recordings that were interrupted stand
+    // behind those that have a result, and count in no curve.
+    void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
+                     std::vector<std::filesystem::path> interrupted = {});
     const std::vector<Attempt>& attempts() const { return attempts_.list; }
     const Chart& chart() const;
 
   private:
     void fill_table();
+    void fill_row(int row, const Attempt& attempt);
+    void fill_interrupted(int row, const std::filesystem::path& recording);
     void choose_quantities();
     void draw_curve();
     void mark(int row, bool reference);
 
     Ways ways_;
     Attempts attempts_;
+    std::vector<std::filesystem::path> interrupted_;
     std::string lesson_;
     std::vector<Quantity> quantities_;  // that differ from 0 in any attempt
     QLabel* title_;

@@ -12,6 +12,7 @@
 #include "core/patient/patient_case.h"
 #include "ui/flow_units.h"
 #include "ui/lesson_play.h"
+#include "ui/recording_guard.h"
 
 class QMenu;
 
@@ -101,7 +102,8 @@ class LessonDock : public QDockWidget {
     std::filesystem::path waits_for_;
     bool built_in_shown_ = false;
     std::shared_ptr<LessonWatch> watch_;
-    bool result_kept_ = false;  // of watch_
+    std::unique_ptr<RecordingGuard> guard_;  // of watch_'s recording, while it grows
+    bool result_kept_ = false;               // of watch_
     AttemptsDialog* attempts_;
     CourseDialog* course_;
 };

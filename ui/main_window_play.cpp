@@ -34,6 +34,7 @@
 namespace hepatica {
 
 void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
+    end_recording();
     SceneView& scene = view_->scene();
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
@@ -84,7 +85,10 @@ void MainWindow::match_anatomy() {
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     if (!patient_) return;
+    end_recording();
     const bool free = simulation == nullptr;
+    // Lessons record themselves, and what is looked back on is recorded.
+    (*actions_)[ActionId::record_play].setEnabled(free);
     if (free) {
         Job job;
         simulation = play(patient_->patient, job).simulation;
@@ -129,12 +133,16 @@ void MainWindow::show_workspace() {
     if (!workspace.has_patient()) return;
     setWindowTitle(translated(workspace.title()) + "[*] - Hepatica");
     setWindowModified(workspace.dirty());
-    view_->scene().set_caption(translated(workspace.title()).toStdString());
+    show_caption(translated(workspace.title()));
     recovery_->follow(workspace);
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());
+}
+
+void MainWindow::show_caption(const QString& text) {
+    view_->scene().set_caption(text.toStdString());
 }
 
 void MainWindow::follow_simulation() {

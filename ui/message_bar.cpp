@@ -15,16 +15,21 @@
 namespace hepatica {
 
 MessageBar::MessageBar(QWidget* pictures)
-    : OverlayBar(Qt::TopEdge, pictures), label_(new QLabel(this)), offer_(new QPushButton(this)) {
+    : OverlayBar(Qt::TopEdge, pictures),
+      label_(new QLabel(this)),
+      first_{new QPushButton(this), {}},
+      second_{new QPushButton(this), {}} {
     setObjectName("messageBar");
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    offer_->setObjectName("offer");
-    connect(offer_, &QPushButton::clicked, this, [this] {
-        dismiss();
-        act_();
-    });
+    first_.button->setObjectName("offer");
+    second_.button->setObjectName("secondOffer");
+    for (Offer* offer : {&first_, &second_})
+        connect(offer->button, &QPushButton::clicked, this, [this, offer] {
+            dismiss();
+            offer->act();
+        });
     auto* close = new QToolButton(this);
     close->setText("✕");
     close->setAutoRaise(true);
@@ -33,7 +38,8 @@ MessageBar::MessageBar(QWidget* pictures)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 8, 8);
     row->addWidget(label_, 1);
-    row->addWidget(offer_, 0, Qt::AlignTop);
+    row->addWidget(first_.button, 0, Qt::AlignTop);
+    row->addWidget(second_.button, 0, Qt::AlignTop);
     row->addWidget(close, 0, Qt::AlignTop);
 }
 
@@ -54,9 +60,17 @@ void MessageBar::show_notice(const QString& text) {
 void MessageBar::show_notice(const QString& text, const QString& button,
                              std::function<void()> act) {
     show_notice(text);
-    act_ = std::move(act);
-    offer_->setText(button);
-    offer_->show();
+    offer(first_, button, std::move(act));
+}
+
+void MessageBar::offer_also(const QString& button, std::function<void()> act) {
+    offer(second_, button, std::move(act));
+}
+
+void MessageBar::offer(Offer& offer, const QString& button, std::function<void()> act) {
+    offer.act = std::move(act);
+    offer.button->setText(button);
+    offer.button->show();
 }
 
 QString MessageBar::text() const {
@@ -68,7 +82,8 @@ void MessageBar::show_as(const char* kind, const QString& html) {
     style()->unpolish(this);
     style()->polish(this);
     label_->setText(html);
-    offer_->hide();
+    first_.button->hide();
+    second_.button->hide();
     show();
 }
 

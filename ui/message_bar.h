@@ -22,6 +22,8 @@ class MessageBar : public OverlayBar {
     void show_notice(const QString& text);
     // With a button of this name that does `act` and dismisses the message.
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
+    // One more button of the notice that is shown.
+    void offer_also(const QString& button, std::function<void()> act);
     void dismiss() { hide(); }
     QString text() const;  // plain, of what is shown; empty while hidden
 
@@ -29,8 +31,13 @@ class MessageBar : public OverlayBar {
     void show_as(const char* kind, const QString& html);
 
     QLabel* label_;
-    QPushButton* offer_;
-    std::function<void()> act_;
+    struct Offer {
+        QPushButton* button;
+        std::function<void()> act;
+    };
+    void offer(Offer& offer, const QString& button, std::function<void()> act);
+
+    Offer first_, second_;
 };
 
 }  // namespace hepatica
