@@ -172,24 +172,25 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     const double widest = room.width - 2.0 * margin * room.point;
     const std::vector<LegendRow> rows = fitting(wanted, widest, room.point);
     // Letters shrink before they are cut.
-    const double needed = width_of(rows, room.point);
-    const double p = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
+    const double r = room.point;
+    const double needed = width_of(rows, r);
+    const double p = r * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
     const double width = std::min(width_of(rows, p), widest);
     double height = 0.0;
     for (const LegendRow& row : rows) height += height_of(row) * p;
     if (!rows.empty()) {
-        const double right = room.width - margin * p, top = room.height - margin * p;
-        const double below_caption = top - line * p;
+        const double right = room.width - margin * r, top = room.height - margin * r;
+        const double below_caption = top - line * r;
         // Not over the caption, where both have no room beside each other.
-        const bool beside_caption = room.caption + width + 3.0 * margin * p <= room.width;
+        const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
         const double right_top = beside_caption ? top : below_caption;
         // In a narrow picture the scale bar stands below it.
-        const double foot = room.width < 640.0 * p ? (margin + 36.0) * p : margin * p;
+        const double foot = room.width < 640.0 * r ? (margin + 36.0) * r : margin * r;
         // Right below, right above, left above: left below stands the cube.
         const std::vector<PictureBox> corners{
             {right - width, foot, right, foot + height},
             {right - width, right_top - height, right, right_top},
-            {margin * p, below_caption - height, margin * p + width, below_caption}};
+            {margin * r, below_caption - height, margin * r + width, below_caption}};
         if (count) {
             const std::vector<int> held = count(corners);
             corner_ = least_covered(held);
