@@ -88,10 +88,10 @@ void HtmlReport::add_pictures(
 void HtmlReport::add_table(const Json& facts) {
     body_ += "<table>\n";
     if (is_table(facts)) {
-        body_ += "<tr>";
+        body_ += "<thead><tr>";  // comes again on paper after a page's end
         for (const auto& [key, value] : facts.front().items())
             body_ += "<th>" + words(key) + "</th>";
-        body_ += "</tr>\n";
+        body_ += "</tr></thead>\n";
         for (const Json& row : facts) {
             body_ += "<tr>";
             for (const auto& [key, value] : row.items()) body_ += cell(value);
@@ -105,9 +105,9 @@ void HtmlReport::add_table(const Json& facts) {
 }
 
 std::string HtmlReport::text() const {
-    return "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" + escaped(title_) +
-           "</title><style>" + style + "</style>\n<h1>" + escaped(title_) + "</h1>\n" + body_ +
-           "</html>\n";
+    return "<!doctype html>\n<html lang=\"" + language_ + "\"><meta charset=\"utf-8\"><title>" +
+           escaped(title_) + "</title><style>" + style + "</style>\n<h1>" + escaped(title_) +
+           "</h1>\n" + body_ + "</html>\n";
 }
 
 void HtmlReport::write(const std::filesystem::path& file) const {

@@ -13,7 +13,9 @@ namespace hepatica {
 
 class HtmlReport {
   public:
-    explicit HtmlReport(std::string title) : title_(std::move(title)) {}
+    // `language`: of its words, as in HTML: "en".
+    explicit HtmlReport(std::string title, std::string language = "en")
+        : title_(std::move(title)), language_(std::move(language)) {}
 
     void add_heading(const std::string& text);
     void add_paragraph(const std::string& text);
@@ -29,7 +31,7 @@ class HtmlReport {
     void write(const std::filesystem::path& file) const;
 
   private:
-    std::string title_;
+    std::string title_, language_;
     std::string body_;
 };
 

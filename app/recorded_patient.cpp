@@ -3,6 +3,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/opening/open_patient.h"
@@ -13,15 +15,25 @@ namespace hepatica {
 namespace fs = std::filesystem;
 
 PatientCase recorded_patient(const Recording& recording, const fs::path& file,
-                             const fs::path& given, const BuiltInCache* built_in, Job& job) {
-    if (!given.empty()) return read_case_without_voxels(given);
-    const CaseSearch search = case_beside(file, recording.patient_hash, job);
-    for (const std::string& words : search.passed_over) spdlog::warn("{}", words);
-    if (search.found) return read_case_without_voxels(*search.found);
+                             const fs::path& given, const BuiltInCache* built_in,
+                             int following_stages, Job& job) {
+    std::optional<fs::path> place;
+    if (!given.empty()) place = given;
+    if (!place) {
+        const CaseSearch search = case_beside(file, recording.patient_hash, job);
+        for (const std::string& words : search.passed_over) spdlog::warn("{}", words);
+        place = search.found;
+    }
+    if (place) {
+        job.expect_stages(1 + following_stages);
+        job.begin_stage("Reading the case");
+        return read_case_without_voxels(*place);
+    }
     if (built_in != nullptr) {
         OpenRequest request;
         request.built_in = true;
         request.cache = *built_in;
+        job.expect_stages(opening_stage_count(request) + following_stages);
         const OpenedPatient opened = open_patient(request, job);
         if (hash_of(*opened.patient) == recording.patient_hash) return *opened.patient;
     }

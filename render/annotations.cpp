@@ -123,17 +123,40 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
               caption_text_};
     if (now == shown_ && !count) return;
     shown_ = std::move(now);
+    write_caption(size);
     legend_.update(visible_ ? legend_rows(legend, words_) : std::vector<LegendRow>{},
-                   {size.width, size.height, size.legend_point}, look_, count);
-    update_caption(size);
+                   {size.width, size.height, size.legend_point, caption_width()}, look_, count);
+    if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
     update_scale_bar(size, camera);
 }
 
-void Annotations::update_caption(const PictureSize& size) {
+// Cut with an ellipsis where the picture is too narrow for it.
+void Annotations::write_caption(const PictureSize& size) {
     const double margin = margin_pt * size.pixel_ratio;
-    place_text(*caption_, visible_ ? caption_text_ : std::string(), margin, size.height - margin,
-               annotation_letters_pt * size.letter_point, look_.faint_text);
-    if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
+    std::string text = visible_ ? caption_text_ : std::string();
+    const auto write = [&](const std::string& shown) {
+        place_text(*caption_, shown, margin, size.height - margin,
+                   annotation_letters_pt * size.letter_point, look_.faint_text);
+    };
+    write(text);
+    while (text.size() > 1 && caption_width() > size.width - 2.0 * margin) {
+        for (bool whole = false; !whole && !text.empty();) {  // a letter in UTF-8
+            whole = (static_cast<unsigned char>(text.back()) & 0xC0) != 0x80;
+            text.pop_back();
+        }
+        write(text + "…");
+    }
+}
+
+bool Annotations::shows_caption() const {
+    return caption_->GetVisibility() != 0;
+}
+
+double Annotations::caption_width() {
+    if (!caption_->GetVisibility()) return 0.0;
+    double extent[2] = {0.0, 0.0};
+    caption_->GetSize(&renderer_, extent);
+    return extent[0];
 }
 
 bool Annotations::has_room(vtkTextActor& text, const PictureSize& size) {

@@ -42,6 +42,7 @@ class Annotations {
     void update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
                 const Legend::Count& count);
     const PictureBox& legend_box() const { return legend_.box(); }
+    bool shows_caption() const;
     bool set_caption(const std::string& text);  // true if it was another
     void set_visible(bool visible) { visible_ = visible; }
     void set_look(const ViewLook& look);
@@ -58,7 +59,8 @@ class Annotations {
         std::string caption;
         bool operator==(const Shown&) const = default;
     };
-    void update_caption(const PictureSize& size);
+    void write_caption(const PictureSize& size);
+    double caption_width();  // in pixels
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
     void draw_scale_bar(double x, double y, double width, double point);
     // Whether a text that has been placed has room there, and lies on nothing else.

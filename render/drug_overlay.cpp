@@ -9,6 +9,8 @@
 
 #include <string>
 
+#include <algorithm>
+
 #include "core/scene/frame.h"
 #include "render/palette.h"
 
@@ -59,11 +61,12 @@ void attach(vtkActor& actor, vtkOpenGLPolyDataMapper& mapper) {
     set_distance(actor, palette::distance);
 }
 
-void set_time(vtkActor& actor, const DrugView& drug) {
+void set_time(vtkActor& actor, const DrugView& drug, double least_end_s) {
     vtkUniforms* uniforms = actor.GetShaderProperty()->GetFragmentCustomUniforms();
     const bool shown = drug.arrival_s != nullptr;
     uniforms->SetUniformf("drugTime", shown ? static_cast<float>(drug.time_s) : -1.0f);
-    uniforms->SetUniformf("drugEnd", shown ? static_cast<float>(drug.end_s) : 0.0f);
+    uniforms->SetUniformf("drugEnd",
+                          shown ? static_cast<float>(std::max(drug.end_s, least_end_s)) : 0.0f);
 }
 
 void set_fade(vtkActor& actor, double near_mm, double far_mm) {

@@ -25,8 +25,9 @@ inline constexpr float never_s = 1e9f;
 // Adds the overlay to the actor's shader. Call once.
 void attach(vtkActor& actor, vtkOpenGLPolyDataMapper& mapper);
 
-// Sets time and range of the map. Call every frame; costs nothing.
-void set_time(vtkActor& actor, const DrugView& drug);
+// Sets time and range of the map, which ends at `least_end_s` or later. Call every frame; costs
+// nothing.
+void set_time(vtkActor& actor, const DrugView& drug, double least_end_s = 0.0);
 
 // Depths (mm before the camera) between which colours fade into the background.
 void set_fade(vtkActor& actor, double near_mm, double far_mm);

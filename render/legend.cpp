@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/text_style.h"
 
@@ -27,6 +28,7 @@ constexpr double bar = 10.0, gap = 5.0;
 constexpr double swatch = 13.0;
 constexpr double text_after_swatch = 21.0;
 constexpr double widest_bar = 236.0;
+constexpr double least_shrunk = 0.6;
 
 double height_of(const LegendRow& row) {
     return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
@@ -145,27 +147,50 @@ void Legend::draw_bar(const LegendRow& row, const PictureBox& bar, double point,
     }
 }
 
-void Legend::update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
+std::vector<LegendRow> Legend::fitting(const std::vector<LegendRow>& rows, double widest,
+                                       double point) {
+    std::vector<LegendRow> fitted;
+    for (LegendRow row : rows) {
+        if (!row.at_right.empty() && width_of({row}, point) > widest) {
+            LegendRow title;
+            title.text = std::exchange(row.text, row.at_right);
+            row.at_right.clear();
+            fitted.push_back(std::move(title));
+        }
+        fitted.push_back(std::move(row));
+    }
+    return fitted;
+}
+
+void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, const ViewLook& look,
                     const Count& count) {
     points_->Reset();
     quads_->Reset();
     colours_->Reset();
     texts_used_ = 0;
     ground_ = look.bottom;
-    const double p = room.point;
-    const double width = std::min(width_of(rows, p), room.width - 2.0 * margin * p);
+    const double widest = room.width - 2.0 * margin * room.point;
+    const std::vector<LegendRow> rows = fitting(wanted, widest, room.point);
+    // Letters shrink before they are cut.
+    const double r = room.point;
+    const double needed = width_of(rows, r);
+    const double p = r * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
+    const double width = std::min(width_of(rows, p), widest);
     double height = 0.0;
     for (const LegendRow& row : rows) height += height_of(row) * p;
     if (!rows.empty()) {
-        const double right = room.width - margin * p, top = room.height - margin * p;
-        const double below_caption = top - line * p;
+        const double right = room.width - margin * r, top = room.height - margin * r;
+        const double below_caption = top - line * r;
+        // Not over the caption, where both have no room beside each other.
+        const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
+        const double right_top = beside_caption ? top : below_caption;
         // In a narrow picture the scale bar stands below it.
-        const double foot = room.width < 640.0 * p ? (margin + 36.0) * p : margin * p;
+        const double foot = room.width < 640.0 * r ? (margin + 36.0) * r : margin * r;
         // Right below, right above, left above: left below stands the cube.
         const std::vector<PictureBox> corners{
             {right - width, foot, right, foot + height},
-            {right - width, top - height, right, top},
-            {margin * p, below_caption - height, margin * p + width, below_caption}};
+            {right - width, right_top - height, right, right_top},
+            {margin * r, below_caption - height, margin * r + width, below_caption}};
         if (count) {
             const std::vector<int> held = count(corners);
             corner_ = least_covered(held);

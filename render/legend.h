@@ -31,6 +31,7 @@ class Legend {
     struct Room {
         int width = 0, height = 0;  // of the picture, in device pixels
         double point = 1.0;         // one of the legend's points in device pixels
+        double caption = 0.0;       // width of what stands left above
     };
     // How many vertices of vessels lie in each of the boxes.
     using Count = std::function<std::vector<int>(const std::vector<PictureBox>&)>;
@@ -47,6 +48,8 @@ class Legend {
                double size);
     // Of a text in pixels, in letters of so many.
     double width_of(const std::string& text, double size);
+    // What stands at the right of a line that has no room for it gets a line of its own.
+    std::vector<LegendRow> fitting(const std::vector<LegendRow>& rows, double widest, double point);
     // What all rows need, in pixels.
     double width_of(const std::vector<LegendRow>& rows, double point);
     // A bar of colours, with the mark across it.

@@ -104,10 +104,11 @@ void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>
         if (segment_shown[segment]) content.segments.push_back(static_cast<int>(segment));
 }
 
-void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings) {
+void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
+                     double least_drug_end_s) {
     content.injected = frame.drug.arrival_s != nullptr && frame.drug.end_s > 0.0;
     content.drug_time_s = content.injected ? frame.drug.time_s : 0.0;
-    content.drug_end_s = content.injected ? frame.drug.end_s : 0.0;
+    content.drug_end_s = content.injected ? std::max(frame.drug.end_s, least_drug_end_s) : 0.0;
     content.touched = frame.tool.has_value() || frame.grab.has_value();
     content.warned = warnings && frame.tear && frame.tear->loads;
     content.torn = frame.tear && frame.tear->joints_broken > 0;

@@ -37,8 +37,10 @@ struct LegendContent {
 // is not shown.
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
                        const std::vector<std::uint8_t>& segments, const DrugView& drug = {});
-// What the frame adds: drug, tool, pull, tear.
-void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings);
+// What the frame adds: drug, tool, pull, tear. The drug's scale ends at `least_drug_end_s` or
+// later.
+void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
+                     double least_drug_end_s = 0.0);
 
 // One entry. With one colour that stands before the text; with several they are a bar below it.
 struct LegendRow {

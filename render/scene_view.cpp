@@ -24,6 +24,7 @@
 #include "render/tool_actor.h"
 #include "render/tree_actor.h"
 #include "render/volume_actor.h"
+#include "render/weak_line_actor.h"
 
 namespace hepatica {
 namespace {
@@ -54,22 +55,6 @@ double distance_to_stretch(const Pixel& point, const Pixel& from, const Pixel& t
 }
 
 }  // namespace
-
-std::string renderer_name(vtkRenderWindow& window) {
-    const std::string report = window.ReportCapabilities();
-    const std::string key = "OpenGL renderer string:";
-    const std::size_t found = report.find(key);
-    if (found == std::string::npos) return {};
-    const std::size_t begin = report.find_first_not_of(' ', found + key.size());
-    return report.substr(begin, report.find('\n', begin) - begin);
-}
-
-bool is_software_renderer(const std::string& renderer_name) {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"}) {
-        if (renderer_name.find(name) != std::string::npos) return true;
-    }
-    return false;
-}
 
 struct SceneView::Parts {
     explicit Parts(vtkRenderWindow& render_window)
@@ -103,6 +88,7 @@ struct SceneView::Parts {
     VolumeActor volume{*renderer};
     GrabActor grab;
     GrabActor stroke;
+    WeakLineActor weak_lines;
     CrosshairActor crosshair;
     ToolActor tool{*renderer};
     BridgeActor bridges{*renderer};
@@ -118,7 +104,8 @@ struct SceneView::Parts {
     LegendContent legend;
     ViewLook look = dark_look;
     double pixel_ratio = 1.0;
-    std::optional<bool> by_card;  // a graphics card draws; none: not asked yet
+    std::optional<bool> by_card;    // a graphics card draws; none: not asked yet
+    double least_drug_end_s = 0.0;  // of the colours' scale
     bool annotated = true;
     bool warned = false;
     bool at_rest = true;        // nothing is saved on pictures
@@ -148,6 +135,7 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.AddActor(parts_->stroke.line());
     renderer.AddActor(parts_->stroke.point());
     renderer.AddActor(parts_->crosshair.actor());
+    renderer.AddActor(parts_->weak_lines.actor());
     window.AddRenderer(&renderer);
     hepatica::look_from(*renderer.GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-50),
                         Vec3::Constant(50), 1.0);
@@ -161,7 +149,8 @@ bool SceneView::show(const Frame& frame) {
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
-    set_frame_shown(parts_->legend, frame, parts_->warned);
+    const bool lines_changed = parts_->weak_lines.update(frame);
+    set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
         parts_->drug = frame.drug;
         parts_->find_colours_shown();
@@ -170,7 +159,7 @@ bool SceneView::show(const Frame& frame) {
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
     }
-    return tree_changed || pull_changed || tool_changed;
+    return tree_changed || pull_changed || tool_changed || lines_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -191,6 +180,7 @@ void SceneView::render(double pixel_ratio) {
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
+        parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()), pixel_ratio);
         parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
@@ -328,6 +318,11 @@ void SceneView::set_annotations_visible(bool visible) {
     parts_->annotated = visible;
 }
 
+void SceneView::set_drug_scale(double least_end_s) {
+    parts_->tree.set_drug_scale(least_end_s);
+    parts_->least_drug_end_s = least_end_s;
+}
+
 void SceneView::set_warnings_visible(bool visible) {
     parts_->warned = visible;
     if (!visible) parts_->legend.warned = false;
@@ -365,6 +360,10 @@ std::vector<int> SceneView::vertices_within(const std::vector<PictureBox>& boxes
                          y <= boxes[b].top;
     }
     return counts;
+}
+
+bool SceneView::shows_caption() const {
+    return parts_->annotations.shows_caption();
 }
 
 PictureBox SceneView::legend_box() const {

@@ -106,6 +106,9 @@ class SceneView {
     void set_halos_visible(bool visible);
     bool set_caption(const std::string& text);  // true if the picture is another now
     void set_annotations_visible(bool visible);
+    // The drug's colours reach to the end of this time at least, from the next frame on: two
+    // pictures beside each other have one scale. 0, as at first: each drug's own.
+    void set_drug_scale(double least_end_s);
     // Whether vessels that are near tearing are coloured, from the next frame on; not at first.
     void set_warnings_visible(bool visible);
     void set_smoothing(Smoothing smoothing);  // `best` at first
@@ -128,6 +131,7 @@ class SceneView {
 
     // Where the legend was drawn last.
     PictureBox legend_box() const;
+    bool shows_caption() const;  // as it was drawn last
 
     // The bridge whose line passes nearest to a pixel, within `reach` pixels; -1 for none.
     int bridge_at(const Pixel& pixel, double reach) const;

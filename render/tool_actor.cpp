@@ -16,6 +16,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -31,6 +33,7 @@ constexpr int bands = 8;  // of each end, from its pole
 constexpr int text_size = 13;
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
+constexpr double edge_pixels = 4.0;  // that stay free beside the label
 
 vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     const Vec3 along = part.to_mm - part.from_mm;
@@ -98,7 +101,7 @@ ToolActor::ToolActor(vtkRenderer& renderer)
     arrow_->SetMapper(mapper);
     arrow_->GetProperty()->SetLighting(false);
     give_colour(*arrow_, palette::touch);
-    label_->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    label_->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
     for (vtkProp* prop : {static_cast<vtkProp*>(arrow_), static_cast<vtkProp*>(label_)}) {
         prop->SetVisibility(false);
         renderer_.AddActor(prop);
@@ -139,9 +142,36 @@ bool ToolActor::update(const std::optional<ToolView>& tool) {
 void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
     style_text(*label_->GetTextProperty(), static_cast<int>(std::lround(text_size * pixel_ratio)),
                palette::touch);
-    if (mm_per_point == mm_per_point_) return;
-    mm_per_point_ = mm_per_point;
-    place_arrow();
+    if (mm_per_point != mm_per_point_) {
+        mm_per_point_ = mm_per_point;
+        place_arrow();
+    }
+    place_label();
+}
+
+// Beside the arrow's head, but never beyond the picture's edge.
+void ToolActor::place_label() {
+    if (!label_->GetVisibility()) return;
+    vtkNew<vtkCoordinate> head;
+    head->SetCoordinateSystemToWorld();
+    head->SetValue(head_mm_.x(), head_mm_.y(), head_mm_.z());
+    const double* at = head->GetComputedDoubleDisplayValue(&renderer_);
+    std::array<double, 2> size{};
+    label_->GetSize(&renderer_, size.data());
+    const int* picture = renderer_.GetSize();
+    std::array<double, 2> place{at[0], at[1]};
+    for (int axis = 0; axis < 2; ++axis)
+        place[axis] = std::clamp(place[axis], edge_pixels,
+                                 std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
+    label_->GetPositionCoordinate()->SetValue(place[0], place[1]);
+}
+
+std::optional<PictureBox> ToolActor::label_box() const {
+    if (!label_->GetVisibility()) return std::nullopt;
+    std::array<double, 2> size{};
+    label_->GetSize(&renderer_, size.data());
+    const double* place = label_->GetPosition();
+    return PictureBox{place[0], place[1], place[0] + size[0], place[1] + size[1]};
 }
 
 // From the tool's other side, away from what presses it.
@@ -156,8 +186,7 @@ void ToolActor::place_arrow() {
         force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
     label_->SetInput((" " + said(words_, text)).c_str());  // beside the arrow's head
     if (force.empty()) {
-        label_->GetPositionCoordinate()->SetValue(shown_->tip_mm.x(), shown_->tip_mm.y(),
-                                                  shown_->tip_mm.z());
+        head_mm_ = shown_->tip_mm;
         return;
     }
     const Vec3 along = shown_->force_un / force_un;
@@ -172,8 +201,7 @@ void ToolActor::place_arrow() {
         place->SetElement(row, 3, from[row]);
     }
     arrow_->SetUserMatrix(place);
-    const Vec3 tip = from + length * along;
-    label_->GetPositionCoordinate()->SetValue(tip.x(), tip.y(), tip.z());
+    head_mm_ = from + length * along;
 }
 
 }  // namespace hepatica

@@ -18,6 +18,7 @@ class vtkActor;
 class vtkRenderer;
 class vtkTextActor;
 
+#include "render/legend_rows.h"
 #include "render/picture_words.h"
 
 namespace hepatica {
@@ -39,9 +40,12 @@ class ToolActor {
     bool update(const std::optional<ToolView>& tool);
     // Size of one point of the screen at the focal plane, and its pixels.
     void set_scale(double mm_per_point, double pixel_ratio);
+    // Where the number stands in the picture, in its pixels; none: it is not shown.
+    std::optional<PictureBox> label_box() const;
 
   private:
     void place_arrow();
+    void place_label();
 
     vtkRenderer& renderer_;
     PictureWords words_;
@@ -49,6 +53,7 @@ class ToolActor {
     std::vector<vtkSmartPointer<vtkActor>> parts_;
     vtkSmartPointer<vtkActor> arrow_;
     vtkSmartPointer<vtkTextActor> label_;  // in front of all
+    Vec3 head_mm_ = Vec3::Zero();          // of the arrow, beside which the label stands
     double mm_per_point_ = 1.0;
 };
 

@@ -55,7 +55,7 @@ bool TreeActor::update(const Frame& frame) {
     if (rebuilt || new_drug) take_arrival(frame.drug);
     const bool drug_moved = frame.drug.time_s != drug_time_s_;
     drug_time_s_ = frame.drug.time_s;
-    for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug);
+    for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug, least_drug_end_s_);
     show_one();
     return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew ||
            warned_anew;

@@ -39,6 +39,8 @@ class TreeActor {
     void set_vertex_segments(std::vector<std::uint8_t> segments);
     // Vertices of the frame to light up, 1 or 0 each; empty lights none.
     void set_highlight(std::vector<std::uint8_t> highlight);
+    // See SceneView::set_drug_scale().
+    void set_drug_scale(double least_end_s) { least_drug_end_s_ = least_end_s; }
     // Whether what is near its limit is coloured (palette::warning); not at first.
     void set_warnings(bool shown);
     // Depths (mm from the camera) between which the tree fades into the background.
@@ -87,6 +89,7 @@ class TreeActor {
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;
+    double least_drug_end_s_ = 0.0;
 };
 
 }  // namespace hepatica

@@ -1846,10 +1846,6 @@
         <translation>das Programm ließ sich nicht noch einmal starten</translation>
     </message>
     <message>
-        <source>Writing the report: the play is gone through once more…</source>
-        <translation>Der Bericht wird geschrieben: Der Verlauf wird noch einmal durchlaufen …</translation>
-    </message>
-    <message>
         <source>The program ended without saving %1 (%2)%3. The work is not lost: it stays under File &gt; Open unsaved work until it is saved or let go.</source>
         <translation>Das Programm endete, ohne %1 zu speichern (%2)%3. Die Arbeit ist nicht verloren: Sie bleibt unter Datei &gt; Ungespeicherte Arbeit öffnen, bis sie gespeichert oder verworfen wird.</translation>
     </message>
@@ -7705,6 +7701,234 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Saved %1, without strokes that wait for Rebuild</source>
         <translation>%1 gespeichert, ohne Striche, die auf Neu bauen warten</translation>
+    </message>
+    <message>
+        <source>Record pla&amp;y</source>
+        <translation>Spiel aufzei&amp;chnen</translation>
+    </message>
+    <message>
+        <source>Record the play from now on, and end that; File &gt; Open recording looks back on it</source>
+        <translation>Das Spiel von jetzt an aufzeichnen, und das beenden; mit Datei &gt; Aufzeichnung öffnen blickt man darauf zurück</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>The play ended before the lesson did: it can be looked back on.</source>
+        <translation>Das Spiel endete vor der Lektion: Man kann darauf zurückblicken.</translation>
+    </message>
+    <message>
+        <source>The last lesson or recorded play was interrupted (%1). Its recording goes up to that moment.</source>
+        <translation>Die letzte Lektion oder Aufzeichnung wurde unterbrochen (%1). Was bis dahin geschah, ist aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Look back on the play</source>
+        <translation>Auf das Spiel zurückblicken</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Record the play</source>
+        <translation>Das Spiel aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Nothing moved: nothing was recorded.</source>
+        <translation>Nichts bewegte sich: Es wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The play was recorded: %1</source>
+        <translation>Das Spiel wurde aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Den Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Free play</source>
+        <translation>Freies Spiel</translation>
+    </message>
+    <message>
+        <source>is being recorded</source>
+        <translation>wird gerade aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Recordings of lessons and plays, the newest first:</source>
+        <translation>Aufzeichnungen von Lektionen und freien Spielen, die neueste zuerst:</translation>
+    </message>
+    <message>
+        <source>Another &amp;file…</source>
+        <translation>Andere &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Played</source>
+        <translation>Gespielt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>corrections cannot be noted at once</source>
+        <translation>Korrekturen können nicht sofort festgehalten werden</translation>
+    </message>
+    <message>
+        <source>make room on the disk; save the case</source>
+        <translation>schaffen Sie Platz auf der Platte; speichern Sie den Fall</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung läuft</translation>
+    </message>
+    <message>
+        <source>The play is recorded; F5 ends that</source>
+        <translation>Das Spiel wird aufgezeichnet; F5 beendet das</translation>
+    </message>
+    <message>
+        <source>Before the first step</source>
+        <translation>Vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>The largest force: %1</source>
+        <translation>Die größte Kraft: %1</translation>
+    </message>
+    <message>
+        <source>Step %1 reached, after %2</source>
+        <translation>Schritt %1 erreicht, nach %2</translation>
+    </message>
+    <message>
+        <source>The end, after %1</source>
+        <translation>Das Ende, nach %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>War</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Eingehalten</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>Erreicht</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Played by %1</source>
+        <translation>Gespielt von %1</translation>
+    </message>
+    <message>
+        <source>Patient: %1</source>
+        <translation>Patient: %1</translation>
+    </message>
+    <message>
+        <source>Played on %1</source>
+        <translation>Gespielt am %1</translation>
+    </message>
+    <message>
+        <source>PASSED.</source>
+        <translation>BESTANDEN.</translation>
+    </message>
+    <message>
+        <source>NOT PASSED.</source>
+        <translation>NICHT BESTANDEN.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Messgrößen</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Im Verlauf</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>From the front, without perspective. Circles: the lesson&apos;s marks.</source>
+        <translation>Von vorn, ohne Perspektive. Kreise: die Marken der Lektion.</translation>
+    </message>
+    <message>
+        <source>For training and research alone: no diagnosis, no treatment, no certificate.</source>
+        <translation>Nur für Übung und Forschung: keine Diagnose, keine Behandlung, kein Zeugnis.</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force (mN)</source>
+        <translation>Kraft (mN)</translation>
+    </message>
+    <message>
+        <source>Largest stretch beyond rest</source>
+        <translation>Größte Dehnung über die Ruhelage hinaus</translation>
+    </message>
+    <message>
+        <source>Stretch (%)</source>
+        <translation>Dehnung (%)</translation>
+    </message>
+    <message>
+        <source>Bleeding</source>
+        <translation>Blutung</translation>
+    </message>
+    <message>
+        <source>Bleeding (g/s)</source>
+        <translation>Blutung (g/s)</translation>
+    </message>
+    <message>
+        <source>holds another patient by now than the unsaved edits were made on</source>
+        <translation>enthält inzwischen einen anderen Patienten als den, an dem die ungespeicherten Korrekturen gemacht wurden</translation>
+    </message>
+    <message>
+        <source>Bring the case back as it was, then open them again</source>
+        <translation>Stellen Sie den Fall wieder her, wie er war, und öffnen Sie sie dann noch einmal</translation>
     </message>
 </context>
 </TS>

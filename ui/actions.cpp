@@ -35,6 +35,10 @@ constexpr std::array table{
                Words::id("Open what an earlier run of the program left without having saved it")},
     ActionSpec{open_recording, Words::id("&File"), Words::id("Open recor&ding…"), "Ctrl+Shift+O",
                Words::id("Look back on a play: its time line, what happened, notes")},
+    ActionSpec{record_play, Words::id("&File"), Words::id("Record pla&y"), "F5",
+               Words::id("Record the play from now on, and end that; File > Open recording looks "
+                         "back on it"),
+               true, true},
     ActionSpec{reconstruct, Words::id("&File"), Words::id("&Reconstruct with options…"), "Ctrl+R",
                Words::id("Choose liver mask, seeds and window before reconstructing")},
     ActionSpec{built_in, Words::id("&File"), Words::id("&Built-in patient"), "Ctrl+B",

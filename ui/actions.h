@@ -24,6 +24,7 @@ enum class ActionId {
     open_ct_file,
     open_unsaved,
     open_recording,
+    record_play,
     reconstruct,
     built_in,
     save_case,

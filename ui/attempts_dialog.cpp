@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -16,6 +17,7 @@
 
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
+#include "ui/paths.h"
 #include "ui/plot_panel.h"
 #include "ui/words.h"
 
@@ -121,7 +123,9 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
         const int chosen = table_->currentRow();
         if (chosen < 0) return;
         hide();
-        ways_.look_back(attempts_.list[static_cast<std::size_t>(chosen)].recording);
+        const auto row = static_cast<std::size_t>(chosen);
+        const std::size_t ended = attempts_.list.size();
+        ways_.look_back(row < ended ? attempts_.list[row].recording : interrupted_[row - ended]);
     });
     connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         if (item->column() == Column::reference)
@@ -134,9 +138,11 @@ const Chart& AttemptsDialog::chart() const {
 }
 
 void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesystem::path& folder,
-                                 const std::string& name) {
+                                 const std::string& name,
+                                 std::vector<std::filesystem::path> interrupted) {
     lesson_ = lesson;
     folder_ = folder;
+    interrupted_ = std::move(interrupted);
     offer_names(name);
     show_attempts();
     show();
@@ -206,34 +212,49 @@ void AttemptsDialog::fill_table() {
     table_->clear();
     table_->setColumnCount(static_cast<int>(heads.size()));
     table_->setHorizontalHeaderLabels(heads);
-    table_->setRowCount(static_cast<int>(attempts_.list.size()));
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        const Attempt& attempt = attempts_.list[static_cast<std::size_t>(row)];
-        table_->setItem(row, Column::number, text_item(QString::number(row + 1)));
-        table_->setItem(row, Column::ended, text_item(local_time(attempt.ended_at)));
-        auto* outcome =
-            text_item(attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed"));
-        QStringList why;
-        for (const std::string& reason : attempt.reasons) why << translated(reason);
-        outcome->setToolTip(why.join("\n"));
-        table_->setItem(row, Column::result, outcome);
-        auto* box = new QTableWidgetItem;
-        box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        box->setCheckState(attempt.reference ? Qt::Checked : Qt::Unchecked);
-        table_->setItem(row, Column::reference, box);
-        table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
-        for (std::size_t k = 0; k < quantities_.size(); ++k) {
-            const double value = attempt.value(quantities_[k]);
-            auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 3) : "");
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
-        }
-    }
+    const int ended = static_cast<int>(attempts_.list.size());
+    table_->setRowCount(ended + static_cast<int>(interrupted_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row)
+        row < ended ? fill_row(row, attempts_.list[static_cast<std::size_t>(row)])
+                    : fill_interrupted(row, interrupted_[static_cast<std::size_t>(row - ended)]);
     table_->setColumnHidden(Column::name, !named_);
     table_->resizeColumnsToContents();
-    if (table_->rowCount() > 0) table_->selectRow(table_->rowCount() - 1);
+    if (table_->rowCount() > 0) table_->selectRow(ended > 0 ? ended - 1 : 0);
     look_back_->setEnabled(table_->rowCount() > 0);
-    save_->setEnabled(table_->rowCount() > 0);
+    save_->setEnabled(ended > 0);
+}
+
+void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
+    table_->setItem(row, Column::number, text_item(QString::number(row + 1)));
+    table_->setItem(row, Column::ended, text_item(local_time(attempt.ended_at)));
+    auto* outcome = text_item(attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed"));
+    QStringList why;
+    for (const std::string& reason : attempt.reasons) why << translated(reason);
+    outcome->setToolTip(why.join("\n"));
+    table_->setItem(row, Column::result, outcome);
+    auto* box = new QTableWidgetItem;
+    box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    box->setCheckState(attempt.reference ? Qt::Checked : Qt::Unchecked);
+    table_->setItem(row, Column::reference, box);
+    table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
+    for (std::size_t k = 0; k < quantities_.size(); ++k) {
+        const double value = attempt.value(quantities_[k]);
+        auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 3) : "");
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
+    }
+}
+
+// It has no number, as it is no point of the curve.
+void AttemptsDialog::fill_interrupted(int row, const std::filesystem::path& recording) {
+    const QDateTime ended = QFileInfo(to_text(recording)).lastModified();
+    for (int column = 0; column < table_->columnCount(); ++column)
+        table_->setItem(row, column, text_item({}));
+    table_->setItem(row, Column::ended, text_item(QLocale().toString(ended, "d MMM yyyy, hh:mm")));
+    auto* outcome = text_item(Words::tr("interrupted"));
+    outcome->setToolTip(
+        Words::tr("The play ended before the lesson did: it can be looked back on."));
+    table_->setItem(row, Column::result, outcome);
 }
 
 void AttemptsDialog::draw_curve() {

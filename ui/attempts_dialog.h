@@ -34,9 +34,11 @@ class AttemptsDialog : public QDialog {
     AttemptsDialog(Ways ways, QWidget* parent);
 
     // Reads them anew and shows those of who is called so, where any is, else everybody's; the
-    // newest is chosen.
+    // newest is chosen. Recordings that were interrupted stand behind those that have a result, and
+    // count in no curve.
     void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
-                     const std::string& name = {});
+                     const std::string& name = {},
+                     std::vector<std::filesystem::path> interrupted = {});
     const std::vector<Attempt>& attempts() const { return attempts_.list; }
     const Chart& chart() const;
 
@@ -44,12 +46,15 @@ class AttemptsDialog : public QDialog {
     void offer_names(const std::string& name);
     void show_attempts();
     void fill_table();
+    void fill_row(int row, const Attempt& attempt);
+    void fill_interrupted(int row, const std::filesystem::path& recording);
     void choose_quantities();
     void draw_curve();
     void mark(int row, bool reference);
 
     Ways ways_;
     Attempts attempts_;
+    std::vector<std::filesystem::path> interrupted_;
     std::string lesson_;
     std::filesystem::path folder_;
     bool named_ = false;                // any of them

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/curves_dock.h"
 
+#include <QCloseEvent>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -31,7 +32,7 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
             const auto curves = injection_curves(patient->tree, *injection, end_s, job);
             return [this, curves] {
                 plots_->set_charts(curves.pressure, curves.delivery);
-                show();
+                if (comes_by_itself_) show();
             };
         },
         std::move(callbacks));
@@ -45,7 +46,7 @@ void CurvesDock::follow_tear(const Frame& frame) {
     for (const TearHistory::Event& event : tear_.events())
         events.push_back({event.time_s, translated(event.text)});
     plots_->set_tear(tear_.chart(), std::move(events));
-    if (before == 0 && !tear_.events().empty()) show();
+    if (before == 0 && !tear_.events().empty() && comes_by_itself_) show();
 }
 
 void CurvesDock::set_time(std::optional<double> time_s) {
@@ -57,6 +58,12 @@ void CurvesDock::clear() {
     followed_.reset();
     tear_.clear();
     plots_->clear();
+}
+
+void CurvesDock::closeEvent(QCloseEvent* event) {
+    QDockWidget::closeEvent(event);
+    comes_by_itself_ = false;
+    on_choice(false);
 }
 
 }  // namespace hepatica

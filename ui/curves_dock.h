@@ -33,12 +33,22 @@ class CurvesDock : public QDockWidget {
     // Forgets all; nothing is computed any more.
     void clear();
 
+    // Whether it comes by itself when there is something to show: until the user closes it, and
+    // again from when it is asked for.
+    bool comes_by_itself() const { return comes_by_itself_; }
+    void set_comes_by_itself(bool comes) { comes_by_itself_ = comes; }
+    std::function<void(bool comes)> on_choice = [](bool) {};  // the user closed it
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+
   private:
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;
     std::shared_ptr<const InjectionOptions> followed_;  // whose curves were asked for last
     std::unique_ptr<BackgroundJob> job_;
     TearHistory tear_;
+    bool comes_by_itself_ = true;
 };
 
 }  // namespace hepatica

@@ -261,6 +261,8 @@ void InjectPanel::show_drug(const DrugView& drug) {
     play_->setText(drug.playing ? Words::tr("Pause") : Words::tr("Play"));
     if (!injected) {
         time_label_->setText(Words::tr("nothing injected"));
+        const QSignalBlocker silent(time_);
+        time_->setValue(0);
         return;
     }
     if (!time_->isSliderDown() && !asked_time_s_ && drug.end_s > 0.0) {

@@ -13,7 +13,7 @@
 
 namespace hepatica {
 
-enum class JobKind { open, correct, remake, save, archive };
+enum class JobKind { open, correct, remake, save, archive, report };
 
 struct QueuedJob {
     JobKind kind = JobKind::open;

@@ -37,6 +37,8 @@ void load(const QString& source, const QString& code, const QString& folder) {
         QCoreApplication::installTranslator(translator);
 }
 
+QString spoken = "en";
+
 bool is_known(const QString& code) {
     return !code.isEmpty() && std::ranges::any_of(choices, [&](const Language& language) {
         return code == language.code;
@@ -60,12 +62,17 @@ QString language_of(const QString& chosen) {
 void use_language(const QString& chosen) {
     init_translations();
     const QString code = language_of(chosen);
+    spoken = code;
     load("hepatica", code, ":/translations");
     load("qtbase", code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     const QLocale system = QLocale::system();
     QLocale numbers = system.language() == QLocale(code).language() ? system : QLocale(code);
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(numbers);
+}
+
+QString spoken_language() {
+    return spoken;
 }
 
 }  // namespace hepatica

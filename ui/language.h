@@ -23,5 +23,7 @@ QString language_of(const QString& chosen);
 // For the whole program and for widgets that are made from now on: translations of the program and
 // of Qt, and the default QLocale. Call with an application, before the first widget.
 void use_language(const QString& chosen);
+// The code of the language that was used last; "en" before.
+QString spoken_language();
 
 }  // namespace hepatica

@@ -208,6 +208,7 @@ void LessonDock::patient_corrected() {
 void LessonDock::end_play() {
     keep_result();
     watch_.reset();
+    guard_.reset();
 }
 
 bool LessonDock::try_out(const Lesson& lesson) {
@@ -239,6 +240,7 @@ void LessonDock::begin() {
         Job job;
         LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
         watch_ = std::move(play.watch);
+        guard_ = std::make_unique<RecordingGuard>(watch_->recording());
         watched_name_ = name_;
         result_kept_ = false;
         on_screen_ = true;
@@ -256,6 +258,7 @@ void LessonDock::begin() {
 void LessonDock::leave() {
     keep_result();
     watch_.reset();
+    guard_.reset();
     lesson_.reset();
     hide();
     ways_.use(nullptr);
@@ -285,6 +288,7 @@ void LessonDock::show_figures() {
 
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
+    guard_.reset();
     if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
@@ -300,7 +304,8 @@ void LessonDock::keep_result() {
 void LessonDock::show_attempts() {
     if (!lesson_) return;
     shown_name_ = name_;
-    attempts_->show_lesson(lesson_->name, recordings_, trainee_);
+    attempts_->show_lesson(lesson_->name, recordings_, trainee_,
+                           recordings_without_result(recordings_, fs::path(name_).stem().string()));
 }
 
 std::vector<MarkView> LessonDock::marks_in(const Frame& frame) const {

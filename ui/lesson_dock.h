@@ -14,6 +14,7 @@
 #include "render/mark_actors.h"
 #include "ui/flow_units.h"
 #include "ui/lesson_play.h"
+#include "ui/recording_guard.h"
 
 class QMenu;
 
@@ -116,8 +117,9 @@ class LessonDock : public QDockWidget {
     std::optional<CourseLine> next_;     // the lesson after this one in its course
     std::string trainee_;
     std::shared_ptr<LessonWatch> watch_;
-    bool result_kept_ = false;  // of watch_
-    bool on_screen_ = false;    // likewise: it is its simulation that the window shows
+    std::unique_ptr<RecordingGuard> guard_;  // of watch_'s recording, while it grows
+    bool result_kept_ = false;               // of watch_
+    bool on_screen_ = false;                 // likewise: it is its simulation that the window shows
     AttemptsDialog* attempts_;
     CourseDialog* course_;
 };

@@ -38,6 +38,7 @@
 #include "ui/message_log.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/play_recorder.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/quality_panel.h"
@@ -53,6 +54,7 @@
 #include "ui/volume_keeper.h"
 #include "ui/vtk_widget.h"
 #include "ui/welcome.h"
+#include "ui/wheel_guard.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -103,6 +105,7 @@ void show_dock(QDockWidget& dock, bool visible) {
 MainWindow::MainWindow(Settings& settings, Patients patients,
                        std::optional<PatientKeeper::Questions> questions)
     : settings_(settings) {
+    new WheelGuard(this);  // the window owns it
     show_title({});
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});
@@ -118,6 +121,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     });
     connect_files();
     connect_play();
+    connect_recording();
     connect_tools();
     connect_views();
     connect_context();
@@ -141,7 +145,10 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect(figures_timer_, &QTimer::timeout, this, [this] { show_figures(); });
 }
 
-MainWindow::~MainWindow() = default;
+// What it has beside the first view is asked of this window.
+MainWindow::~MainWindow() {
+    review_->end();
+}
 
 void MainWindow::build_view() {
     auto* centre = new QWidget(this);
@@ -431,8 +438,13 @@ void MainWindow::connect_views() {
                  [this, &branches] { show_dock(*branches_, branches.isChecked()); });
     connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
     QAction& plots = (*actions_)[ActionId::toggle_plots];
-    actions_->on(ActionId::toggle_plots,
-                 [this, &plots] { show_dock(*curves_, plots.isChecked()); });
+    curves_->set_comes_by_itself(settings_.curves_come());
+    curves_->on_choice = [this](bool come) { settings_.set_curves_come(come); };
+    actions_->on(ActionId::toggle_plots, [this, &plots] {
+        curves_->set_comes_by_itself(plots.isChecked());
+        settings_.set_curves_come(plots.isChecked());
+        show_dock(*curves_, plots.isChecked());
+    });
     connect(curves_, &QDockWidget::visibilityChanged, &plots, &QAction::setChecked);
     QAction& panels = (*actions_)[ActionId::toggle_panels];
     panels.setChecked(true);

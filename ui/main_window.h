@@ -34,6 +34,7 @@ class LibraryDialog;
 class LiverKeeper;
 class MessageBar;
 class MessageLog;
+class PlayRecorder;
 class ProgressStrip;
 class QualityPanel;
 class ReviewDock;
@@ -150,8 +151,10 @@ class MainWindow : public QMainWindow {
 
     // main_window_files.cpp: what is opened and saved.
     void ask_for_case();
+    // Of earlier runs: cases and edits, lessons and plays that were interrupted.
     void offer_unsaved_work();
     void offer_unsaved_lesson();
+    void forget(const std::vector<std::filesystem::path>& interrupted);
     void open_unsaved_work();
     void ask_for_ct(bool folder);
     std::optional<std::filesystem::path> ask_for_recording();
@@ -172,6 +175,7 @@ class MainWindow : public QMainWindow {
     void show_warnings();
     void show_workspace();
     void show_title(const QString& patient);
+    void show_caption(const QString& text);  // in the first view
     // Frames come when the simulation has one to show: nothing asks for them.
     void follow_simulation();
     void show_newest_frame();
@@ -198,8 +202,19 @@ class MainWindow : public QMainWindow {
     // In place of the simulation that runs; null: one of free play.
     void use(std::unique_ptr<Simulation> simulation);
     void match_anatomy();
-    // By a process of its own, so that the window goes on (main_window_files.cpp).
+
+    // main_window_reports.cpp: the report of a play.
     void write_report(const std::filesystem::path& recording, const std::string& lesson);
+    void write_report_into(const std::filesystem::path& chosen,
+                           const std::filesystem::path& recording, const std::string& lesson);
+    void offer_report(const std::filesystem::path& folder);
+    void take_report_message_away();
+
+    // main_window_recording.cpp: a free play that is recorded.
+    void connect_recording();
+    void begin_recording();
+    void end_recording();
+    void show_recording();
 
     Settings& settings_;
     std::unique_ptr<Actions> actions_;
@@ -226,9 +241,11 @@ class MainWindow : public QMainWindow {
     QTimer* figures_timer_ = nullptr;
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way
     std::optional<LoadedPatient> patient_;
+    std::unique_ptr<PlayRecorder> recorder_;
     int hovered_vertex_ = -1;  // of the frame
     double picture_ms_ = 0.0;
     std::string last_message_;
+    QString report_message_;  // that says where the last report lies
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // once it has closed

@@ -9,7 +9,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
-#include <QProcess>
 #include <QProgressBar>
 #include <QProgressDialog>
 #include <QStatusBar>
@@ -20,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
 #include "ui/branch_dock.h"
+#include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
@@ -31,6 +31,8 @@
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/questions.h"
+#include "ui/recording_dialog.h"
+#include "ui/recording_guard.h"
 #include "ui/review_dock.h"
 #include "ui/save_case_dialog.h"
 #include "ui/save_file_dialog.h"
@@ -161,61 +163,51 @@ void MainWindow::save_table(const QString& name, const std::string& csv) {
         attempt(Words::tr("Save the table"), [&] { write_text_atomically(to_path(file), csv); });
 }
 
-void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
-    const QString folder = QFileDialog::getExistingDirectory(
-        this, Words::tr("Folder for the report"), settings_.last_folder());
-    if (folder.isEmpty()) return;
-    QStringList arguments{"--report", to_text(recording),
-                          "--out",    folder,
-                          "--lesson", QString::fromStdString(lesson),
-                          "--units",  name_of(flow_units_named(settings_.flow_units()))};
-    if (const std::string name = name_beside(recording); !name.empty())
-        arguments << "--name" << QString::fromStdString(name);
-    const std::filesystem::path& patient = workspace().folder();
-    if (!patient.empty() && !workspace().dirty()) arguments << "--patient" << to_text(patient);
-    auto* process = new QProcess(this);
-    connect(process, &QProcess::finished, this, [this, process, folder](int code) {
-        statusBar()->clearMessage();
-        if (code == 0)
-            messages_->show_notice(Words::tr("The report is in %1").arg(folder));
-        else
-            fail(Words::tr("Write the report"),
-                 {QString::fromUtf8(process->readAllStandardError()).trimmed().toStdString(),
-                  folder.toStdString(), Words::id("Choose another folder")});
-        process->deleteLater();
-    });
-    connect(process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-        if (error == QProcess::FailedToStart)
-            fail(Words::tr("Write the report"),
-                 {Words::id("the program could not be started again"), "", ""});
-    });
-    statusBar()->showMessage(Words::tr("Writing the report: the play is gone through once more…"));
-    process->start(QCoreApplication::applicationFilePath(), arguments);
-}
-
 void MainWindow::offer_unsaved_work() {
     const auto left = recovery_->left_behind();
-    if (left.empty()) return;
-    const QString when =
-        QLocale().toString(QFileInfo(to_text(left.front())).lastModified(), "d MMM yyyy, hh:mm");
-    messages_->show_notice(
-        Words::tr(
-            "The program ended without saving %1 (%2)%3. The work is not lost: it stays under "
-            "File > Open unsaved work until it is saved or let go.")
-            .arg(to_text(left.front().stem()), when,
-                 left.size() > 1
-                     ? Words::tr(", and %n more", nullptr, static_cast<int>(left.size() - 1))
-                     : QString()),
-        Words::tr("Open it"), [this] { open_unsaved_work(); });
+    const auto interrupted = interrupted_recordings(to_path(settings_.recordings_folder()));
+    const auto when = [](const std::filesystem::path& file) {
+        return QLocale().toString(QFileInfo(to_text(file)).lastModified(), "d MMM yyyy, hh:mm");
+    };
+    QStringList texts;
+    if (!left.empty())
+        texts << Words::tr(
+                     "The program ended without saving %1 (%2)%3. The work is not lost: it "
+                     "stays under File > Open unsaved work until it is saved or let go.")
+                     .arg(translated(Recovery::unsaved_work(left.front()).title),
+                          when(left.front()),
+                          left.size() > 1 ? Words::tr(", and %n more", nullptr,
+                                                      static_cast<int>(left.size() - 1))
+                                          : QString());
+    if (!interrupted.empty())
+        texts << Words::tr(
+                     "The last lesson or recorded play was interrupted (%1). Its recording "
+                     "goes up to that moment.")
+                     .arg(when(interrupted.front()));
+    if (texts.isEmpty()) return;
+    if (!left.empty())
+        messages_->show_notice(texts.join("\n"), Words::tr("Open it"),
+                               [this] { open_unsaved_work(); });
+    const auto look_back = [this, interrupted] {
+        forget(interrupted);
+        review_->open(interrupted.front());
+    };
+    const QString looks_back = Words::tr("Look back on the play");
+    if (interrupted.empty()) return;
+    if (!left.empty()) return messages_->offer_also(looks_back, look_back);
+    messages_->show_notice(texts.join("\n"), looks_back, look_back);
+    messages_->offer_also(Words::tr("Forget it"), [this, interrupted] { forget(interrupted); });
+}
+
+// They stay where they are, under the attempts at their lesson.
+void MainWindow::forget(const std::vector<std::filesystem::path>& interrupted) {
+    for (const std::filesystem::path& recording : interrupted) forget_interruption(recording);
 }
 
 void MainWindow::open_unsaved_work() {
     const auto left = recovery_->left_behind();
     if (left.empty()) return messages_->show_notice(Words::tr("No earlier run left unsaved work."));
-    OpenRequest request;
-    request.reconstruct.ct = left.front();
-    request.unsaved_copy = true;
-    open(request);
+    open(Recovery::unsaved_work(left.front()).request);
 }
 
 void MainWindow::ask_for_ct(bool folder) {
@@ -228,11 +220,9 @@ void MainWindow::ask_for_ct(bool folder) {
 }
 
 std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
-    const QString path = QFileDialog::getOpenFileName(this, Words::tr("Open recording"),
-                                                      settings_.recordings_folder(),
-                                                      Words::tr("Recordings (*.hrec)"));
-    if (path.isEmpty()) return std::nullopt;
-    return to_path(path);
+    RecordingDialog dialog(to_path(settings_.recordings_folder()), this);
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.chosen();
 }
 
 void MainWindow::save_picture(const QString& file) {
@@ -329,6 +319,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
     if (begins_anew_) begin_anew_(patient_from_where());
+    end_recording();
     review_->end();
     settings_.set_window(saveGeometry(), saveState());
     keeper_->end();

@@ -5,9 +5,11 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "core/tree/station.h"
+#include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
@@ -17,8 +19,8 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
-#include "ui/questions.h"
 #include "ui/quality_panel.h"
+#include "ui/questions.h"
 #include "ui/review_dock.h"
 #include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
@@ -51,6 +53,7 @@ void MainWindow::build_lessons() {
     };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         review_->end();
+        take_report_message_away();
         use(std::move(simulation));
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
@@ -206,11 +209,20 @@ void MainWindow::build_review() {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
     };
     ways.ask_for_other = [this] { return ask_for_recording(); };
-    ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& caption) {
+    ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& first,
+                         const QString& other) {
         // Nothing is asked of the patient then: he may be on his way out.
-        if (frame == nullptr) return second_view_->clear();
+        if (frame == nullptr) {
+            view_->scene().set_drug_scale(0.0);
+            show_caption(translated(workspace().title()));
+            return second_view_->clear();
+        }
+        const double end_s = std::max(this->frame().drug.end_s, frame->drug.end_s);
+        view_->scene().set_drug_scale(end_s);
+        second_view_->set_drug_scale(end_s);
+        show_caption(first);
         second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
-                                 theme_named(settings_.theme()).view, caption);
+                                 theme_named(settings_.theme()).view, other);
     };
     ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {
         ask_and_save_film(end_s, go_to);

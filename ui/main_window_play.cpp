@@ -35,6 +35,7 @@
 namespace hepatica {
 
 void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
+    end_recording();
     SceneView& scene = view_->scene();
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
@@ -86,7 +87,10 @@ void MainWindow::match_anatomy() {
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     if (!patient_) return;
+    end_recording();
     const bool free = simulation == nullptr;
+    // Lessons record themselves, and what is looked back on is recorded.
+    (*actions_)[ActionId::record_play].setEnabled(free);
     if (free) {
         Job job;
         simulation = play(patient_->patient, job).simulation;
@@ -139,14 +143,17 @@ void MainWindow::show_workspace() {
     if (!workspace.has_patient()) return;
     show_title(translated(workspace.title()));
     setWindowModified(workspace.unsaved());
-    if (view_->scene().set_caption(translated(workspace.title()).toStdString()))
-        view_->draw_again();
+    show_caption(translated(workspace.title()));
     recovery_->follow(workspace);
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());
+}
+
+void MainWindow::show_caption(const QString& text) {
+    if (view_->scene().set_caption(text.toStdString())) view_->draw_again();
 }
 
 void MainWindow::follow_simulation() {

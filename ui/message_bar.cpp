@@ -19,18 +19,21 @@ MessageBar::MessageBar(QWidget* pictures)
     : OverlayBar(Qt::TopEdge, pictures),
       label_(new QLabel(this)),
       more_(new QToolButton(this)),
-      offer_(new QPushButton(this)) {
+      first_{new QPushButton(this), {}},
+      second_{new QPushButton(this), {}} {
     setObjectName("messageBar");
     label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     more_->setObjectName("moreOfMessage");
     connect(more_, &QToolButton::clicked, this, [this] { set_open(!open_); });
-    offer_->setObjectName("offer");
-    connect(offer_, &QPushButton::clicked, this, [this] {
-        dismiss();
-        act_();
-    });
+    first_.button->setObjectName("offer");
+    second_.button->setObjectName("secondOffer");
+    for (Offer* offer : {&first_, &second_})
+        connect(offer->button, &QPushButton::clicked, this, [this, offer] {
+            dismiss();
+            offer->act();
+        });
     auto* close = new QToolButton(this);
     close->setText("✕");
     close->setAutoRaise(true);
@@ -39,7 +42,8 @@ MessageBar::MessageBar(QWidget* pictures)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 3, 6, 3);
     row->addWidget(label_, 1);
-    for (QWidget* button : std::initializer_list<QWidget*>{more_, offer_, close})
+    for (QWidget* button :
+         std::initializer_list<QWidget*>{more_, first_.button, second_.button, close})
         row->addWidget(button, 0, Qt::AlignVCenter);
 }
 
@@ -59,9 +63,17 @@ void MessageBar::show_notice(const QString& text) {
 void MessageBar::show_notice(const QString& text, const QString& button,
                              std::function<void()> act) {
     show_notice(text);
-    act_ = std::move(act);
-    offer_->setText(button);
-    offer_->show();
+    offer(first_, button, std::move(act));
+}
+
+void MessageBar::offer_also(const QString& button, std::function<void()> act) {
+    offer(second_, button, std::move(act));
+}
+
+void MessageBar::offer(Offer& offer, const QString& button, std::function<void()> act) {
+    offer.act = std::move(act);
+    offer.button->setText(button);
+    offer.button->show();
     write();  // it has less room now
 }
 
@@ -76,7 +88,8 @@ void MessageBar::show_as(const char* kind, const QStringList& lines) {
     lines_ = lines;
     strong_ = QString(kind) == "failure";
     open_ = false;
-    offer_->hide();
+    first_.button->hide();
+    second_.button->hide();
     show();
     write();
 }

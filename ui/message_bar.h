@@ -25,6 +25,8 @@ class MessageBar : public OverlayBar {
     void show_notice(const QString& text);
     // With a button of this name that does `act` and dismisses the message.
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
+    // One more button of the notice that is shown.
+    void offer_also(const QString& button, std::function<void()> act);
     void dismiss() { hide(); }
     QString text() const;                // plain, all of it, a paragraph a line; empty while hidden
     bool open() const { return open_; }  // all of it is to be seen
@@ -43,8 +45,13 @@ class MessageBar : public OverlayBar {
     bool open_ = false;
     QLabel* label_;
     QToolButton* more_;
-    QPushButton* offer_;
-    std::function<void()> act_;
+    struct Offer {
+        QPushButton* button;
+        std::function<void()> act;
+    };
+    void offer(Offer& offer, const QString& button, std::function<void()> act);
+
+    Offer first_, second_;
 };
 
 }  // namespace hepatica

@@ -103,7 +103,7 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
             auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
             if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
             return [this, request, loaded] {
-                if (!request.built_in && !request.unsaved_copy)
+                if (!request.built_in && !request.unsaved_copy && !request.left_edits)
                     screen_.remember(request.reconstruct.ct);
                 arrived(request, loaded);
             };
@@ -140,8 +140,10 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
+        // First: without them nothing of him would be worth keeping.
+        if (request.left_edits) workspace_.take_up(request.left_edits->edits);
         screen_.show(std::move(*loaded), false);
-        screen_.changed();
+        correct();
     };
     leave_if_safe(show, screen_.not_opened);
 }

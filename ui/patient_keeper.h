@@ -106,6 +106,8 @@ class PatientKeeper {
     // Writes him as a DICOM segmentation of the CT in this folder; `written` once that is done.
     void archive(const std::filesystem::path& ct, const std::filesystem::path& file,
                  std::function<void()> written);
+    // Work that leaves the patient as he is, behind all other.
+    void add_job(QueuedJob job) { jobs_.add(std::move(job)); }
     // Cancels the job that runs; a correction is then taken back.
     void cancel();
 

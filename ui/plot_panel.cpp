@@ -50,6 +50,28 @@ double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
     return largest > 0.0 ? largest : 1.0;
 }
 
+constexpr qreal side_margin = 4.0;
+constexpr qreal title_height = 18.0;
+
+// One line, or two of which the second ends in an ellipsis where it is too long.
+QStringList in_lines(const QString& text, const QFontMetrics& letters, qreal wide) {
+    const int most = static_cast<int>(wide);
+    if (letters.horizontalAdvance(text) <= most) return {text};
+    qsizetype end = text.lastIndexOf(' ');
+    while (end > 0 && letters.horizontalAdvance(text.left(end)) > most)
+        end = text.lastIndexOf(' ', end - 1);
+    if (end <= 0) return {letters.elidedText(text, Qt::ElideRight, most)};
+    return {text.left(end), letters.elidedText(text.mid(end + 1), Qt::ElideRight, most)};
+}
+
+// Of all but the last, which stands at the foot.
+qreal head_of(const std::vector<PlotView::Title>& titles) {
+    qreal end = 0.0;
+    for (std::size_t i = 0; i + 1 < titles.size(); ++i)
+        end = std::max(end, titles[i].place.bottom());
+    return end;
+}
+
 }  // namespace
 
 std::vector<double> axis_ticks(double largest) {
@@ -84,7 +106,8 @@ void PlotView::set_events(std::vector<PlotEvent> events) {
 }
 
 QRectF PlotView::frame() const {
-    return QRectF(58, 26, width() - 74.0, height() - 64.0);
+    const qreal top = head_ + 4.0;
+    return QRectF(58, top, width() - 74.0, height() - 38.0 - top);
 }
 
 QPointF PlotView::place(double x, double y) const {
@@ -96,9 +119,10 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().base());
+    head_ = head_of(titles());
     paint_axes(painter);
     if (!chart_.curves.empty()) paint_curves(painter);
-    if (chart_.curves.size() > 1) paint_names(painter);
+    paint_titles(painter);
     paint_events(painter);
 }
 
@@ -120,10 +144,6 @@ void PlotView::paint_axes(QPainter& painter) const {
         painter.drawText(QRectF(0, foot.y() - 8, area.left() - 6, 16),
                          Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(y));
     }
-    painter.drawText(QRectF(area.left(), 4, area.width(), 18), Qt::AlignLeft,
-                     translated(chart_.y_label));
-    painter.drawText(QRectF(area.left(), height() - 20.0, area.width(), 16), Qt::AlignCenter,
-                     translated(chart_.x_label));
 }
 
 void PlotView::paint_curves(QPainter& painter) const {
@@ -166,15 +186,59 @@ void PlotView::paint_crosses(QPainter& painter, const Curve& curve) const {
     }
 }
 
-// To the right above the curves, each in its colour.
-void PlotView::paint_names(QPainter& painter) const {
-    qreal right = frame().right();
+// To the right beside the y axis' title where there is room, else in rows of their own.
+std::vector<PlotView::Title> PlotView::names_below(qreal top) const {
+    std::vector<Title> names;
+    const QFontMetrics letters = fontMetrics();
+    const qreal widest = width() - 2.0 * side_margin;
+    qreal right = width() - side_margin;
     for (std::size_t c = chart_.curves.size(); c-- > 0;) {
-        const QString name = translated(chart_.curves[c].name);
-        const qreal wide = painter.fontMetrics().horizontalAdvance(name);
-        painter.setPen(colour_of(chart_, c));
-        painter.drawText(QRectF(right - wide, 4, wide, 18), Qt::AlignLeft, name);
-        right -= wide + 12;
+        const QString name = letters.elidedText(translated(chart_.curves[c].name), Qt::ElideRight,
+                                                static_cast<int>(widest));
+        const qreal wide = letters.horizontalAdvance(name);
+        if (right - wide < side_margin) {
+            right = width() - side_margin;
+            top += title_height;
+        }
+        names.push_back({QRectF(right - wide, top, wide, title_height), name, static_cast<int>(c)});
+        right -= wide + 12.0;
+    }
+    return names;
+}
+
+std::vector<PlotView::Title> PlotView::titles() const {
+    const qreal wide = width() - 2.0 * side_margin;
+    std::vector<Title> titles;
+    qreal top = 2.0;
+    for (const QString& line : in_lines(translated(chart_.y_label), fontMetrics(), wide)) {
+        titles.push_back({QRectF(side_margin, top, wide, title_height), line, -1});
+        top += title_height;
+    }
+    if (chart_.curves.size() > 1) {
+        const qreal beside = titles.size() == 1
+                                 ? side_margin + fontMetrics().horizontalAdvance(titles[0].text)
+                                 : wide;
+        std::vector<Title> names = names_below(2.0);
+        const bool fits = std::ranges::all_of(names, [&](const Title& name) {
+            return name.place.top() < title_height && name.place.left() > beside + 12.0;
+        });
+        if (!fits) names = names_below(top);
+        titles.insert(titles.end(), names.begin(), names.end());
+    }
+    const QString below = fontMetrics().elidedText(translated(chart_.x_label), Qt::ElideRight,
+                                                   static_cast<int>(wide));
+    titles.push_back({QRectF(side_margin, height() - 20.0, wide, 16.0), below, -1});
+    return titles;
+}
+
+void PlotView::paint_titles(QPainter& painter) const {
+    const std::vector<Title> all = titles();
+    for (const Title& title : all) {
+        painter.setPen(title.curve < 0 ? palette().color(QPalette::Text)
+                                       : colour_of(static_cast<std::size_t>(title.curve)));
+        const bool is_x = &title == &all.back();
+        painter.drawText(title.place, is_x ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter,
+                         title.text);
     }
 }
 

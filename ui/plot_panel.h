@@ -38,6 +38,16 @@ class PlotView : public QWidget {
 
     QSize sizeHint() const override { return {360, 190}; }
 
+    // The words above the curves and below them as they are drawn, each with its place: the y
+    // axis' title, the curves' names, the x axis' title. Too long ones go on in a second line, and
+    // what that does not hold either is cut with an ellipsis.
+    struct Title {
+        QRectF place;
+        QString text;
+        int curve = -1;  // whose name it is; -1: of an axis
+    };
+    std::vector<Title> titles() const;
+
   protected:
     void paintEvent(QPaintEvent* event) override;
 
@@ -46,8 +56,9 @@ class PlotView : public QWidget {
     void paint_curves(QPainter& painter) const;
     void paint_dots(QPainter& painter, const Curve& curve) const;
     void paint_crosses(QPainter& painter, const Curve& curve) const;
-    void paint_names(QPainter& painter) const;
+    void paint_titles(QPainter& painter) const;
     void paint_events(QPainter& painter) const;
+    std::vector<Title> names_below(qreal top) const;
     QRectF frame() const;
     QPointF place(double x, double y) const;
 
@@ -55,6 +66,7 @@ class PlotView : public QWidget {
     Chart chart_;
     std::optional<double> marker_;
     std::vector<PlotEvent> events_;
+    qreal head_ = 22.0;   // height of what stands above the frame
     double x_end_ = 1.0;  // axes begin at 0
     double y_end_ = 1.0;
 };

@@ -4,11 +4,13 @@
 #include <QLockFile>
 #include <QUuid>
 #include <algorithm>
+#include <charconv>
 #include <system_error>
 #include <utility>
 
 #include "core/opening/patient_image.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -18,6 +20,8 @@ namespace {
 
 constexpr int delay_ms = 500;
 constexpr const char* lock_name = "lock";
+constexpr const char* journal_name = "edits.jsonl";
+constexpr const char* copy_beside = ".";
 
 std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
     auto lock = std::make_unique<QLockFile>(to_text(folder / lock_name));
@@ -34,15 +38,58 @@ std::string case_name(std::string title) {
     return (title.empty() || title.front() == '.' ? "case" + title : title) + ".hep";
 }
 
-// One of another program, and that program's folder where it was the last one.
-void remove_copy(const fs::path& place) {
+// What another program left: its folder, where this is its journal or the last copy in it.
+void remove_left(const fs::path& place) {
     if (place.empty()) return;
     const fs::path version = place.parent_path(), program = version.parent_path();
     std::error_code ignored;
+    if (place.filename() == journal_name) {
+        fs::remove_all(version, ignored);
+        return;
+    }
     fs::remove_all(version, ignored);
     for (const auto& entry : fs::directory_iterator(program, ignored))
         if (entry.is_directory()) return;
     fs::remove_all(program, ignored);
+}
+
+// A whole copy, and the number of the change after which it was made.
+struct KeptCopy {
+    fs::path place;
+    std::uint64_t version = 0;
+};
+
+// The newest in a program's folder; none has an empty place.
+KeptCopy newest_copy(const fs::path& program) {
+    KeptCopy newest;
+    std::error_code ignored;
+    for (const auto& version : fs::directory_iterator(program, ignored)) {
+        if (!version.is_directory()) continue;
+        const std::string digits = version.path().filename().string();
+        std::uint64_t number = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        for (const auto& entry : fs::directory_iterator(version.path(), ignored))
+            if (is_case(entry.path()) && (newest.place.empty() || number > newest.version))
+                newest = {entry.path(), number};
+    }
+    return newest;
+}
+
+// The case that the edits of this journal are made on; empty: the built-in patient.
+fs::path base_of(const Journalled& left, const fs::path& journal) {
+    return left.base.place == copy_beside ? newest_copy(journal.parent_path()).place
+                                          : left.base.place;
+}
+
+// The journal of a program where it says more than the copy; else the copy; else empty.
+fs::path newest_of(const fs::path& program) {
+    const KeptCopy copy = newest_copy(program);
+    const fs::path journal = program / journal_name;
+    const std::optional<Journalled> left = read_edit_journal(journal);
+    const bool needs_copy = left && left->base.place == copy_beside;
+    const bool can_be_made = left && !(needs_copy && copy.place.empty());
+    if (can_be_made && (copy.place.empty() || left->change > copy.version)) return journal;
+    return copy.place;
 }
 
 }  // namespace
@@ -63,16 +110,56 @@ void Recovery::follow(const Workspace& workspace) {
         wanted_ = {};
         kept_version_ = 0;
         needless_ = job_ != nullptr;
+        forget_journal();
         if (!job_) remove_own_copies();
-        remove_copy(workspace.kept_copy());
+        remove_left(workspace.kept_copy());
         return;
     }
+    note(wanted_of(workspace));
     // Called again as soon as the correction has its body.
     if (workspace.awaits_body() || workspace.version() == kept_version_) return;
-    wanted_ = {workspace.patient(), workspace.made_edits(), workspace.title(),
-               workspace.folder(),  workspace.kept_copy(),  workspace.version()};
+    wanted_ = {workspace.patient(),   workspace.made_edits(), workspace.title(), workspace.folder(),
+               workspace.kept_copy(), workspace.version(),    workspace.origin()};
     needless_ = false;
     delay_.start();
+}
+
+Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
+    const bool built_in =
+        workspace.title() == built_in_title && workspace.folder().empty() && !workspace.remade();
+    return {workspace.edits(),
+            {workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient())},
+            workspace.base().empty() && !built_in,
+            workspace.version(),
+            workspace.origin()};
+}
+
+// A copy of his own is preferred to a case that may change or go.
+void Recovery::note(const Wanted& wanted) {
+    const bool has_copy = copy_origin_ == wanted.origin;
+    newest_ = wanted;
+    if (wanted.needs_copy && !has_copy) return;  // written() notes it
+    JournalBase base = wanted.base;
+    if (has_copy) base.place = copy_beside;
+    if (journal_ && journal_->says(base, wanted.edits)) return;
+    try {
+        make_own_folder();
+    } catch (...) {
+        return;  // the copy that follows says so
+    }
+    if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
+    journal_->append(base, wanted.edits, wanted.version);
+    if (journal_->failed() && !std::exchange(told_of_journal_, true))
+        failed_({Words::id("corrections cannot be noted at once"), own_.string(),
+                 Words::id("make room on the disk; save the case")});
+}
+
+void Recovery::forget_journal() {
+    newest_.reset();
+    copy_origin_ = 0;
+    if (!std::exchange(journal_, nullptr)) return;
+    std::error_code ignored;
+    fs::remove(own_ / journal_name, ignored);
 }
 
 void Recovery::write() {
@@ -111,7 +198,9 @@ void Recovery::written(const Copy& copy, const fs::path& place) {
         if (entry.is_directory() && entry.path() != place.parent_path())
             fs::remove_all(entry.path(), ignored);
     kept_version_ = copy.version;
-    remove_copy(copy.opened_from);  // it is not needed beside this one
+    copy_origin_ = copy.origin;
+    if (newest_ && newest_->origin == copy.origin) note(Wanted(*newest_));
+    remove_left(copy.opened_from);  // it is not needed beside this one
 }
 
 void Recovery::make_own_folder() {
@@ -125,6 +214,7 @@ void Recovery::make_own_folder() {
 }
 
 void Recovery::remove_own_copies() {
+    copy_origin_ = 0;
     if (own_.empty()) return;
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(own_, ignored))
@@ -135,6 +225,7 @@ void Recovery::end() {
     delay_.stop();
     wanted_ = {};
     job_.reset();
+    forget_journal();
     if (own_.empty()) return;
     lock_.reset();
     std::error_code ignored;
@@ -152,17 +243,31 @@ std::vector<fs::path> Recovery::left_behind() const {
     for (const auto& program : fs::directory_iterator(folder_, ignored)) {
         if (program.path() == own_ || !program.is_directory()) continue;
         if (!lock_of(program.path())->tryLock(0)) continue;  // it runs
-        for (const auto& version : fs::directory_iterator(program.path(), ignored)) {
-            if (!version.is_directory()) continue;
-            for (const auto& entry : fs::directory_iterator(version.path(), ignored))
-                if (is_case(entry.path()))
-                    left.push_back({entry.path(), entry.last_write_time(ignored)});
-        }
+        const fs::path place = newest_of(program.path());
+        if (!place.empty()) left.push_back({place, fs::last_write_time(place, ignored)});
     }
     std::ranges::sort(left, std::greater(), &Left::time);
     std::vector<fs::path> places;
     for (Left& one : left) places.push_back(std::move(one.place));
     return places;
+}
+
+UnsavedWork Recovery::unsaved_work(const fs::path& left) {
+    UnsavedWork work;
+    std::optional<Journalled> noted;
+    if (left.filename() == journal_name) noted = read_edit_journal(left);
+    if (!noted) {
+        work.title = left.stem().string();
+        work.request.reconstruct.ct = left;
+        work.request.unsaved_copy = true;
+        return work;
+    }
+    work.title = noted->base.title;
+    work.request.reconstruct.ct = base_of(*noted, left);
+    work.request.built_in = work.request.reconstruct.ct.empty();
+    work.request.unsaved_copy = noted->base.place == copy_beside;
+    work.request.left_edits = LeftEdits{noted->edits, noted->base.extracted, left};
+    return work;
 }
 
 }  // namespace hepatica

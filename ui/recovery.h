@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not saved yet, kept on disk all the same: a copy of the case among the user's data,
-// written half a second after a correction or a reconstruction, and removed when all is saved or
-// let go. What a program has left that ended without that, by a crash or a power cut, is offered at
-// the next start.
+// What is not saved yet, kept on disk all the same among the user's data, and removed when all is
+// saved or let go: each correction at once, in a journal, and half a second after a reconstruction
+// or a correction's body a copy of the whole case. What a program has left that ended without that,
+// by a crash or a power cut, is offered at the next start.
 #pragma once
 
 #include <QTimer>
@@ -11,13 +11,21 @@
 #include <memory>
 #include <vector>
 
+#include "core/opening/open_patient.h"
 #include "core/patient/patient_case.h"
 #include "ui/background_job.h"
+#include "ui/edit_journal.h"
 #include "ui/workspace.h"
 
 class QLockFile;
 
 namespace hepatica {
+
+// Work that a program left, as it is opened again.
+struct UnsavedWork {
+    std::string title;
+    OpenRequest request;
+};
 
 // UI thread; needs Qt's event loop and nothing else of the toolkit. Each program has a folder of
 // its own with a lock, by which others see that it still runs.
@@ -33,8 +41,11 @@ class Recovery {
     // All is saved or let go. Waits for a copy that is being written, and removes it.
     void end();
 
-    // Cases that programs left that do not run any more, the newest first.
+    // What programs left that do not run any more, the newest first: a case, or the journal of
+    // edits where that is newer.
     std::vector<std::filesystem::path> left_behind() const;
+    // One of these.
+    static UnsavedWork unsaved_work(const std::filesystem::path& left);
 
     // Nothing is being written or waits for it.
     bool resting() const { return !job_ && !wanted_.patient; }
@@ -46,9 +57,20 @@ class Recovery {
         Workspace::Edits edits;
         std::string title;
         std::filesystem::path voxels, opened_from;
-        std::uint64_t version = 0;
+        std::uint64_t version = 0, origin = 0;  // of the workspace
     };
 
+    // The corrections that are wanted, of which patient.
+    struct Wanted {
+        Workspace::Edits edits;
+        JournalBase base;         // as far as it can be said without the copy
+        bool needs_copy = false;  // they can be made again on a copy alone
+        std::uint64_t version = 0, origin = 0;
+    };
+
+    static Wanted wanted_of(const Workspace& workspace);
+    void note(const Wanted& wanted);
+    void forget_journal();
     void write();
     void written(const Copy& copy, const std::filesystem::path& place);
     void make_own_folder();
@@ -61,7 +83,11 @@ class Recovery {
     std::unique_ptr<QLockFile> lock_;
     Copy wanted_;                     // waits for its turn; without a patient: none
     std::uint64_t kept_version_ = 0;  // of the workspace; 0: none
-    bool needless_ = false;           // what is being written is not wanted any more
+    std::uint64_t copy_origin_ = 0;   // of the whole copy; 0: there is none
+    std::unique_ptr<EditJournal> journal_;
+    std::optional<Wanted> newest_;  // that was to be noted
+    bool told_of_journal_ = false;  // that it cannot be written
+    bool needless_ = false;         // what is being written is not wanted any more
     QTimer delay_;
     std::unique_ptr<BackgroundJob> job_;
 };

@@ -23,6 +23,7 @@
 #include "core/session/recording_file.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/recording_dialog.h"
 #include "ui/review_list.h"
 #include "ui/review_play.h"
 #include "ui/time_line.h"
@@ -186,6 +187,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     if (reviewing()) leave();
     forget();
     file_ = recording;
+    name_ = title_of(facts_of(file_));
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
@@ -271,10 +273,11 @@ void ReviewDock::compare(const fs::path& other) {
     other_job_.reset();
     other_tape_.reset();
     other_frame_.reset();
-    ways_.beside(nullptr, {});
+    ways_.beside(nullptr, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
+    other_name_ = title_of(facts_of(other));
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
@@ -311,7 +314,7 @@ void ReviewDock::show_other() {
     const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);
     if (frame == nullptr || frame == other_frame_) return;
     other_frame_ = frame;
-    ways_.beside(frame, to_text(other_file_.stem()));
+    ways_.beside(frame, name_, other_name_);
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {
@@ -336,9 +339,9 @@ void ReviewDock::show_progress(const JobProgress& progress) {
             window->resizeDocks({this}, {height_at_first}, Qt::Vertical);
         set_playing(true);
     }
-    QString name = to_text(file_.filename());
+    QString name = name_;
     if (comparing())
-        name = Words::tr("%1, and beside it %2").arg(name, to_text(other_file_.filename()));
+        name = Words::tr("%1, and beside it %2").arg(name, other_name_);
     title_->setText(complete() ? name
                                : Words::tr("%1: %2 % gone through")
                                      .arg(name)
@@ -429,7 +432,7 @@ void ReviewDock::forget() {
     job_.reset();
     other_job_.reset();
     other_frame_.reset();
-    if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {});
+    if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (screen_) screen_->gone = nullptr;
     screen_.reset();

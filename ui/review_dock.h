@@ -42,8 +42,9 @@ class ReviewDock : public QDockWidget {
         std::function<void(std::unique_ptr<Simulation>)> use;
         // Another recording, to be shown beside; none: not after all.
         std::function<std::optional<std::filesystem::path>()> ask_for_other;
-        // A frame beside the first view; null: nothing any more.
-        std::function<void(const std::shared_ptr<const Frame>& frame, const QString& caption)>
+        // A frame beside the first view, and what both are called; null: nothing any more.
+        std::function<void(const std::shared_ptr<const Frame>& frame, const QString& first,
+                           const QString& other)>
             beside;
         // Makes a film of it: `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
@@ -103,6 +104,7 @@ class ReviewDock : public QDockWidget {
 
     Ways ways_;
     std::filesystem::path file_;
+    QString name_, other_name_;  // of both recordings, for the user
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     bool waits_ = false;                          // for its patient

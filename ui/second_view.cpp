@@ -45,8 +45,13 @@ void SecondView::show_frame(const std::shared_ptr<const Frame>& frame,
                             const QString& caption) {
     const bool is_new = view_ == nullptr;
     if (is_new) make_view(of_vertices, look, caption);
+    view_->scene().set_drug_scale(drug_scale_s_);
     view_->show_frame(*frame);
     if (is_new) follow_first();
+}
+
+void SecondView::set_drug_scale(double least_end_s) {
+    drug_scale_s_ = least_end_s;
 }
 
 void SecondView::clear() {

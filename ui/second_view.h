@@ -24,6 +24,8 @@ class SecondView : public QWidget {
     void show_frame(const std::shared_ptr<const Frame>& frame,
                     const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                     const QString& caption);
+    // See SceneView::set_drug_scale(); of the pictures to come.
+    void set_drug_scale(double least_end_s);
     // Forgets everything and goes.
     void clear();
     // After every picture of the first view.
@@ -37,6 +39,7 @@ class SecondView : public QWidget {
 
     VtkWidget& first_;
     VtkWidget* view_ = nullptr;
+    double drug_scale_s_ = 0.0;
 };
 
 }  // namespace hepatica

@@ -38,6 +38,8 @@ constexpr std::array sentences_patient{
     Words::id("Measuring the reference"),
     Words::id("Measuring the settings"),
     Words::id("check the name, and that its disk is connected"),
+    Words::id("holds another patient by now than the unsaved edits were made on"),
+    Words::id("Bring the case back as it was, then open them again"),
     Words::id("there is no such file or folder"),
     Words::id("holds no voxels of vessels or organs"),
     Words::id("Reconstruct the case from its CT"),

@@ -21,6 +21,7 @@ const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
 const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
+const char* const curves_come_key = "curves_come";
 const char* const flow_units_key = "flow_units";
 const char* const trainee_key = "trainee";
 const char* const volume_key = "volume/shown";
@@ -141,6 +142,14 @@ QString Settings::language() const {
 
 void Settings::set_language(const QString& code) {
     if (store_) store_->setValue(language_key, code);
+}
+
+bool Settings::curves_come() const {
+    return !store_ || store_->value(curves_come_key, true).toBool();
+}
+
+void Settings::set_curves_come(bool come) {
+    if (store_) store_->setValue(curves_come_key, come);
 }
 
 QString Settings::flow_units() const {

@@ -66,6 +66,9 @@ class Settings {
     QString language() const;
     void set_language(const QString& code);
 
+    // The curves come by themselves: the user has not closed them since they asked for them last.
+    bool curves_come() const;
+    void set_curves_come(bool come);
     // See flow_units_named(); empty: none was chosen.
     QString flow_units() const;
     void set_flow_units(const QString& name);

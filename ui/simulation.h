@@ -8,6 +8,7 @@
 #include "core/deform/stepper/quality_dial.h"
 #include "core/scene/frame.h"
 #include "core/session/command.h"
+#include "core/session/recording.h"
 
 namespace hepatica {
 
@@ -21,6 +22,9 @@ class Simulation {
     virtual void set_drawing_ms(double) {}
     // Another dial of the same body, see Session::use_dial(). Any thread.
     virtual void use_dial(const QualityDial&) {}
+    // Records from now on, or ends that; see Session::record_from_now(). Any thread.
+    using Keep = std::function<void(RecordedStep)>;
+    virtual void record_from_now(std::function<Keep(const Recording& start)> /*begin*/) {}
     // UI thread: `tell` is called on any thread whenever a newer frame is there, and must not wait.
     // Frames that came before are not told of. A simulation at rest makes no frames.
     virtual void on_frame(std::function<void()> tell) = 0;

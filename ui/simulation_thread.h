@@ -20,6 +20,9 @@ class SimulationThread : public Simulation {
     void post(Command command) override;
     void set_drawing_ms(double ms) override { session_->set_drawing_ms(ms); }
     void use_dial(const QualityDial& dial) override { session_->use_dial(dial); }
+    void record_from_now(std::function<Keep(const Recording& start)> begin) override {
+        session_->record_from_now(std::move(begin));
+    }
     void on_frame(std::function<void()> tell) override { session_->on_frame(std::move(tell)); }
     bool update_frame() override { return session_->update_frame(); }
     const Frame& frame() const override { return session_->frame(); }

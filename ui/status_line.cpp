@@ -10,11 +10,16 @@
 namespace hepatica {
 
 StatusLine::StatusLine(QStatusBar& bar)
-    : step_(new QLabel(&bar)),
+    : recording_(new QLabel(&bar)),
+      step_(new QLabel(&bar)),
       real_time_(new QLabel(&bar)),
       error_(new QLabel(&bar)),
       picture_(new QLabel(&bar)),
       renderer_(new QLabel(&bar)) {
+    recording_->setObjectName("recording");
+    recording_->setTextFormat(Qt::RichText);
+    recording_->setText("<span style='color:#e5484d'>●</span> " + Words::tr("Recording"));
+    recording_->setToolTip(Words::tr("The play is recorded; F5 ends that"));
     step_->setObjectName("step");
     error_->setObjectName("expectedError");
     step_->setToolTip(Words::tr("Wall time of one step of the simulation"));
@@ -22,10 +27,11 @@ StatusLine::StatusLine(QStatusBar& bar)
         Words::tr("Simulated time over wall time: 1 is real time, less is slower"));
     picture_->setToolTip(Words::tr("Time of the last picture, until it was on the screen"));
     renderer_->setToolTip(Words::tr("The OpenGL renderer"));
-    for (QLabel* label : {step_, real_time_, error_, picture_, renderer_}) {
+    for (QLabel* label : {recording_, step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
         bar.addPermanentWidget(label);
     }
+    recording_->hide();
 }
 
 void StatusLine::show_statistics(const FrameStatistics& statistics) {
@@ -55,6 +61,10 @@ void StatusLine::show_renderer(const std::string& name) {
 
 void StatusLine::clear_statistics() {
     for (QLabel* label : {step_, real_time_, error_}) label->clear();
+}
+
+void StatusLine::show_recording(bool recording) {
+    recording_->setVisible(recording);
 }
 
 }  // namespace hepatica

@@ -19,8 +19,11 @@ class StatusLine {
     void show_picture_time(double ms);
     void show_renderer(const std::string& name);
     void clear_statistics();
+    // A red dot for as long as a play is recorded.
+    void show_recording(bool recording);
 
   private:
+    QLabel* recording_;
     QLabel* step_;
     QLabel* real_time_;
     QLabel* error_;

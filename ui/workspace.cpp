@@ -14,6 +14,8 @@ void Workspace::open(const OpenedPatient& opened) {
     folder_ = opened.folder;
     image_ = opened.image;
     kept_copy_ = opened.kept_copy;
+    base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
+    opened_origin_ = ++origin_;
     saved_edits_ = patient_->corrections.edits;
     never_saved_ = opened.worth_saving;
     undone_.clear();
@@ -110,6 +112,8 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
     ++strokes_version_;
     patient_ = std::move(patient);
     never_saved_ = true;
+    base_.clear();
+    ++origin_;
     undone_.clear();
     want(std::move(wanted));
 }
@@ -122,6 +126,8 @@ std::shared_ptr<const PatientCase> Workspace::before_remaking() const {
 void Workspace::take_back_remaking() {
     if (before_remaking() == nullptr) return;
     patient_ = remade_.back().before;
+    base_.clear();
+    ++origin_;
     never_saved_ = remade_.back().was_never_saved;
     strokes_.put_back(remade_.back().strokes);
     ++strokes_version_;
@@ -137,7 +143,7 @@ void Workspace::give_up_edits() {
 }
 
 void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
-    folder_ = folder;
+    base_ = folder_ = folder;
     title_ = folder.filename().string();
     saved_edits_ = edits;
     never_saved_ = false;

@@ -35,6 +35,13 @@ class Workspace {
     // The copy of unsaved work that it was opened from; else empty.
     const std::filesystem::path& kept_copy() const { return kept_copy_; }
 
+    // A case on disk on which the corrections can be made again; empty: there is none.
+    const std::filesystem::path& base() const { return base_; }
+    // Changes with every patient and every remaking: corrections belong to one origin.
+    std::uint64_t origin() const { return origin_; }
+    // The vessels are others than when he was opened.
+    bool remade() const { return origin_ != opened_origin_; }
+
     // --- corrections: of an open patient only
     // -----------------------------------------------------
     const Edits& edits() const { return edits_; }  // that are wanted
@@ -45,6 +52,8 @@ class Workspace {
     bool can_undo() const { return !edits_.empty() || !remade_.empty() || !strokes_.empty(); }
     bool can_redo() const { return !undone_.empty() || strokes_.can_redo(); }
     void add(const TreeEdit& edit);
+    // In place of all others, as a program left them.
+    void take_up(const Edits& edits) { want(edits); }
     // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
     // changes the tree.
     bool undo();
@@ -102,6 +111,7 @@ class Workspace {
     std::filesystem::path folder_;
     std::filesystem::path image_;
     std::filesystem::path kept_copy_;
+    std::filesystem::path base_;
     Edits edits_;
     Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;
@@ -110,6 +120,7 @@ class Workspace {
     PendingStrokes strokes_;
     std::uint64_t strokes_version_ = 0;
     std::uint64_t version_ = 0;
+    std::uint64_t origin_ = 0, opened_origin_ = 0;
 };
 
 }  // namespace hepatica

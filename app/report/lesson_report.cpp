@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/lesson_report.h"
 
+#include <QDateTime>
+#include <QFileInfo>
 #include <QImage>
-#include <QPageSize>
-#include <QPdfWriter>
-#include <QRegularExpression>
-#include <QTextBlock>
-#include <QTextCursor>
-#include <QTextDocument>
-#include <QTextFragment>
-#include <QTextImageFormat>
-#include <QUrl>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,6 +16,7 @@
 #include "app/output_place.h"
 #include "app/recorded_patient.h"
 #include "app/report/frame_painter.h"
+#include "app/report/page_printer.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/lesson/lesson_file.h"
@@ -27,9 +24,11 @@
 #include "core/scene/surface_anatomy.h"
 #include "core/session/recording_file.h"
 #include "render/chart.h"
+#include "ui/core_words.h"
 #include "ui/lesson_words.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -38,9 +37,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+QString in_words(Quantity quantity, double value, FlowUnits units = FlowUnits::computed) {
+    return translated(to_words(quantity, value, units));
+}
+
 // A moment worth a picture.
 struct Moment {
-    std::string caption;
+    QString caption;
     Frame frame;
 };
 
@@ -48,21 +51,25 @@ struct Moment {
 class Moments {
   public:
     void see(const Frame& frame, const LessonStanding& standing) {
-        if (list_.empty()) list_.push_back({"Before the first step", frame});
+        if (list_.empty()) list_.push_back({Words::tr("Before the first step"), frame});
         const bool counts = standing.metrics.time_s > last_s_;
         if (!counts) return;
         last_s_ = standing.metrics.time_s;
         if (standing.metrics.peak_force_mn > peak_mn_) {
             peak_mn_ = standing.metrics.peak_force_mn;
-            peak_ = Moment{"The largest force: " + to_words(Quantity::force_mn, peak_mn_), frame};
+            peak_ = Moment{
+                Words::tr("The largest force: %1").arg(in_words(Quantity::force_mn, peak_mn_)),
+                frame};
         }
         if (standing.step > step_ && list_.size() < most)
-            list_.push_back({"Step " + std::to_string(standing.step) + " reached, after " +
-                                 to_words(Quantity::time_s, last_s_),
+            list_.push_back({Words::tr("Step %1 reached, after %2")
+                                 .arg(standing.step)
+                                 .arg(in_words(Quantity::time_s, last_s_)),
                              frame});
         if (standing.step > step_) step_s_ = last_s_;
         step_ = standing.step;
-        end_ = Moment{"The end, after " + to_words(Quantity::time_s, last_s_), frame};
+        end_ =
+            Moment{Words::tr("The end, after %1").arg(in_words(Quantity::time_s, last_s_)), frame};
     }
     std::vector<Moment> list() const {
         std::vector<Moment> all = list_;
@@ -99,9 +106,9 @@ std::vector<PlotEvent> events_of(const LessonStanding& standing) {
     std::vector<PlotEvent> events;
     for (std::size_t i = 0; i < standing.steps.size(); ++i)
         if (standing.steps[i].reached_s)
-            events.push_back({*standing.steps[i].reached_s, QString("step %1").arg(i + 1)});
+            events.push_back({*standing.steps[i].reached_s, Words::tr("step %1").arg(i + 1)});
     if (standing.outcome == LessonOutcome::failed && !standing.reasons.empty())
-        events.push_back({standing.metrics.time_s, "failed"});
+        events.push_back({standing.metrics.time_s, Words::tr("failed")});
     return events;
 }
 
@@ -115,13 +122,18 @@ void draw(const Chart& chart, const std::vector<PlotEvent>& events, const fs::pa
     save(image, file);
 }
 
+std::string key(const QString& words) {
+    return words.toStdString();
+}
+
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds)
-        rows.push_back({{"bound", to_words(bound.predicate, marks, units)},
-                        {"was", to_words(bound.predicate.quantity, bound.value, units)},
-                        {"kept", bound.kept ? "yes" : "no"}});
+        rows.push_back(
+            {{key(Words::tr("Bound")), key(translated(to_words(bound.predicate, marks, units)))},
+             {key(Words::tr("Was")), key(in_words(bound.predicate.quantity, bound.value, units))},
+             {key(Words::tr("Kept")), key(bound.kept ? Words::tr("yes") : Words::tr("no"))}});
     return rows;
 }
 
@@ -129,20 +141,45 @@ Json table_of_steps(const LessonStanding& standing, const Lesson& lesson) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const auto& reached = standing.steps[i].reached_s;
-        rows.push_back(
-            {{"step", lesson.steps[i].text},
-             {"reached", reached ? "after " + to_words(Quantity::time_s, *reached) : "no"}});
+        const QString when = reached
+                                 ? Words::tr("after %1").arg(in_words(Quantity::time_s, *reached))
+                                 : Words::tr("no");
+        rows.push_back({{key(Words::tr("Step")), key(translated(lesson.steps[i].text))},
+                        {key(Words::tr("Reached")), key(when)}});
     }
     return rows;
 }
 
-Json table_of_metrics(const LessonMetrics& metrics, FlowUnits units) {
+bool asks_for(const Lesson& lesson, Quantity quantity) {
+    const auto names = [quantity](const std::vector<Predicate>& bounds) {
+        return std::ranges::find(bounds, quantity, &Predicate::quantity) != bounds.end();
+    };
+    return names(lesson.limits) || names(lesson.pass) ||
+           std::ranges::any_of(lesson.steps, [&](const LessonStep& step) {
+               return names(step.goal) || names(step.limits);
+           });
+}
+
+// That nothing of it happened is a result where it could have, and says nothing else.
+bool means_something(Quantity quantity, double value, const Lesson& lesson) {
+    if (asks_for(lesson, quantity)) return true;
+    if (!std::isfinite(value)) return false;
+    if (value != 0.0 || quantity <= Quantity::impulse_mn_s) return true;
+    if (quantity <= Quantity::contact_s)
+        return std::ranges::any_of(lesson.tools, [](LessonTool tool) {
+            return tool >= LessonTool::sphere && tool <= LessonTool::hook;
+        });
+    return quantity <= Quantity::blood_lost_g && lesson.scene.tear;
+}
+
+Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUnits units) {
     Json rows = Json::array();
     for (const QuantityWords& words : quantities()) {
         if (words.quantity >= Quantity::step_time_s) break;
         const double value = value_of({words.quantity, -1, true, 0.0}, metrics, {}, 0.0);
-        rows.push_back(
-            {{"metric", words.words}, {"value", to_words(words.quantity, value, units)}});
+        if (!means_something(words.quantity, value, lesson)) continue;
+        rows.push_back({{key(Words::tr("Quantity")), key(translated(words.words))},
+                        {key(Words::tr("Value")), key(in_words(words.quantity, value, units))}});
     }
     return rows;
 }
@@ -157,7 +194,7 @@ std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recordi
 // A step that nobody reaches, so that all of the play is measured.
 Lesson free_play(const Recording& recording) {
     Lesson lesson;
-    lesson.name = "Free play";
+    lesson.name = Words::id("Free play");
     lesson.scene = recording.scene;
     for (const LessonTool tool : {LessonTool::pull, LessonTool::sphere, LessonTool::capsule,
                                   LessonTool::forceps, LessonTool::hook, LessonTool::blade,
@@ -167,96 +204,67 @@ Lesson free_play(const Recording& recording) {
     return lesson;
 }
 
-// Qt's text knows neither figures nor the units of the page's style sheet.
-QString in_plain_html(QString html) {
-    static const QRegularExpression style_sheet("<style>.*</style>",
-                                                QRegularExpression::DotMatchesEverythingOption);
-    html.remove(style_sheet);
-    html.replace("<figure>", "<p>");
-    html.replace("<figcaption>", "<br>");
-    html.replace("</figcaption></figure>", "</p>");
-    html.replace("<table>", "<table cellpadding=\"4\">");
-    return html;
-}
-
-// As wide as the text on paper. Qt's text keeps room for a picture's own height otherwise, whatever
-// its width becomes.
-void fit_pictures(QTextDocument& document, const fs::path& folder) {
-    constexpr double width = 600.0;
-    struct Place {
-        int begin, end;
-        QTextImageFormat format;
-    };
-    std::vector<Place> places;
-    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
-        for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
-            const QTextFragment fragment = piece.fragment();
-            if (fragment.charFormat().isImageFormat())
-                places.push_back({fragment.position(), fragment.position() + fragment.length(),
-                                  fragment.charFormat().toImageFormat()});
-        }
-    QTextCursor cursor(&document);
-    for (Place& place : places) {
-        const QImage picture(to_text(folder / to_path(place.format.name())));
-        place.format.setWidth(width);
-        place.format.setHeight(width * picture.height() / picture.width());
-        cursor.setPosition(place.begin);
-        cursor.setPosition(place.end, QTextCursor::KeepAnchor);
-        cursor.setCharFormat(place.format);
-    }
-}
-
-void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
-    QTextDocument document;
-    document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
-    document.setMetaInformation(QTextDocument::DocumentUrl,
-                                QUrl::fromLocalFile(to_text(folder) + "/").toString());
-    document.setHtml(in_plain_html(QString::fromStdString(html)));
-    fit_pictures(document, folder);
-    QPdfWriter writer(to_text(file));
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setResolution(150);
-    writer.setTitle("Hepatica");
-    document.print(&writer);
-}
-
 struct Parts {
     const ReportRequest& request;
     const Lesson& lesson;
     bool free;
     const Score& scored;
+    const PatientCase& patient;
     std::vector<std::pair<fs::path, std::string>> pictures;
     std::vector<std::pair<fs::path, std::string>> plots;
 };
 
-HtmlReport page_of(const Parts& parts) {
+QString name_of_patient(const ReportRequest& request, const PatientCase& patient) {
+    const std::string& name =
+        request.patient_name.empty() ? patient.source.name : request.patient_name;
+    return translated(name);
+}
+
+void add_who_and_when(HtmlReport& page, const Parts& parts) {
+    const ReportRequest& request = parts.request;
+    QStringList facts;
+    if (!request.name.empty())
+        facts << Words::tr("Played by %1").arg(QString::fromStdString(request.name));
+    if (const QString patient = name_of_patient(request, parts.patient); !patient.isEmpty())
+        facts << Words::tr("Patient: %1").arg(patient);
+    const QDateTime played = QFileInfo(to_text(request.recording)).lastModified();
+    facts << Words::tr("Played on %1").arg(QLocale().toString(played, "d MMMM yyyy, hh:mm"));
+    facts << "Hepatica " HEPATICA_VERSION;
+    page.add_paragraph(key(facts.join(" · ")));
+}
+
+void add_verdict(HtmlReport& page, const Parts& parts) {
     const LessonStanding& standing = parts.scored.standing;
     const std::vector<std::string> marks = parts.lesson.mark_names();
     const FlowUnits units = parts.request.units;
-    HtmlReport page("Hepatica: " + parts.lesson.name);
-    if (!parts.request.name.empty()) page.add_paragraph("Played by " + parts.request.name + ".");
-    if (!parts.free) {
-        page.add_paragraph(standing.outcome == LessonOutcome::passed ? "PASSED." : "NOT PASSED.");
-        for (const std::string& reason : reasons_in(standing, marks, units))
-            page.add_paragraph(reason);
-        if (!parts.lesson.about.empty()) page.add_paragraph(parts.lesson.about);
-        page.add_heading("Steps");
-        page.add_table(table_of_steps(standing, parts.lesson));
-        if (!standing.limits.empty()) page.add_heading("Limits");
-        if (!standing.limits.empty())
-            page.add_table(table_of_bounds(standing.limits, marks, units));
-        if (!standing.pass.empty()) page.add_heading("Pass marks");
-        if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks, units));
-    }
-    page.add_heading("Metrics");
-    page.add_table(table_of_metrics(standing.metrics, units));
-    page.add_heading("Over time");
+    page.add_paragraph(key(standing.outcome == LessonOutcome::passed ? Words::tr("PASSED.")
+                                                                     : Words::tr("NOT PASSED.")));
+    for (const std::string& reason : reasons_in(standing, marks, units))
+        page.add_paragraph(key(translated(reason)));
+    if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
+    page.add_heading(key(Words::tr("Steps")));
+    page.add_table(table_of_steps(standing, parts.lesson));
+    if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
+    if (!standing.limits.empty()) page.add_table(table_of_bounds(standing.limits, marks, units));
+    if (!standing.pass.empty()) page.add_heading(key(Words::tr("Pass marks")));
+    if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks, units));
+}
+
+HtmlReport page_of(const Parts& parts) {
+    HtmlReport page("Hepatica: " + key(translated(parts.lesson.name)), parts.request.language);
+    add_who_and_when(page, parts);
+    if (!parts.free) add_verdict(page, parts);
+    page.add_heading(key(Words::tr("Metrics")));
+    page.add_table(
+        table_of_metrics(parts.scored.standing.metrics, parts.lesson, parts.request.units));
+    page.add_heading(key(Words::tr("Over time")));
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
-    page.add_heading("Pictures");
-    page.add_paragraph("From the front, without perspective. Circles: the lesson's marks.");
-    for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
+    page.add_heading(key(Words::tr("Pictures")));
     page.add_paragraph(
-        "For training and research alone: no diagnosis, no treatment, no certificate.");
+        key(Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+    for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
+    page.add_paragraph(key(
+        Words::tr("For training and research alone: no diagnosis, no treatment, no certificate.")));
     return page;
 }
 
@@ -267,22 +275,22 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const Recording recording = read_recording(request.recording);
     const std::optional<Lesson> played = lesson_of_play(request, recording);
     const Lesson lesson = played.value_or(free_play(recording));
-    job.begin_stage("Reading the case");
+    constexpr int replaying_and_writing = 3;
     // Free play and the lessons that come with the program name no case.
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, request.recording, case_of_lesson(lesson, request.lesson, request.patient),
-        &request.cache, job));
+        &request.cache, replaying_and_writing, job));
     Moments moments;
     std::optional<LessonRun> places;
     places.emplace(lesson, patient);
     const Score scored = score(
         recording, lesson, patient, job, cpu_back_end(),
         [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
-    job.begin_stage("Writing the report");
+    job.begin_stage(Words::id("Writing the report"));
     fs::create_directories(request.out);
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {
-        Parts parts{request, lesson, !played, scored, {}, {}};
+        Parts parts{request, lesson, !played, scored, *patient, {}, {}};
         FramePainting painting;
         const bool moves = lesson.scene.deform.has_value();
         painting.systems =
@@ -295,22 +303,24 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
             painting.marks_mm = places->marks_in(moment.frame);
             const fs::path name = "picture_" + std::to_string(++number) + ".png";
             save(paint(moment.frame, painting), folder / name);
-            parts.pictures.emplace_back(name, moment.caption);
+            parts.pictures.emplace_back(name, key(moment.caption));
         }
         std::vector<Chart> charts{
-            chart_over_time(scored.samples, "Force", "Force (mN)",
+            chart_over_time(scored.samples, Words::id("Force"), Words::id("Force (mN)"),
                             [](const LessonSample& s) { return s.force_mn; }),
-            chart_over_time(scored.samples, "Largest stretch beyond rest", "Stretch (%)",
+            chart_over_time(scored.samples, Words::id("Largest stretch beyond rest"),
+                            Words::id("Stretch (%)"),
                             [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
         if (lesson.scene.tear)
-            charts.push_back(chart_over_time(scored.samples, "Bleeding", "Bleeding (g/s)",
+            charts.push_back(chart_over_time(scored.samples, Words::id("Bleeding"),
+                                             Words::id("Bleeding (g/s)"),
                                              [](const LessonSample& s) { return s.leak_g_s; }));
         std::string table;
         for (const Chart& chart : charts) {
             const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
             draw(bleeding_in_units(chart, request.units), events_of(scored.standing),
                  folder / name);
-            parts.plots.emplace_back(name, chart.title);
+            parts.plots.emplace_back(name, key(translated(chart.title)));
             table += to_csv(chart);
         }
         write_text_atomically(folder / "plots.csv", table);

@@ -21,6 +21,8 @@ struct ReportRequest {
     std::filesystem::path patient;          // a case; empty: see recorded_patient()
     BuiltInCache cache;                     // of the built-in patient
     FlowUnits units = FlowUnits::computed;  // on the pages; tables keep what is computed in
+    std::string patient_name;     // as the pages call him; empty: as the case does, or not at all
+    std::string language = "en";  // of the pages, which use_language() was told
 };
 
 struct WrittenReport {

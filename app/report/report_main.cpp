@@ -9,10 +9,12 @@
 #include <clocale>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "app/report/lesson_report.h"
 #include "app/users_cache.h"
 #include "core/base/error.h"
+#include "ui/language.h"
 #include "ui/paths.h"
 #include "ui/theme.h"
 
@@ -32,6 +34,19 @@ void print(const WrittenReport& written, bool json) {
     std::printf("%s\n", QJsonDocument(answer).toJson(QJsonDocument::Compact).constData());
 }
 
+// A line for each stage and each hundredth of it.
+void print_progress(const Job& job) {
+    static std::pair<int, int> last{0, 0};
+    const JobProgress now = job.progress();
+    const std::pair shown{now.stage_number, static_cast<int>(100.0 * now.fraction)};
+    if (shown == last || now.stage_number == 0) return;
+    last = shown;
+    const QJsonObject line{{"stage", QString::fromStdString(now.stage)},
+                           {"fraction", now.fraction}};
+    std::printf("%s\n", QJsonDocument(line).toJson(QJsonDocument::Compact).constData());
+    std::fflush(stdout);
+}
+
 int refuse(const char* problem, int code) {
     std::fprintf(stderr, "hepatica: %s\n", problem);
     return code;
@@ -49,7 +64,10 @@ QList<QCommandLineOption> report_options() {
              "recording, or the built-in patient.",
              "CASE"},
             {"units", "Blood on the pages: computed (g, g/s) or clinic (mL, mL/min).", "UNITS",
-             "computed"}};
+             "computed"},
+            {"language", "Language of the pages: en or de.", "LANGUAGE", "en"},
+            {"patient-name", "What the pages call the patient; none: as the case does.", "NAME"},
+            {"progress", "Print how far the report is, a JSON object a line."}};
 }
 
 bool asks_for_report(int argc, char** argv) {
@@ -73,15 +91,22 @@ int report_main(int argc, char** argv) {
     if (!parser.isSet("out")) return refuse("--report needs --out DIR", 2);
     const FlowUnits units = flow_units_named(parser.value("units"));
     if (name_of(units) != parser.value("units")) return refuse("--units is computed or clinic", 2);
+    const QString language = parser.value("language");
+    if (language.isEmpty() || language_of(language) != language)
+        return refuse("--language is en or de", 2);
+    use_language(language);
     try {
         Job job;
+        if (parser.isSet("progress")) job.observe([&job](JobEvent) { print_progress(job); });
         print(write_report({.recording = to_path(parser.value("report")),
                             .out = to_path(parser.value("out")),
                             .lesson = parser.value("lesson").toStdString(),
                             .name = parser.value("name").toStdString(),
                             .patient = to_path(parser.value("patient")),
                             .cache = users_cache(),
-                            .units = units},
+                            .units = units,
+                            .patient_name = parser.value("patient-name").toStdString(),
+                            .language = language.toStdString()},
                            job),
               parser.isSet("json"));
     } catch (const InputError& error) {

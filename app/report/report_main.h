@@ -7,7 +7,7 @@
 
 namespace hepatica {
 
-// --report, --out, --lesson, --name and --patient.
+// --report, --out, and what belongs to them.
 QList<QCommandLineOption> report_options();
 
 // Before there is an application, because its platform depends on it.

@@ -32,11 +32,11 @@ Json run_lesson(const LessonChoices& options, Job& job) {
     const Lesson lesson = find_lesson(options.lesson);
     const Recording recording = read_recording(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
-    job.begin_stage("Reading the case");
+    constexpr int building_and_replaying = 2;
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.recording, case_of_lesson(lesson, options.lesson, options.patient),
-        lesson.patient == "built-in" ? &no_cache : nullptr, job));
+        lesson.patient == "built-in" ? &no_cache : nullptr, building_and_replaying, job));
     const Score scored =
         score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);
     if (!options.csv.empty()) write_text_atomically(options.csv, to_csv(scored.standing.metrics));

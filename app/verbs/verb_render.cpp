@@ -133,6 +133,7 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
                          "give the case that it was made on");
     auto session = std::make_unique<Session>(patient, recording.scene, job,
                                              choose_back_end(recording.back_end).back_end);
+    if (recording.begin) session->restore(*recording.begin);
     const double end_s = options.time_s.value_or(std::numeric_limits<double>::infinity());
     for (const RecordedStep& step : recording.steps) {
         if (session->world().time_s() >= end_s) break;

@@ -28,10 +28,9 @@ struct ReplayChoices {
 Json run_replay(const ReplayChoices& options, Job& job) {
     const Recording recording = read_recording(options.file);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
-    job.expect_stages(3);
-    job.begin_stage("Reading the case");
-    auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, options.file, options.patient, nullptr, job));
+    constexpr int building_and_replaying = 2;
+    auto patient = std::make_shared<const PatientCase>(recorded_patient(
+        recording, options.file, options.patient, nullptr, building_and_replaying, job));
     const ReplayResult result = replay(recording, patient, job, options.from_step,
                                        choose_back_end(recording.back_end).back_end);
     if (options.verify && result.diverged_at)

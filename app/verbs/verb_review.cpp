@@ -33,10 +33,10 @@ Json run_review(const ReviewChoices& options, Job& job) {
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     const auto lesson = options.lesson.empty() ? built_in_lesson_of(recording)
                                                : std::optional(find_lesson(options.lesson));
-    job.begin_stage("Reading the case");
+    constexpr int building_and_replaying = 2;
     const BuiltInCache no_cache;
-    const auto patient = std::make_shared<const PatientCase>(
-        recorded_patient(recording, options.recording, options.patient, &no_cache, job));
+    const auto patient = std::make_shared<const PatientCase>(recorded_patient(
+        recording, options.recording, options.patient, &no_cache, building_and_replaying, job));
     ReviewTape tape(0);  // the events alone
     const Review found =
         review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);

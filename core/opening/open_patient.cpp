@@ -69,6 +69,12 @@ std::string name_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+void require_same(const PatientCase& patient, const LeftEdits& left) {
+    if (hash_of_extracted(patient) == left.extracted) return;
+    throw InputError("holds another patient by now than the unsaved edits were made on",
+                     left.file.string(), "Bring the case back as it was, then open them again");
+}
+
 }  // namespace
 
 OpenRequest with_absolute_paths(OpenRequest request) {
@@ -131,6 +137,9 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     } else {
         opened = reconstructed(request.reconstruct, job);
     }
+    if (!request.built_in && is_case(path)) opened.read_from = path;
+    if (request.left_edits) require_same(*opened.patient, *request.left_edits);
+    if (request.left_edits) opened.kept_copy = request.left_edits->file;
     opened.title = request.built_in ? built_in_title : name_of(path);
     return opened;
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,21 @@
 
 namespace hepatica {
 
+// Corrections that a program left without having saved them, see ui/edit_journal.h.
+struct LeftEdits {
+    std::vector<TreeEdit> edits;   // all that are wanted, in place of those of the case
+    std::uint64_t extracted = 0;   // hash_of_extracted() of whom they were made on
+    std::filesystem::path file{};  // where they are kept
+};
+
 struct OpenRequest {
     bool built_in = false;           // the synthetic patient; `reconstruct` is not read
     ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
     BuiltInCache cache{};            // keeps the built-in patient from one start to the next
     // `ct` is a copy of what was not saved: it is read whole, and lies nowhere yet.
     bool unsaved_copy = false;
+    // To be made once he is open: open_patient() only looks whether he is the one they belong to.
+    std::optional<LeftEdits> left_edits{};
 };
 
 // What the built-in patient is called.
@@ -35,7 +45,10 @@ struct OpenedPatient {
     std::shared_ptr<const PatientCase> patient;
     std::filesystem::path folder;  // the case on disk, which holds the voxels too; empty: none yet
     std::filesystem::path image;   // the CT it was reconstructed from just now; else empty
-    std::filesystem::path kept_copy{};  // of what was not saved, which it was read from; else empty
+    // The case that was read, wherever it lies; empty: none was.
+    std::filesystem::path read_from{};
+    // Of what was not saved, with which it was opened: a case, or a file of edits; else empty.
+    std::filesystem::path kept_copy{};
     // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
     bool worth_saving = false;
     std::vector<std::string> warnings;

@@ -103,4 +103,8 @@ void write_dial(const std::filesystem::path& place, const std::string& dial_json
 // Hash of what the simulation reads (tree and mesh): a recording names the case that it belongs to.
 std::uint64_t hash_of(const PatientCase& patient);
 
+// Hash of his tree as it was extracted, which no correction changes: the same corrections can be
+// made again where it is the same.
+std::uint64_t hash_of_extracted(const PatientCase& patient);
+
 }  // namespace hepatica

@@ -21,6 +21,7 @@
 #include "core/scene/through_tears.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/scene/vertex_places.h"
+#include "core/scene/weak_edges.h"
 
 namespace hepatica {
 
@@ -199,6 +200,7 @@ class DeformPart {
     std::vector<Vec3> rest_mm_;            // per vertex
     std::vector<std::uint8_t> fixed_;      // per vertex
     std::vector<VertexPlace> tetrahedra_;  // of each, once asked for
+    mutable WeakEdges weak_edges_;         // as they were shown last
     std::uint64_t followed_ = 1;           // version of the topology
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;

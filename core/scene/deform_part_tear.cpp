@@ -53,6 +53,7 @@ void DeformPart::show_tear(TearView& view) const {
                       : tear_->stop == TearStop::entropy ? "entropy"
                                                          : "vertices";
     view.loads = vertex_loads();
+    view.weak_edges = weak_edges_.of(*stepper_->tearing());
 }
 
 std::shared_ptr<const std::vector<float>> DeformPart::vertex_loads() const {

@@ -76,6 +76,9 @@ struct TearView {
     // Of each: the most that a joint at it is loaded with, over its limit (1 tears), or 0 where
     // that is less than half. Null where nothing is near its limit.
     std::shared_ptr<const std::vector<float>> loads;
+    // Edges of the surface at which a weakened joint still holds: a cut line that has not torn yet.
+    // Null where there is none.
+    std::shared_ptr<const std::vector<std::array<int, 2>>> weak_edges;
 };
 
 struct FrameStatistics {

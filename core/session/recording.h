@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session that can be replayed to the last bit: a hash of the patient, the scene, the commands of
 // every step, a hash of the state after each step, and a full state (keyframe) every ten seconds of
-// play, where a replay can begin. The patient is identified by the hash of tree and mesh alone.
+// play, where a replay can begin. It begins with a new scene, or with a full state amid a play. The
+// patient is identified by the hash of tree and mesh alone.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +35,8 @@ struct Recording {
     std::string back_end;            // name of the DeformBackEnd that computed the body
     std::uint64_t patient_hash = 0;  // of tree and mesh, see hash_of(PatientCase)
     SceneSpec scene;
+    // Where it begins, its own step being 0; null: at rest, with a new scene.
+    std::shared_ptr<const Keyframe> begin;
     std::vector<RecordedStep> steps;
     std::vector<std::string> warnings;  // from reading the file
 };

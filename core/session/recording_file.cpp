@@ -38,18 +38,19 @@ std::string header_of(const Recording& recording) {
     return header.dump() + "\n";
 }
 
+std::string line_of(const Keyframe& keyframe) {
+    const Json state{{"keyframe", keyframe.step},
+                     {"played_steps", keyframe.played_steps},
+                     {"automatic", keyframe.automatic},
+                     {"world", to_json(keyframe.world)}};
+    return state.dump() + "\n";
+}
+
 std::string lines_of(const RecordedStep& step) {
     Json line{{"hash", to_hex(step.state_hash)}};
     for (const Command& command : step.commands) line["commands"].push_back(to_json(command));
     std::string text = line.dump() + "\n";
-    if (step.keyframe) {
-        const Keyframe& keyframe = *step.keyframe;
-        const Json state{{"keyframe", keyframe.step},
-                         {"played_steps", keyframe.played_steps},
-                         {"automatic", keyframe.automatic},
-                         {"world", to_json(keyframe.world)}};
-        text += state.dump() + "\n";
-    }
+    if (step.keyframe) text += line_of(*step.keyframe);
     return text;
 }
 
@@ -80,13 +81,18 @@ void read_step(const Json& json, Recording& recording) {
     recording.steps.push_back(std::move(step));
 }
 
-// A keyframe is the line after that of its step.
+// A keyframe is the line after that of its step, or after the header.
 void read_keyframe(const Json& json, Recording& recording) {
     auto keyframe = std::make_shared<Keyframe>();
     keyframe->step = whole_number<std::uint64_t>(json.at("keyframe"));
     keyframe->played_steps = whole_number<std::uint64_t>(json.at("played_steps"));
     keyframe->automatic = json.at("automatic").get<bool>();
     keyframe->world = world_checkpoint_from_json(json.at("world"));
+    const bool begins = keyframe->step == 0 && recording.steps.empty() && !recording.begin;
+    if (begins) {
+        recording.begin = std::move(keyframe);
+        return;
+    }
     if (recording.steps.empty() || keyframe->step != recording.steps.size())
         throw InputError("a keyframe of step " + std::to_string(keyframe->step) +
                              " stands behind step " + std::to_string(recording.steps.size()),
@@ -114,7 +120,9 @@ RecordingWriter::RecordingWriter(std::filesystem::path file, const Recording& st
     std::error_code ignored;  // a folder that cannot be made is noticed when the file is opened
     std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), ignored);
     out_.open(file_, std::ios::binary | std::ios::trunc);
-    out_ << header_of(start) << std::flush;
+    out_ << header_of(start);
+    if (start.begin) out_ << line_of(*start.begin);
+    out_ << std::flush;
     if (!out_)
         throw InputError("cannot be written", file_.string(),
                          "Choose a folder that exists and can be written to");

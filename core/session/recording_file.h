@@ -4,6 +4,7 @@
 // may be incomplete and is then dropped by the reader.
 //   {"format": "hepatica-recording", "version": 2, "program": "0.1.0", "back_end": "cpu",
 //    "patient_hash": "...", "scene": {...}}
+//   {"keyframe": 0, ...}                                 where it began amid a play
 //   {"hash": "...", "commands": [...]}
 //   {"keyframe": 600, "played_steps": 600, "automatic": false, "world": {...}}
 #pragma once
@@ -23,8 +24,8 @@ namespace hepatica {
 // a keyframe.
 class RecordingWriter {
   public:
-    // Writes the header and the steps of `start`. Replaces an existing file. Throws InputError
-    // where it cannot be written.
+    // Writes the header, the beginning and the steps of `start`. Replaces an existing file. Throws
+    // InputError where it cannot be written.
     RecordingWriter(std::filesystem::path file, const Recording& start);
     ~RecordingWriter();  // writes all steps appended so far
     RecordingWriter(const RecordingWriter&) = delete;

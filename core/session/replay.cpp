@@ -41,10 +41,13 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
     const RecordedStep* start = keyframe_before(recording, from_step);
     Session session(std::move(patient), recording.scene, job, back_end);
     ReplayResult result;
-    if (start != nullptr) {
-        Keyframe keyframe = *start->keyframe;
+    const auto restore = [&session](Keyframe keyframe) {
         keyframe.automatic = false;  // settings come from the recorded commands
         session.restore(keyframe);
+    };
+    if (start == nullptr && recording.begin) restore(*recording.begin);
+    if (start != nullptr) {
+        restore(*start->keyframe);
         result.began_at = result.steps = start->keyframe->step;
         result.state_hash = session.state_hash();
         if (result.state_hash != start->state_hash)

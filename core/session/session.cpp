@@ -92,6 +92,35 @@ void Session::on_frame(std::function<void()> tell) {
     tell_of_frame_ = std::move(tell);
 }
 
+void Session::record_from_now(std::function<Keep(const Recording&)> begin) {
+    {
+        const std::scoped_lock lock(queue_mutex_);
+        waiting_recording_ = std::move(begin);
+    }
+    command_waits_.notify_one();
+}
+
+// What is restored within the recording is then what a replay of it has.
+void Session::begin_waiting_recording() {
+    std::optional<std::function<Keep(const Recording&)>> begin;
+    {
+        const std::scoped_lock lock(queue_mutex_);
+        begin.swap(waiting_recording_);
+    }
+    if (!begin) return;
+    keep_ = nullptr;
+    if (!*begin) return;
+    recorded_from_ = step_ - 1;
+    recorded_ = {};
+    last_good_ = std::make_shared<const Keyframe>(keyframe());
+    Recording start = recording_start_;
+    auto first = std::make_shared<Keyframe>(*last_good_);
+    first->step = 0;
+    start.begin = std::move(first);
+    keep_ = (*begin)(start);
+    if (paused_) recorded_.commands.emplace_back(SetPaused{true});  // a keyframe is not paused
+}
+
 void Session::apply_waiting_commands(const std::stop_token& stop) {
     std::vector<Command> commands;
     std::optional<QualityDial> dial;
@@ -289,6 +318,11 @@ void Session::keep_step(SessionStep& step) {
     if (!keep_) return;
     try {
         step.state_hash = recorded_.state_hash = state_hash();
+        if (recorded_.keyframe && recorded_from_ > 0) {
+            auto numbered = std::make_shared<Keyframe>(*recorded_.keyframe);
+            numbered->step -= recorded_from_;
+            recorded_.keyframe = std::move(numbered);
+        }
         keep_(std::move(recorded_));
     } catch (...) {
         keep_ = nullptr;  // a recording must have no gap, so it ends here
@@ -303,6 +337,7 @@ SessionStep Session::step(const std::stop_token& stop) {
     if (!std::exchange(stopped_, false)) recorded_ = {};
     shielded([&] {
         if (failed_) recover();
+        begin_waiting_recording();
         apply_waiting_commands(stop);
         done.paused = paused_;
         if (paused_) return;

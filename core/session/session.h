@@ -87,6 +87,13 @@ class Session {
     // thread.
     void use_dial(QualityDial dial);
 
+    // Records from before the next step on, in place of what is recorded: `begin` is handed the
+    // recording's start, which is the state then, and what it returns is passed every step; both on
+    // the thread that steps. An empty function ends recording. The last good state is then that one
+    // too. May be called at any time from any thread.
+    using Keep = std::function<void(RecordedStep)>;
+    void record_from_now(std::function<Keep(const Recording& start)> begin);
+
     // --- the reader's thread (UI) ---------------------------------------------------------------
     // Takes the newest frame; false where there is none since the last call. frame() stays valid
     // and unchanged until the next call.
@@ -114,7 +121,7 @@ class Session {
 
     // Passes every step to `keep`, on the thread that steps. Call it before the first step. Where
     // `keep` throws, the recording ends there and the session pauses as after any other error.
-    void record(std::function<void(RecordedStep)> keep) { keep_ = std::move(keep); }
+    void record(Keep keep) { keep_ = std::move(keep); }
     // Shows every step to `see`, on the thread that steps: the commands applied before it, as they
     // are recorded, and its frame before anybody else has it. Call it before the first step. A
     // session that is watched does not rest but where it is paused, because for whoever watches,
@@ -135,6 +142,7 @@ class Session {
 
   private:
     Keyframe keyframe() const;
+    void begin_waiting_recording();
     void apply_waiting_commands(const std::stop_token& stop);
     // False where it is refused.
     bool apply_and_record(const Command& command, const std::stop_token& stop);
@@ -169,8 +177,10 @@ class Session {
     void forget_divergence();
     // Whether no later step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
-    // A command or a dial does; under queue_mutex_.
-    bool something_waits() const { return !queue_.empty() || waiting_dial_.has_value(); }
+    // A command, a dial or a recording does; under queue_mutex_.
+    bool something_waits() const {
+        return !queue_.empty() || waiting_dial_.has_value() || waiting_recording_.has_value();
+    }
     void wait_for_command(const std::stop_token& stop);
     void sleep_until(std::chrono::steady_clock::time_point due, const std::stop_token& stop);
     // Fills a frame in, hands it to the reader, and sets step.step_ms to the time since `start`.
@@ -203,11 +213,13 @@ class Session {
     std::mutex listener_mutex_;
     std::function<void()> tell_of_frame_;
     std::optional<QualityDial> waiting_dial_;
+    std::optional<std::function<Keep(const Recording&)>> waiting_recording_;
 
     TripleBuffer<Frame> frames_;
-    std::function<void(RecordedStep)> keep_;  // empty: nothing is recorded
-    Watch watch_;                             // empty: nobody watches
-    std::vector<Command> watched_;            // of the present step
+    Keep keep_;                        // empty: nothing is recorded
+    std::uint64_t recorded_from_ = 0;  // number of the step before the recording's first
+    Watch watch_;                      // empty: nobody watches
+    std::vector<Command> watched_;     // of the present step
     Recording recording_start_;
 };
 

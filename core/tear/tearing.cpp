@@ -70,6 +70,13 @@ void Tearing::weaken(std::span<const int> joints, double factor) {
         if (!topology_.parted(j)) weakness_[j] *= factor;
 }
 
+std::vector<int> Tearing::weakened() const {
+    std::vector<int> joints;
+    for (int j = 0; j < static_cast<int>(weakness_.size()); ++j)
+        if (weakness_[j] != 1.0 && !topology_.parted(j)) joints.push_back(j);
+    return joints;
+}
+
 std::vector<int> Tearing::crossing(const Vec3& corner_mm, const Vec3& first_edge_mm,
                                    const Vec3& second_edge_mm,
                                    std::span<const Vec3> positions_mm) const {

@@ -37,6 +37,9 @@ class Tearing {
     // InputError for another factor or a joint that does not exist.
     void weaken(std::span<const int> joints, double factor);
 
+    // Those that were weakened and hold all the same, ascending.
+    std::vector<int> weakened() const;
+
     // The joints between tetrahedra on different sides of the parallelogram with a corner and two
     // edges, where the way between their centres crosses it.
     std::vector<int> crossing(const Vec3& corner_mm, const Vec3& first_edge_mm,

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "tests/app/tour.h"
 
@@ -107,15 +108,42 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ(Json::parse(run.output)["passed"], true);
     const std::string page = contents_of(path("report/report.html"));
-    for (const char* text : {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force", "0 mL<",
-                             "picture_1.png", "plot_1.png"})
+    for (const char* text :
+         {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force", "picture_1.png", "plot_1.png",
+          "<html lang=\"en\"", "Played on", "<thead>"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
+    for (const char* text : {"blood", "dose", "contacts", "injected"})
+        EXPECT_EQ(page.find(text), std::string::npos) << text << " means nothing here";
     EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
     EXPECT_GT(fs::file_size(path("report/report.pdf")), 20'000u) << "it has pictures";
     EXPECT_EQ(contents_of(path("report/recording.hrec")), contents_of(path("play.hrec")));
     EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
     for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+// The lesson asks for the blood, so that none is a result; everything is said in German.
+TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["limits"] = Json::array({Json{{"what", "blood_lost_g"}, {"at_most", 2}}});
+    std::ofstream(path("limited.json")) << lesson.dump();
+    const Outcome run = report({"--report", path("play.hrec"), "--out", path("Bericht"), "--lesson",
+                                path("limited.json"), "--units", "clinic", "--language", "de",
+                                "--patient-name", "Fall 7", "--progress"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("{\"fraction\":"), std::string::npos) << run.output;
+    const std::string page = contents_of(path("Bericht/report.html"));
+    for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7", "Gespielt am",
+                             "Schritte", "Bilder", "Blut", "0 mL<", "Hepatica "})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    for (const char* text : {"PASSED", "Pictures", "peak force", "Before the first"})
+        EXPECT_EQ(page.find(text), std::string::npos) << text;
+    EXPECT_TRUE(std::regex_search(page, std::regex(R"(\d,\d+ m?[Nms])"))) << "decimal commas";
+    const Outcome other =
+        report({"--report", path("play.hrec"), "--out", path("no report"), "--language", "fr"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.errors.find("--language is en or de"), std::string::npos);
 }
 
 // A recording that lies elsewhere than the case which its lesson names.

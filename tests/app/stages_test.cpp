@@ -87,5 +87,20 @@ TEST_F(Stages, OfEveryOtherVerbComeAsAnnounced) {
         expect_all_stages(call);
 }
 
+// A lesson on the built-in patient, whom no file beside the recording holds: he is made first.
+TEST_F(Stages, OfALessonOnTheBuiltInPatientComeAsAnnounced) {
+    const std::string drag = HEPATICA_ASSETS "/scripts/drag.json";
+    const Outcome played = run_cli({"play", "--out", path("built_in")});
+    ASSERT_EQ(played.exit_code, 0) << played.errors;
+    const std::string patient = path("built_in/built_in_patient.hep");
+    ASSERT_EQ(run_cli({"simulate", patient, "--script", drag, "--steps", "3", "--record",
+                       path("alone/b.hrec")})
+                  .exit_code,
+              0);
+    expect_all_stages({"review", path("alone/b.hrec")});
+    expect_all_stages({"review", path("alone/b.hrec"), "--patient", patient});
+    expect_all_stages({"replay", path("alone/b.hrec"), "--patient", patient});
+}
+
 }  // namespace
 }  // namespace hepatica

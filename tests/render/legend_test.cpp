@@ -264,5 +264,40 @@ TEST(LegendPlace, HasLettersOfTwelvePointsOfPrint) {
     EXPECT_DOUBLE_EQ(height_of_one_row(1740, 1360, 2.0), 2.0 * row);
 }
 
+TEST(LegendRows, TwoPicturesHaveOneScale) {
+    Frame frame = fake_frame(0.1);
+    frame.drug.arrival_s = std::make_shared<const std::vector<float>>(3, 1.0f);
+    frame.drug.end_s = 10.0;
+    LegendContent content;
+    set_frame_shown(content, frame, false, 25.0);
+    EXPECT_EQ(content.drug_end_s, 25.0);
+    set_frame_shown(content, frame, false, 5.0);
+    EXPECT_EQ(content.drug_end_s, 10.0);
+}
+
+// As two recordings beside each other leave it.
+TEST(LegendPicture, InANarrowPictureNothingRunsTogetherAndNothingIsCut) {
+    OsmesaContext context{300, 420};
+    SceneView view(context.window());
+    view.set_words([](const std::string& english) {
+        return english == "Drug arrival (s)" ? std::string("Ankunft des Wirkstoffs (s), lang")
+               : english.starts_with("now")  ? std::string("jetzt 24")
+                                             : english;
+    });
+    view.set_caption("A recording with a long name, 26 Nov 2026, 03:40");
+    Frame frame = fake_frame(0.1);
+    frame.drug.arrival_s =
+        std::make_shared<const std::vector<float>>(frame.positions_mm.size() / 3, 1.0f);
+    frame.drug.end_s = 100.0;
+    frame.drug.time_s = 24.0;
+    view.show(frame);
+    view.render();
+    const PictureBox box = view.legend_box();
+    EXPECT_GE(box.left, 0.0);
+    EXPECT_LE(box.right, 300.0);
+    EXPECT_LE(box.top, 420.0 - 22.0) << "the name stands above it";
+    EXPECT_TRUE(view.shows_caption());
+}
+
 }  // namespace
 }  // namespace hepatica

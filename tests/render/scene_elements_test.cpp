@@ -2,6 +2,10 @@
 // That the comparison of pictures sees: each element of a picture is taken away, and the picture
 // must no longer look like the one that has it.
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -249,6 +253,51 @@ TEST(Screenshot, another_drivers_smoothing_of_edges_is_not_seen) {
     for (std::size_t i = 0; i + 12 < sharp.rgb.size(); ++i) shifted.rgb[i] = sharp.rgb[i + 12];
     EXPECT_FALSE(look_alike(shifted, sharp)) << "four pixels away";
     EXPECT_FALSE(look_alike(Picture{1, 1, {0, 0, 0}}, sharp));
+}
+
+// Wherever the arrow ends, also beyond an edge.
+TEST(ForceLabel, StaysWithinThePicture) {
+    OsmesaContext context(200, 150);
+    vtkNew<vtkRenderer> renderer;
+    context.window().AddRenderer(renderer);
+    vtkCamera& eye = *renderer->GetActiveCamera();
+    eye.SetPosition(0, 0, 100);
+    eye.SetFocalPoint(0, 0, 0);
+    ToolActor actor(*renderer);
+    for (const Vec3& at : {Vec3(40, 0, 0), Vec3(-60, 0, 0), Vec3(0, 40, 0), Vec3(0, -40, 0),
+                           Vec3(30, 26, 0), Vec3(0, 0, 0)}) {
+        ToolView tool;
+        tool.parts = {{at, at + Vec3(0, 0, 5), 1.0}};
+        tool.at_mm = tool.tip_mm = at;
+        tool.force_un = Vec3(5e3, 0, 0);
+        actor.update(tool);
+        actor.set_scale(0.4, 1.0);
+        context.window().Render();
+        const auto label = actor.label_box();
+        ASSERT_TRUE(label);
+        EXPECT_GE(label->left, 0.0);
+        EXPECT_GE(label->bottom, 0.0);
+        EXPECT_LE(label->right, 200.0);
+        EXPECT_LE(label->top, 150.0);
+        EXPECT_GT(label->right - label->left, 20.0) << "it says something";
+    }
+    context.window().RemoveRenderer(renderer);
+}
+
+TEST_F(SceneElements, a_cut_line_that_has_not_torn_is_seen) {
+    Frame frame = fake_frame(0.1);
+    const Picture plain = picture_of(frame);
+    frame.tear.emplace();
+    std::vector<std::array<int, 2>> edges;
+    for (const auto& [a, b, c] : *frame.surface) edges.push_back({std::min(a, b), std::max(a, b)});
+    frame.tear->weak_edges =
+        std::make_shared<const std::vector<std::array<int, 2>>>(std::move(edges));
+    EXPECT_TRUE(view_.show(frame));
+    EXPECT_FALSE(view_.show(frame)) << "nothing new";
+    EXPECT_FALSE(look_alike(picture(), plain));
+    frame.tear->weak_edges = nullptr;
+    EXPECT_TRUE(view_.show(frame));
+    EXPECT_TRUE(look_alike(picture(), plain));
 }
 
 }  // namespace

@@ -285,5 +285,44 @@ TEST(RecordingFile, SaysWhereItCannotBeWritten) {
     EXPECT_THROW(write_recording("/dev/full", few_steps()), InputError);
 }
 
+// As a free play is recorded from the moment on at which somebody asks for it.
+TEST(Recording, BeginsAmidAPlayAndPlaysAgainToTheSameBits) {
+    const fs::path file = fs::path(testing::TempDir()) / "amid.hrec";
+    const VesselTree& tree = small_patient()->tree;
+    const auto session = new_session();
+    session->post(SetTether{35.0});
+    session->post(GrabPoint{middle_of(tree, 4)});
+    session->post(MoveGrab{middle_of(tree, 4) + Vec3(3, 0, 0)});
+    play(*session, 650);  // beyond a keyframe of its own
+    session->post(SetPaused{true});
+    play(*session, 2);
+    session->record_from_now([&](const Recording& start) {
+        EXPECT_EQ(start.steps.size(), 0u);
+        auto writer = std::make_shared<RecordingWriter>(file, start);
+        return [writer](RecordedStep step) { writer->append(std::move(step)); };
+    });
+    play(*session, 3);
+    session->post(SetPaused{false});
+    play(*session, 20);
+    session->post(RestoreSnapshot{});  // to where the recording began
+    play(*session, 20);
+    session->post(MoveGrab{middle_of(tree, 4) + Vec3(0, 5, 0)});
+    play(*session, 600);  // over a keyframe
+    session->record_from_now({});
+    play(*session, 5);
+
+    const Recording recording = read_recording(file);
+    ASSERT_NE(recording.begin, nullptr);
+    ASSERT_EQ(recording.steps.size(), 643u);
+    EXPECT_FALSE(keyframes_of(recording).empty());
+    Job job;
+    for (const std::uint64_t from : {std::uint64_t{0}, keyframes_of(recording).front()}) {
+        const ReplayResult again = replay(recording, small_patient(), job, from);
+        EXPECT_FALSE(again.diverged_at) << "from " << from << ", at " << *again.diverged_at;
+        EXPECT_EQ(again.steps, 643u);
+        EXPECT_EQ(again.state_hash, recording.steps.back().state_hash);
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

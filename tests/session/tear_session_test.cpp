@@ -201,5 +201,41 @@ TEST(TearSession, SaysWhatIsWrongWithALine) {
     EXPECT_THAT(session->frame().statistics.message, HasSubstr("strength along a cut line"));
 }
 
+TEST(TearSession, ShowsACutLineUntilItHasTorn) {
+    const auto session = new_session(that_tears());
+    play(*session, 2);
+    session->update_frame();
+    ASSERT_TRUE(session->frame().tear);
+    EXPECT_EQ(session->frame().tear->weak_edges, nullptr);
+    session->post(line());
+    play(*session, 1);
+    session->update_frame();
+    const Frame& frame = session->frame();
+    ASSERT_NE(frame.tear->weak_edges, nullptr);
+    const auto shown = frame.tear->weak_edges;
+    ASSERT_GE(shown->size(), 3u) << "a ring around the vessel";
+    const auto place = [&](int v) {
+        const auto i = 3 * static_cast<std::size_t>(v);
+        return Vec3(frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]);
+    };
+    const Vec3 at = middle_of(small_patient()->tree, 0);
+    for (const auto& [a, b] : *shown) {
+        EXPECT_LT(a, b);
+        EXPECT_LT((place(a) - at).norm(), 12.0) << "at the line, and nowhere else";
+        EXPECT_LT((place(a) - place(b)).norm(), 6.0) << "an edge";
+    }
+    play(*session, 1);
+    session->update_frame();
+    EXPECT_EQ(session->frame().tear->weak_edges, shown) << "found once";
+    pull(*session, 120);
+    session->update_frame();
+    const auto left = session->frame().tear->weak_edges;
+    EXPECT_TRUE(left == nullptr || left->size() < shown->size()) << "what has torn is no line";
+    session->post(ResetWorld{});
+    play(*session, 1);
+    session->update_frame();
+    EXPECT_EQ(session->frame().tear->weak_edges, nullptr);
+}
+
 }  // namespace
 }  // namespace hepatica

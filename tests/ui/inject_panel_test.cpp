@@ -131,5 +131,18 @@ TEST(InjectPanel, ShowsTheSpeedOfTheSessionAndKeepsWhatWasChosenInFreePlay) {
     EXPECT_EQ(posted.size(), 3u);
 }
 
+TEST(InjectPanel, TheSliderForgetsADrugThatWasRemoved) {
+    std::vector<Command> posted;
+    InjectPanel panel([&](Command command) { posted.push_back(std::move(command)); });
+    QSlider& time = *panel.findChild<QSlider*>("drugTime");
+    DrugView drug = injected_drug();
+    drug.time_s = 4.0;
+    panel.show_drug(drug);
+    ASSERT_EQ(time.value(), 400);
+    panel.show_drug(DrugView{});
+    EXPECT_EQ(time.value(), 0);
+    EXPECT_TRUE(posted.empty());
+}
+
 }  // namespace
 }  // namespace hepatica

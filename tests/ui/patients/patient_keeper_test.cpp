@@ -436,5 +436,18 @@ TEST_F(Keeper, paths_are_made_absolute) {
               std::filesystem::current_path() / "liver.nii");
 }
 
+// As a program left them that ended without a word.
+TEST_F(Keeper, makes_the_edits_again_that_another_program_left) {
+    OpenRequest request;
+    request.reconstruct.ct = FakeWard::path_of("a.hep");
+    request.left_edits = LeftEdits{{edit(1), edit(2)}, 0, "edits.jsonl"};
+    ward.keeper().open(request);
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.shown.back(), "+");
+    EXPECT_EQ(edits(), (std::vector<int>{1, 2}));
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), edits());
+    EXPECT_TRUE(ward.workspace().dirty());
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -7,7 +7,9 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/opening/open_patient.h"
@@ -222,6 +224,172 @@ TEST_F(Unsaved, HasANameThatIsOneFolder) {
     recovery.reset();
     EXPECT_EQ(seen_by_another().at(0).filename(), "case.._a_b.hep");
     EXPECT_TRUE(failures_.empty());
+}
+
+// What a program that is killed at this moment leaves: the same files, and nobody's lock on them.
+class Journal : public Unsaved {
+  protected:
+    Journal() {
+        case_ = fs::path(temporary_.path().toStdString()) / "anton.hep";
+        write_case(case_, *test::small_patient());
+    }
+    OpenedPatient from_disk() const {
+        OpenRequest request;
+        request.reconstruct.ct = case_;
+        Job job;
+        return open_patient(request, job);
+    }
+    // Empty: nothing was left, or it cannot be opened.
+    std::vector<UnsavedWork> left_if_killed_now() {
+        const fs::path copy =
+            fs::path(temporary_.path().toStdString()) / ("killed " + std::to_string(++kills_));
+        std::error_code ignored;  // files may come and go
+        fs::copy(folder_, copy, fs::copy_options::recursive, ignored);
+        for (const auto& program : fs::directory_iterator(copy, ignored))
+            fs::remove(program.path() / "lock", ignored);
+        std::vector<UnsavedWork> works;
+        const Recovery next(copy, write_case, [](const Failure&) {});
+        for (const fs::path& left : next.left_behind())
+            works.push_back(Recovery::unsaved_work(left));
+        return works;
+    }
+    bool leaves(const std::vector<int>& edits) {
+        return QTest::qWaitFor(
+            [&] {
+                const auto works = left_if_killed_now();
+                return works.size() == 1 && works[0].request.left_edits &&
+                       testing::numbers_of(works[0].request.left_edits->edits) == edits;
+            },
+            recovery_patience_ms);
+    }
+    void add(int number, Recovery& recovery) {
+        workspace_.add(testing::edit(number));
+        recovery.follow(workspace_);
+    }
+    void show_body() {
+        auto corrected = std::make_shared<PatientCase>(*workspace_.patient());
+        corrected->corrections.extracted = test::small_patient()->tree;
+        corrected->corrections.edits = workspace_.edits();
+        workspace_.show_body(corrected);
+    }
+
+    fs::path case_;
+    int kills_ = 0;
+};
+
+TEST_F(Journal, HoldsAnEditWhoseBodyIsStillBeingMade) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    program->follow(workspace_);
+    add(1, *program);
+    add(2, *program);
+    ASSERT_TRUE(workspace_.awaits_body());
+    ASSERT_TRUE(program->resting()) << "no copy of the case is written as long as it has no body";
+    ASSERT_TRUE(leaves({1, 2}));
+    const UnsavedWork work = left_if_killed_now().at(0);
+    EXPECT_EQ(work.title, "anton.hep");
+    EXPECT_EQ(work.request.reconstruct.ct, case_);
+    EXPECT_FALSE(work.request.unsaved_copy);
+    Job job;
+    const OpenedPatient opened = open_patient(work.request, job);
+    EXPECT_EQ(opened.folder, case_);
+    EXPECT_EQ(opened.kept_copy, work.request.left_edits->file);
+
+    // Taken up by the next program: kept by it, and no longer by the one before.
+    Recovery next(work.request.left_edits->file.parent_path().parent_path(), write_case,
+                  [](const Failure&) {});
+    EXPECT_EQ(next.left_behind().size(), 1u);
+    Workspace taken_up;
+    taken_up.open(opened);
+    taken_up.take_up(work.request.left_edits->edits);
+    taken_up.saved(case_, taken_up.edits());
+    next.follow(taken_up);
+    EXPECT_TRUE(next.left_behind().empty());
+}
+
+TEST_F(Journal, FollowsUndoAndRedoAndGoesWithTheLastEdit) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    add(1, *program);
+    add(2, *program);
+    workspace_.undo();
+    program->follow(workspace_);
+    EXPECT_TRUE(leaves({1}));
+    workspace_.redo();
+    program->follow(workspace_);
+    EXPECT_TRUE(leaves({1, 2}));
+    workspace_.saved(case_, workspace_.edits());
+    program->follow(workspace_);
+    EXPECT_TRUE(left_if_killed_now().empty());
+    add(3, *program);
+    EXPECT_TRUE(leaves({1, 2, 3}));
+    program->end();
+    EXPECT_TRUE(left_if_killed_now().empty());
+}
+
+// The body is made already: nothing needs to be made again.
+TEST_F(Journal, GivesWayToACopyThatHoldsAsMuch) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    add(1, *program);
+    show_body();
+    program->follow(workspace_);
+    ASSERT_TRUE(rest(*program));
+    const UnsavedWork copy = left_if_killed_now().at(0);
+    EXPECT_TRUE(copy.request.unsaved_copy);
+    EXPECT_FALSE(copy.request.left_edits);
+    add(2, *program);  // made on the copy, that is not whole without it
+    ASSERT_TRUE(leaves({1, 2}));
+    const UnsavedWork more = left_if_killed_now().at(0);
+    EXPECT_TRUE(more.request.unsaved_copy);
+    Job job;
+    EXPECT_EQ(testing::numbers_of(open_patient(more.request, job).patient->corrections.edits),
+              std::vector<int>{1});
+}
+
+TEST_F(Journal, WaitsForTheCopyOfWhatWasNeverSaved) {
+    std::atomic<bool> held = true;
+    auto program = this->program([&](const fs::path& place, const PatientCase& patient) {
+        while (held) std::this_thread::yield();
+        write_case(place, patient);
+    });
+    workspace_.open(reconstructed());
+    program->follow(workspace_);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !files().empty(); }, recovery_patience_ms));
+    add(1, *program);
+    EXPECT_TRUE(left_if_killed_now().empty()) << "there is nothing it could be made on";
+    held = false;
+    ASSERT_TRUE(leaves({1}));
+    EXPECT_TRUE(left_if_killed_now().at(0).request.unsaved_copy);
+}
+
+TEST_F(Journal, IsReadUpToATornLine) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    add(1, *program);
+    add(2, *program);
+    ASSERT_TRUE(leaves({1, 2}));
+    const fs::path file = left_if_killed_now().at(0).request.left_edits->file;
+    std::ofstream(file, std::ios::app) << R"({"change": 9, "keep": 2, "add": [{"ki)";
+    EXPECT_EQ(testing::numbers_of(read_edit_journal(file)->edits), (std::vector<int>{1, 2}));
+    std::ofstream(file, std::ios::app) << "\n{\"change\": 10, \"keep\": 0, \"add\": []}\n";
+    EXPECT_LT(read_edit_journal(file)->change, 10u) << "what stands behind damage is not believed";
+    std::ofstream(file) << R"({"format": "hepatica-edits", "version": 1)";
+    EXPECT_FALSE(read_edit_journal(file));
+    EXPECT_FALSE(read_edit_journal(file.string() + " that is not there"));
+}
+
+TEST_F(Journal, IsNotOpenedOnAnotherPatient) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    add(1, *program);
+    ASSERT_TRUE(leaves({1}));
+    const UnsavedWork work = left_if_killed_now().at(0);
+    PatientCase other = *test::small_patient();
+    other.tree.segments[0].radii_mm[0] *= 1.5;
+    write_case(case_, other);
+    Job job;
+    EXPECT_THROW(open_patient(work.request, job), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the panels leave alone: numbers under a wheel that scrolls, curves that were closed, words
+// at the edge of a plot.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QWheelEvent>
+
+#include "tests/ui/fake_window_test.h"
+#include "ui/curves_dock.h"
+#include "ui/plot_panel.h"
+
+namespace hepatica {
+namespace {
+
+void turn_wheel(QWidget& widget) {
+    const QPointF middle = QRectF(widget.rect()).center();
+    QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+class PanelsTest : public testing::FakeWindowTest {
+  protected:
+    CurvesDock& curves() {
+        return static_cast<CurvesDock&>(*window_.findChild<QDockWidget*>("Curves"));
+    }
+    Frame torn(int joints) const {
+        Frame frame;
+        frame.time_s = joints;
+        frame.tear.emplace();
+        frame.tear->joints_broken = joints;
+        return frame;
+    }
+};
+
+TEST_F(PanelsTest, the_wheel_changes_what_has_the_focus_and_nothing_else) {
+    open_built_in();
+    auto& flow = *window_.findChild<QDoubleSpinBox*>("flow");
+    auto& preset = *window_.findChild<QComboBox*>("flowUnits");
+    auto& opacity = *window_.findChild<QSlider*>("dial");
+    window_.view().setFocus();
+    const double value = flow.value();
+    const int choice = preset.currentIndex(), place = opacity.value();
+    for (QWidget* field : {static_cast<QWidget*>(&flow), static_cast<QWidget*>(&preset),
+                           static_cast<QWidget*>(&opacity)})
+        turn_wheel(*field);
+    EXPECT_EQ(flow.value(), value);
+    EXPECT_EQ(preset.currentIndex(), choice);
+    EXPECT_EQ(opacity.value(), place);
+    EXPECT_FALSE(flow.hasFocus()) << "the wheel gives it none";
+    flow.setFocus();
+    turn_wheel(flow);
+    EXPECT_LT(flow.value(), value);
+    preset.setFocus();
+    turn_wheel(preset);
+    EXPECT_NE(preset.currentIndex(), choice);
+}
+
+TEST_F(PanelsTest, curves_that_were_closed_come_when_they_are_asked_for) {
+    open_built_in();
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(1));
+    EXPECT_TRUE(curves().isVisible());
+    curves().close();
+    curves().clear();
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(2));
+    EXPECT_FALSE(curves().isVisible());
+    EXPECT_FALSE(settings_.curves_come()) << "the next start keeps to it";
+    window_.actions()[ActionId::toggle_plots].trigger();
+    EXPECT_TRUE(curves().isVisible());
+    EXPECT_TRUE(settings_.curves_come());
+}
+
+TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
+    for (const int width : {220, 250, 300, 480}) {
+        PlotView plot;
+        plot.resize(width, 190);
+        plot.set_chart({"Entropy",
+                        "Zeit, seit die Gefäße reißen können (s)",
+                        "Wirkstoff jenseits der Enden der Gefäße (%)",
+                        {Curve{"Entropie des Risses", {0, 1}, {0, 1}},
+                         Curve{"davon erzeugt", {0, 1}, {0, 1}}}});
+        const auto titles = plot.titles();
+        const QFontMetrics letters = plot.fontMetrics();
+        for (std::size_t i = 0; i < titles.size(); ++i) {
+            EXPECT_LE(letters.horizontalAdvance(titles[i].text), titles[i].place.width() + 1.0)
+                << width << ": " << titles[i].text.toStdString();
+            EXPECT_GE(titles[i].place.left(), 0.0);
+            EXPECT_LE(titles[i].place.right(), width);
+            for (std::size_t k = 0; k < i; ++k) {
+                const auto box = [&](const PlotView::Title& title) {
+                    return title.curve < 0 && &title != &titles.back()
+                               ? QRectF(title.place.topLeft(),
+                                        QSizeF(letters.horizontalAdvance(title.text),
+                                               title.place.height()))
+                               : title.place;
+                };
+                EXPECT_FALSE(box(titles[i]).intersects(box(titles[k])))
+                    << width << ": " << titles[i].text.toStdString();
+            }
+        }
+        QString whole;
+        for (const auto& title : titles) whole += title.text + " ";
+        EXPECT_FALSE(width >= 250 && whole.contains("…")) << width << ": " << whole.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace hepatica

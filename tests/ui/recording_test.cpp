@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A free play that is recorded, and recordings that a crash cut off.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <filesystem>
+#include <fstream>
+
+#include "core/lesson/attempts.h"
+#include "core/session/recording_file.h"
+#include "core/session/replay.h"
+#include "tests/session/small_patient.h"
+#include "tests/ui/window_test.h"
+#include "ui/attempts_dialog.h"
+#include "ui/lesson_dock.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+#include "ui/recording_dialog.h"
+#include "ui/recording_guard.h"
+#include "ui/review_dock.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::wait_for;
+
+MainWindow::Patients small_patients() {
+    return {[](const OpenRequest&, Job& job) { return play(test::small_patient(), job); },
+            [](const fs::path&, const PatientCase&) {}};
+}
+
+class RecordedWindow : public testing::WindowTest {
+  protected:
+    RecordedWindow() : WindowTest(small_patients()) {}
+
+    fs::path recordings() const { return to_path(settings_.recordings_folder()); }
+    bool says_that_it_records() { return window_.findChild<QLabel*>("recording")->isVisible(); }
+    QAction& record() { return window_.actions()[ActionId::record_play]; }
+    // Its clock runs to an end that nobody reaches.
+    std::string lesson_file() {
+        const std::string file = folder_.filePath("endless.json").toStdString();
+        std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Endless",
+            "scene": {"name": "endless", "deform": {}}, "tools": ["pull"],
+            "steps": [{"text": "Wait", "goal": [{"what": "time_s", "at_least": 1000}]}]})";
+        return file;
+    }
+    void start_lesson() {
+        window_.lessons().start(lesson_file());
+        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+        paint();
+    }
+    // What a program that is killed now leaves: its files, and nobody's lock on them.
+    QString killed_now() {
+        const fs::path copy = to_path(folder_.filePath("killed"));
+        fs::create_directories(copy);
+        fs::copy(recordings(), copy / "recordings", fs::copy_options::recursive);
+        for (const auto& entry : fs::directory_iterator(copy / "recordings"))
+            if (entry.path().extension() == ".lock") fs::remove(entry.path());
+        return to_text(copy / "settings.ini");
+    }
+};
+
+TEST_F(RecordedWindow, a_free_play_is_recorded_and_looked_back_on) {
+    EXPECT_FALSE(record().isEnabled()) << "there is nobody to play with";
+    open_built_in();
+    EXPECT_FALSE(says_that_it_records());
+    record().trigger();
+    EXPECT_TRUE(record().isChecked());
+    EXPECT_TRUE(says_that_it_records());
+    const Vec3 at = test::middle_of(test::small_patient()->tree, 4);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(at));
+    QTest::mouseMove(&window_.view(), on_widget(at) + QPoint(40, 0));
+    ASSERT_TRUE(wait_for([&] { return window_.frame().grab.has_value(); }));
+    paint();
+    record().trigger();
+    EXPECT_FALSE(record().isChecked());
+    EXPECT_FALSE(says_that_it_records());
+    const auto files = recordings_in(recordings());
+    ASSERT_EQ(files.size(), 1u);
+    Job job;
+    const Recording recording = read_recording(files[0]);
+    EXPECT_GT(recording.steps.size(), 0u);
+    EXPECT_FALSE(replay(recording, test::small_patient(), job).diverged_at);
+    EXPECT_EQ(facts_of(files[0]).lesson, "Free play");
+    EXPECT_TRUE(interrupted_recordings(recordings()).empty()) << "it ended as it should";
+    window_.messages().findChild<QPushButton*>("offer")->click();
+    EXPECT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    EXPECT_FALSE(record().isEnabled()) << "what is looked back on is recorded already";
+}
+
+TEST_F(RecordedWindow, the_recording_ends_with_the_patient) {
+    open_built_in();
+    record().trigger();
+    ASSERT_TRUE(wait_for([&] { return recordings_in(recordings()).size() == 1; }));
+    window_.open(OpenRequest{true, {}});
+    wait();
+    EXPECT_FALSE(record().isChecked());
+    EXPECT_EQ(recordings_in(recordings()).size(), 1u);
+}
+
+TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed) {
+    start_lesson();
+    ASSERT_EQ(recordings_in(recordings()).size(), 1u);
+    {
+        MainWindow beside(settings_, small_patients());
+        EXPECT_TRUE(beside.messages().text().isEmpty()) << "it is still being played here";
+    }
+    Settings settings(killed_now());
+    const fs::path left = to_path(settings.recordings_folder());
+    EXPECT_EQ(interrupted_recordings(left).size(), 1u);
+    {
+        MainWindow next(settings, small_patients());
+        EXPECT_TRUE(next.messages().text().contains("interrupted"));
+        next.messages().findChild<QPushButton*>("secondOffer")->click();
+    }
+    EXPECT_TRUE(interrupted_recordings(left).empty());
+    EXPECT_EQ(recordings_in(left).size(), 1u) << "forgotten, not removed";
+    {
+        const MainWindow next(settings, small_patients());
+        EXPECT_TRUE(const_cast<MainWindow&>(next).messages().text().isEmpty());
+    }
+    AttemptsDialog dialog(
+        {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
+        nullptr);
+    dialog.show_lesson("Endless", left, recordings_without_result(left, "endless"));
+    const auto& table = *dialog.findChild<QTableWidget*>("attempts");
+    ASSERT_EQ(table.rowCount(), 1);
+    EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
+    EXPECT_TRUE(dialog.findChild<QPushButton*>("attemptsLookBack")->isEnabled());
+    EXPECT_EQ(facts_of(recordings_in(left)[0]).result, "interrupted");
+}
+
+TEST_F(RecordedWindow, a_lesson_that_was_left_is_no_crash) {
+    start_lesson();
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(interrupted_recordings(recordings()).empty());
+    start_lesson();
+    EXPECT_TRUE(window_.close());
+    EXPECT_TRUE(interrupted_recordings(recordings()).empty());
+}
+
+TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
+    const fs::path folder = to_path(folder_.filePath("list"));
+    fs::create_directories(folder);
+    std::ofstream(folder / "gentle_pull-20261126-034000-123.hrec") << "{}";
+    Attempt attempt;
+    attempt.recording = folder / "gentle_pull-20261126-034000-123.hrec";
+    attempt.lesson = "Gentle pull";
+    attempt.ended_at = "2026-11-26T03:41:00Z";
+    attempt.passed = true;
+    write_attempt(attempt);
+    RecordingDialog dialog(folder, nullptr);
+    const auto& table = *dialog.findChild<QTableWidget*>("recordings");
+    ASSERT_EQ(table.rowCount(), 1);
+    EXPECT_EQ(table.item(0, 0)->text(), "Gentle pull");
+    EXPECT_EQ(table.item(0, 2)->text(), "✓ passed");
+}
+
+}  // namespace
+}  // namespace hepatica

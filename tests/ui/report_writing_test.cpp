@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A report never takes the place of another, and one that is cancelled leaves nothing.
+#include "ui/report_writing.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/base/error.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportWriting : public ::testing::Test {
+  protected:
+    // Stands in for the program; gets the folder as its fourth argument.
+    QString program(const std::string& does) {
+        const fs::path file = folder() / "program";
+        std::ofstream(file) << "#!/bin/sh\n" << does << "\n";
+        fs::permissions(file, fs::perms::owner_all);
+        return to_text(file);
+    }
+    fs::path folder() const { return to_path(temporary_.path()); }
+    std::size_t count() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder()), fs::directory_iterator()));
+    }
+
+    QTemporaryDir temporary_;
+    Job job_;
+};
+
+TEST_F(ReportWriting, EachGetsAFolderOfItsOwn) {
+    const QDateTime played(QDate(2026, 11, 26), QTime(3, 40));
+    const fs::path first = report_folder(folder(), "Sanfter Zug", played);
+    EXPECT_EQ(first.filename(), "Sanfter Zug 2026-11-26 03-40");
+    fs::create_directories(first);
+    const fs::path second = report_folder(folder(), "Sanfter Zug", played);
+    EXPECT_EQ(second.filename(), "Sanfter Zug 2026-11-26 03-40 (2)");
+    EXPECT_EQ(report_folder(folder(), "../a/b: c?", played).parent_path(), folder());
+}
+
+TEST_F(ReportWriting, PassesTheProgressOnAndAppearsWhole) {
+    const QString tool = program(
+        "echo '{\"stage\": \"Replaying\", \"fraction\": 0.5}'\n"
+        "echo done > \"$4/report.html\"");
+    order_report(tool, {}, folder() / "report", job_);
+    EXPECT_TRUE(fs::exists(folder() / "report" / "report.html"));
+    EXPECT_EQ(job_.progress().stage, "Replaying");
+    EXPECT_EQ(job_.progress().fraction, 0.5);
+    EXPECT_EQ(count(), 2u);
+}
+
+TEST_F(ReportWriting, SaysWhyItFailedAndLeavesNothing) {
+    const QString tool = program("echo half > \"$4/report.html\"\necho no room >&2\nexit 1");
+    try {
+        order_report(tool, {}, folder() / "report", job_);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "no room");
+    }
+    EXPECT_EQ(count(), 1u);
+}
+
+TEST_F(ReportWriting, ACancelEndsTheProcessAndLeavesNothing) {
+    const QString tool = program(
+        "echo half > \"$4/report.html\"\n"
+        "echo '{\"stage\": \"Replaying\", \"fraction\": 0.5}'\n"
+        "read answer");  // which never comes
+    std::thread user([this] {
+        while (job_.progress().stage != "Replaying") std::this_thread::yield();
+        job_.cancel();
+    });
+    EXPECT_THROW(order_report(tool, {}, folder() / "report", job_), Cancelled);
+    user.join();
+    EXPECT_EQ(count(), 1u);
+}
+
+}  // namespace
+}  // namespace hepatica

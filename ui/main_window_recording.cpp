@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// File > Record play: a free play is recorded from the moment on at which it is asked for, until it
+// is asked for again or somebody or something else is shown.
+#include <QStatusBar>
+
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+#include "ui/play_recorder.h"
+#include "ui/review_dock.h"
+#include "ui/status_line.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+void MainWindow::connect_recording() {
+    recorder_ = std::make_unique<PlayRecorder>();
+    actions_->on(ActionId::record_play,
+                 [this] { recorder_->recording() ? end_recording() : begin_recording(); });
+}
+
+void MainWindow::begin_recording() {
+    attempt(Words::tr("Record the play"), [this] {
+        if (patient_)
+            recorder_->begin(*patient_->simulation, to_path(settings_.recordings_folder()));
+    });
+    show_recording();
+}
+
+void MainWindow::end_recording() {
+    if (!recorder_->recording()) return;
+    attempt(Words::tr("Record the play"), [this] {
+        const bool recorded = recorder_->end(patient_ ? patient_->simulation.get() : nullptr);
+        if (!recorded)
+            return messages_->show_notice(Words::tr("Nothing moved: nothing was recorded."));
+        const std::filesystem::path file = recorder_->file();
+        messages_->show_notice(Words::tr("The play was recorded: %1").arg(to_text(file)),
+                               Words::tr("Look back on the play"),
+                               [this, file] { review_->open(file); });
+    });
+    show_recording();
+}
+
+void MainWindow::show_recording() {
+    (*actions_)[ActionId::record_play].setChecked(recorder_->recording());
+    status_->show_recording(recorder_->recording());
+}
+
+}  // namespace hepatica

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports of plays: asked for in the window, written beside it, found again by a button.
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStatusBar>
+#include <QUrl>
+
+#include "core/lesson/lesson_file.h"
+#include "ui/core_words.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+#include "ui/report_writing.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
+    const QString folder = QFileDialog::getExistingDirectory(
+        this, Words::tr("Folder for the report"), settings_.last_folder());
+    if (!folder.isEmpty())
+        attempt(Words::tr("Write the report"),
+                [&] { write_report_into(to_path(folder), recording, lesson); });
+}
+
+void MainWindow::write_report_into(const std::filesystem::path& chosen,
+                                   const std::filesystem::path& recording,
+                                   const std::string& lesson) {
+    ReportOrder order{recording,
+                      QString::fromStdString(lesson),
+                      {},
+                      {},
+                      flow_units_named(settings_.flow_units())};
+    const std::filesystem::path& patient = workspace().folder();
+    const bool built_in = patient_->title == built_in_title;
+    if (!patient.empty() && !workspace().dirty()) order.patient = patient;
+    if (patient_->patient->source.name.empty() && (built_in || !patient.empty()))
+        order.patient_name = QFileInfo(QString::fromStdString(patient_->title)).completeBaseName();
+    const auto place = report_folder(chosen, translated(find_lesson(lesson).name),
+                                     QFileInfo(to_text(recording)).lastModified());
+    QueuedJob job;
+    job.kind = JobKind::report;
+    job.title = Words::tr("Writing the report").toStdString();
+    job.begin = [this, order, place]() -> BackgroundJob::Work {
+        return [this, order, place](Job& job) -> std::function<void()> {
+            order_report(QCoreApplication::applicationFilePath(), order, place, job);
+            return [this, place] { offer_report(place); };
+        };
+    };
+    job.failed = [this](const Failure& failure) { fail(Words::tr("Write the report"), failure); };
+    job.cancelled = [this] { statusBar()->showMessage(Words::tr("Cancelled"), 6000); };
+    keeper_->add_job(std::move(job));
+}
+
+void MainWindow::offer_report(const std::filesystem::path& folder) {
+    messages_->show_notice(
+        Words::tr("The report is in %1").arg(to_text(folder)), Words::tr("Open"), [folder] {
+            QDesktopServices::openUrl(QUrl::fromLocalFile(to_text(folder / "report.html")));
+        });
+    report_message_ = messages_->text();
+}
+
+void MainWindow::take_report_message_away() {
+    if (!report_message_.isEmpty() && messages_->text() == report_message_) messages_->dismiss();
+    report_message_.clear();
+}
+
+}  // namespace hepatica

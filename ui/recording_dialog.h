@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The recordings of this user by what they are: of which lesson, when, how it ended. A file that
+// lies elsewhere is asked for in the desktop's own way.
+#pragma once
+
+#include <QDialog>
+#include <QString>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+class QPushButton;
+class QTableWidget;
+
+namespace hepatica {
+
+// What is known of a recording without reading it.
+struct RecordingFacts {
+    std::filesystem::path file;
+    QString lesson;  // or free play
+    QString played;  // when
+    QString result;  // may be empty
+};
+RecordingFacts facts_of(const std::filesystem::path& recording);
+// "Gentle pull, 26 Nov 2026, 03:40"
+QString title_of(const RecordingFacts& facts);
+
+class RecordingDialog : public QDialog {
+  public:
+    // Lists the folder's, the newest first.
+    RecordingDialog(const std::filesystem::path& folder, QWidget* parent);
+
+    // After it was accepted.
+    const std::filesystem::path& chosen() const { return chosen_; }
+
+  private:
+    void fill();
+    void choose_row();
+    void ask_for_file();
+
+    std::filesystem::path folder_, chosen_;
+    std::vector<RecordingFacts> listed_;
+    QTableWidget* table_;
+    QPushButton* open_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/recording_guard.h"
+
+#include <QLockFile>
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <system_error>
+#include <utility>
+
+#include "core/lesson/attempts.h"
+#include "ui/paths.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ending = ".hrec";
+constexpr const char* mark_ending = ".unfinished";
+
+fs::path mark_of(const fs::path& recording) {
+    return recording.string() + mark_ending;
+}
+
+std::unique_ptr<QLockFile> recording_lock(const fs::path& recording) {
+    auto lock = std::make_unique<QLockFile>(to_text(recording.string() + ".lock"));
+    lock->setStaleLockTime(0);  // a play may last; a program that is gone is seen by its number
+    return lock;
+}
+
+fs::file_time_type time_of(const fs::path& file) {
+    std::error_code ignored;
+    return fs::last_write_time(file, ignored);
+}
+
+}  // namespace
+
+std::vector<fs::path> recordings_in(const fs::path& folder) {
+    std::vector<fs::path> recordings;
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
+        if (at->path().extension() == ending) recordings.push_back(at->path());
+    std::ranges::sort(recordings, std::greater(), time_of);
+    return recordings;
+}
+
+RecordingGuard::RecordingGuard(fs::path recording)
+    : recording_(std::move(recording)), lock_(recording_lock(recording_)) {
+    lock_->tryLock(0);
+    std::ofstream(mark_of(recording_)).flush();
+}
+
+RecordingGuard::~RecordingGuard() {
+    forget_interruption(recording_);
+}
+
+bool is_being_recorded(const fs::path& recording) {
+    std::error_code ignored;
+    if (!fs::exists(mark_of(recording), ignored)) return false;
+    return !recording_lock(recording)->tryLock(0);
+}
+
+std::vector<fs::path> interrupted_recordings(const fs::path& folder) {
+    std::vector<fs::path> interrupted;
+    std::error_code ignored;
+    for (const fs::path& recording : recordings_in(folder))
+        if (fs::exists(mark_of(recording), ignored) && !is_being_recorded(recording))
+            interrupted.push_back(recording);
+    return interrupted;
+}
+
+void forget_interruption(const fs::path& recording) {
+    std::error_code ignored;
+    fs::remove(mark_of(recording), ignored);
+}
+
+std::vector<fs::path> recordings_without_result(const fs::path& folder, const std::string& lesson) {
+    std::vector<fs::path> recordings = recordings_in(folder);
+    std::erase_if(recordings, [&](const fs::path& recording) {
+        std::error_code ignored;
+        return !recording.filename().string().starts_with(lesson + "-") ||
+               fs::exists(result_file_of(recording), ignored) || is_being_recorded(recording);
+    });
+    std::ranges::reverse(recordings);
+    return recordings;
+}
+
+}  // namespace hepatica

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report_writing.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <string>
+
+#include "core/base/atomic_write.h"
+#include "core/base/error.h"
+#include "core/lesson/attempts.h"
+#include "ui/language.h"
+#include "ui/paths.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int patience_ms = 50;  // between two looks at the job
+
+QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
+    QStringList arguments{"--report",   to_text(order.recording),
+                          "--out",      to_text(out),
+                          "--lesson",   order.lesson,
+                          "--units",    name_of(order.units),
+                          "--language", spoken_language(),
+                          "--progress"};
+    if (const std::string name = name_beside(order.recording); !name.empty())
+        arguments << "--name" << QString::fromStdString(name);
+    if (!order.patient.empty()) arguments << "--patient" << to_text(order.patient);
+    if (!order.patient_name.isEmpty()) arguments << "--patient-name" << order.patient_name;
+    return arguments;
+}
+
+// The process is gone when this is, whatever happens meanwhile.
+class Running {
+  public:
+    Running(const QString& program, const QStringList& arguments) {
+        process_.start(program, arguments);
+        if (!process_.waitForStarted())
+            throw InputError(Words::id("the program could not be started again"),
+                             program.toStdString(), "");
+    }
+    ~Running() {
+        if (process_.state() == QProcess::NotRunning) return;
+        process_.kill();
+        process_.waitForFinished();
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    void wait(Job& job) {
+        std::string stage;
+        do {
+            job.throw_if_cancelled();
+            process_.waitForReadyRead(patience_ms);
+            while (process_.canReadLine()) pass_on(process_.readLine(), stage, job);
+        } while (process_.state() != QProcess::NotRunning);
+    }
+    bool succeeded() const {
+        return process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
+    }
+    std::string errors() {
+        return QString::fromUtf8(process_.readAllStandardError()).trimmed().toStdString();
+    }
+
+  private:
+    static void pass_on(const QByteArray& line, std::string& stage, Job& job) {
+        const QJsonObject now = QJsonDocument::fromJson(line).object();
+        if (!now.contains("stage")) return;  // it names the files at the end
+        const std::string name = now["stage"].toString().toStdString();
+        if (name != stage) job.begin_stage(name);
+        stage = name;
+        job.advance(now["fraction"].toDouble());
+    }
+
+    QProcess process_;
+};
+
+}  // namespace
+
+fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDateTime& played) {
+    static const QRegularExpression other("[^\\p{L}\\p{N} _-]+");  // that some disk refuses
+    const QString name = (QString(lesson).replace(other, " ").simplified() + " " +
+                          played.toString("yyyy-MM-dd hh-mm"))
+                             .trimmed();
+    fs::path folder = chosen / to_path(name);
+    std::error_code ignored;
+    for (int number = 2; fs::exists(folder, ignored); ++number)
+        folder = chosen / to_path(QString("%1 (%2)").arg(name).arg(number));
+    return folder;
+}
+
+void order_report(const QString& program, const ReportOrder& order, const fs::path& folder,
+                  Job& job) {
+    write_folder_atomically(folder, [&](const fs::path& unfinished) {
+        Running report(program, arguments_of(order, unfinished));
+        report.wait(job);
+        if (!report.succeeded())
+            throw InputError(report.errors(), to_text(folder).toStdString(),
+                             Words::id("Choose another folder"));
+    });
+}
+
+}  // namespace hepatica
