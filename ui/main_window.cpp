@@ -100,6 +100,15 @@ void show_dock(QDockWidget& dock, bool visible) {
     if (visible) dock.raise();
 }
 
+// Tab goes into panels that stand behind others, too: they come to the front then.
+void bring_into_sight(QWidget* focused, const QWidget& window) {
+    for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
+        if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(focused);
+        auto* dock = qobject_cast<QDockWidget*>(up);
+        if (dock && dock->visibleRegion().isEmpty()) dock->raise();
+    }
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Settings& settings, Patients patients,
@@ -457,13 +466,8 @@ void MainWindow::connect_views() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
-    // Tab goes into panels that stand behind others, too: they come to the front then.
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        for (QWidget* up = now; up != nullptr && up != this; up = up->parentWidget())
-            if (auto* dock = qobject_cast<QDockWidget*>(up);
-                dock && dock->visibleRegion().isEmpty())
-                dock->raise();
-    });
+    connect(qApp, &QApplication::focusChanged, this,
+            [this](QWidget*, QWidget* now) { bring_into_sight(now, *this); });
     actions_->on(ActionId::guide, [this] { show_guide(*this); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
     actions_->on(ActionId::messages, [this] { log_->show(); });
