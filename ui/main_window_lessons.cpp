@@ -221,6 +221,7 @@ void MainWindow::build_review() {
         view_->scene().set_drug_scale(end_s);
         second_view_->set_drug_scale(end_s);
         show_caption(first);
+        view_->show_frame(this->frame());  // also where no other comes: on the new scale
         second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
                                  theme_named(settings_.theme()).view, other);
     };
