@@ -235,7 +235,7 @@ void PlotView::paint_titles(QPainter& painter) const {
     const std::vector<Title> all = titles();
     for (const Title& title : all) {
         painter.setPen(title.curve < 0 ? palette().color(QPalette::Text)
-                                       : colour_of(static_cast<std::size_t>(title.curve)));
+                                       : colour_of(chart_, static_cast<std::size_t>(title.curve)));
         const bool is_x = &title == &all.back();
         painter.drawText(title.place, is_x ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter,
                          title.text);
