@@ -125,7 +125,7 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed)
     AttemptsDialog dialog(
         {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
         nullptr);
-    dialog.show_lesson("Endless", left, recordings_without_result(left, "endless"));
+    dialog.show_lesson("Endless", left, "", recordings_without_result(left, "endless"));
     const auto& table = *dialog.findChild<QTableWidget*>("attempts");
     ASSERT_EQ(table.rowCount(), 1);
     EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
