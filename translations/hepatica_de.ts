@@ -7280,8 +7280,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Bearbeiten</translation>
     </message>
     <message>
-        <source>&amp;Mouse</source>
-        <translation>&amp;Maus</translation>
+        <source>Mouse</source>
+        <translation>Maus</translation>
     </message>
     <message>
         <source>&amp;Usual</source>

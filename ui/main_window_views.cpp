@@ -78,7 +78,7 @@ void MainWindow::connect_themes() {
 }
 
 void MainWindow::connect_mouse_schemes() {
-    auto* menu = new QMenu(Words::tr("&Mouse"), this);
+    auto* menu = new QMenu(Words::tr("Mouse"), this);
     menu->setToolTipsVisible(true);
     auto* group = new QActionGroup(menu);
     const MouseScheme& now = mouse_scheme_named(settings_.mouse_scheme());

@@ -340,8 +340,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         set_playing(true);
     }
     QString name = name_;
-    if (comparing())
-        name = Words::tr("%1, and beside it %2").arg(name, other_name_);
+    if (comparing()) name = Words::tr("%1, and beside it %2").arg(name, other_name_);
     title_->setText(complete() ? name
                                : Words::tr("%1: %2 % gone through")
                                      .arg(name)

@@ -66,8 +66,9 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Press on the stump with the probe for half a second."),
     Words::id("Key 4 takes the probe. Come from the side of the root."),
     Words::id("Take the stump with the forceps and hold it for half a second."),
-    Words::id("Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
-              "them."),
+    Words::id(
+        "Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
+        "them."),
     Words::id("Draw a cut line across a branch and pull it off along the line. Without the line "
               "the pull would stretch the branch long before it tears."),
     Words::id("Draw a cut line across the branch at the first mark, take the branch at the second "

@@ -160,8 +160,8 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
             play(lesson, read_script(plays / (id + "_passes.json")), patient, steps);
         EXPECT_EQ(good.standing.outcome, LessonOutcome::passed)
             << to_json(good.standing, lesson).dump(1);
-        // As its hints say, with the window's own tools, the jaws closed at once and not quite about
-        // the vessel's middle.
+        // As its hints say, with the window's own tools, the jaws closed at once and not quite
+        // about the vessel's middle.
         if (const fs::path hinted = plays / (id + "_hinted.json"); fs::exists(hinted)) {
             const Played followed = play(lesson, read_script(hinted), patient, steps);
             EXPECT_EQ(followed.standing.outcome, LessonOutcome::passed)
