@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "render/palette.h"
@@ -137,11 +138,14 @@ void SliceView::paint_centrelines(QPainter& painter) const {
     const SliceStack slices = stack();
     const double half = std::max(0.5, 0.5 / slices.slice_mm());  // at least a millimetre in all
     const double here = slices.place_of(scene_.crosshair_mm()).z();
-    for (const CentrelinePoint& point : scene_.centrelines()) {
-        if (std::abs(slices.place_of(point.position_mm).z() - here) > half) continue;
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colour_of(palette::vessel_system(point.system)).lighter(150));
-        painter.drawEllipse(place_of(point.position_mm), 1.8, 1.8);
+    std::map<VascularSystem, QPolygonF> dots;
+    for (const CentrelinePoint& point : scene_.centrelines())
+        if (std::abs(slices.place_of(point.position_mm).z() - here) <= half)
+            dots[point.system] << place_of(point.position_mm);
+    for (const auto& [system, places] : dots) {
+        painter.setPen(QPen(colour_of(palette::vessel_system(system)).lighter(150), 3.6,
+                            Qt::SolidLine, Qt::RoundCap));
+        painter.drawPoints(places);
     }
 }
 
