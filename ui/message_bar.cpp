@@ -104,6 +104,13 @@ void MessageBar::resizeEvent(QResizeEvent* event) {
     write();
 }
 
+// A message that was there before the window was seen finds its room only now.
+void MessageBar::showEvent(QShowEvent* event) {
+    OverlayBar::showEvent(event);
+    QMetaObject::invokeMethod(
+        this, [this] { write(); }, Qt::QueuedConnection);
+}
+
 // In one line as far as there is room, or all of it.
 void MessageBar::write() {
     const QString first = lines_.value(0);

@@ -33,6 +33,7 @@ class MessageBar : public OverlayBar {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     // The first line is written more strongly where it is a failure's.

@@ -135,5 +135,16 @@ TEST_F(Messages, recent_files_are_absolute_whatever_was_given) {
     EXPECT_EQ(settings_.recent_files().size(), 1);
 }
 
+// As at the start, where unsaved work is offered before the window is seen.
+TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
+    QWidget pictures;
+    MessageBar bar(&pictures);
+    bar.show_notice(QString("The program ended without saving. ").repeated(8), "Open it", [] {});
+    pictures.resize(900, 400);
+    pictures.show();
+    const auto* label = bar.findChild<QLabel*>();
+    EXPECT_TRUE(testing::wait_for([&] { return label->text().contains("The program ended"); }));
+}
+
 }  // namespace
 }  // namespace hepatica
