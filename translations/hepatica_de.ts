@@ -7604,10 +7604,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>die Schichten gehen dorthin (beim Ziehen)</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
         <source>Keys in the view of the vessels</source>
         <translation>Tasten in der Ansicht der Gefäße</translation>
     </message>
@@ -7929,6 +7925,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Bring the case back as it was, then open them again</source>
         <translation>Stellen Sie den Fall wieder her, wie er war, und öffnen Sie sie dann noch einmal</translation>
+    </message>
+    <message>
+        <source>a piece went on without the step&apos;s forces: they would have made energy or taken its momentum</source>
+        <translation>ein Stück bewegte sich ohne die Kräfte des Schritts weiter: Sie hätten Energie erzeugt oder ihm Impuls genommen</translation>
     </message>
 </context>
 </TS>

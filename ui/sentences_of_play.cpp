@@ -76,6 +76,8 @@ constexpr std::array sentences_play{
     Words::id("the step was cut in halves: it would have made energy"),
     Words::id("the body was stopped: no step lowers its energy"),
     Words::id("the body was slowed down: the step would have made energy"),
+    Words::id("a piece went on without the step's forces: they would have made energy or taken its "
+              "momentum"),
     Words::id("%1; a free piece lost spin"),
     Words::id("%1; a free piece lost momentum"),
     Words::id("the system of the step was not positive definite: %1 pivots were dropped"),

@@ -120,6 +120,7 @@ void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
         for (std::size_t k = 0; k < nodes.size(); ++k) velocity[nodes[k]] = ways[k];
     }
     if (!newton_.replace_velocity(step, velocity)) return;
+    limiter_.forget_end();
     report.degraded = true;
     report.message =
         "a piece went on without the step's forces: they would have made energy or "

@@ -87,6 +87,7 @@ std::vector<EnergyLimiter::Balance> EnergyLimiter::balance(
 }
 
 void EnergyLimiter::begin(const StepUnderway& step, const Assembly& assembly) {
+    after_.clear();
     before_ = pieces() == 1 ? std::vector<Balance>{{kept_energy(step.before), 0.0}}
                             : balance(step, step.start.positions_mm, step.start.velocities_mm_per_s,
                                       assembly);
@@ -99,7 +100,8 @@ EnergyLimiter::Outcome EnergyLimiter::limit(const StepUnderway& step, const Ener
     const std::vector<Balance> now =
         pieces() == 1
             ? std::vector<Balance>{{kept_energy(after) - after.gravity_work, after.kinetic}}
-            : balance(step, step.positions, velocities_mm_per_s, assembly);
+        : after_.empty() ? balance(step, step.positions, velocities_mm_per_s, assembly)
+                         : after_;
     return limit({.before = before_, .after = now, .together = step.together}, step.potentials,
                  step.positions, held, velocities_mm_per_s);
 }
@@ -139,29 +141,30 @@ bool EnergyLimiter::brakes(const StepUnderway& step, std::span<const int> nodes,
 }
 
 std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
-    const StepUnderway& step, const Assembly& assembly,
-    std::span<const std::uint8_t> held_nodes) const {
+    const StepUnderway& step, const Assembly& assembly, std::span<const std::uint8_t> held_nodes) {
     std::vector<Overdrawn> found;
     if (pieces() == 1) return found;
-    const std::vector<Balance> now = balance(step, step.positions, step.velocity, assembly);
+    after_ = balance(step, step.positions, step.velocity, assembly);
     std::vector<char> marked(held_nodes.begin(), held_nodes.end());
     for (const auto& potential : step.potentials.all())
         potential->mark_held(step.positions, marked);
     for (const std::vector<int>& group : coupled_pieces(step.potentials, step.together)) {
         double excess = 0.0, before = 0.0, kinetic = 0.0, mass_g = 0.0;
-        Overdrawn piece;
         for (const int p : group) {
-            excess += now[p].energy - before_[p].energy;
+            excess += after_[p].energy - before_[p].energy;
             before += before_[p].kinetic;
-            kinetic += now[p].kinetic;
+            kinetic += after_[p].kinetic;
             mass_g += mass_g_[p];
-            piece.nodes.insert(piece.nodes.end(), nodes_[p].begin(), nodes_[p].end());
         }
         if (rests(before + kinetic, mass_g)) continue;
-        piece.flies = group.size() == 1 &&
-                      std::ranges::none_of(piece.nodes, [&](int i) { return marked[i] != 0; });
-        if (piece.flies ? brakes(step, piece.nodes, excess) : excess > kinetic)
-            found.push_back(std::move(piece));
+        const std::vector<int>& first = nodes_[group.front()];
+        const bool flies =
+            group.size() == 1 && std::ranges::none_of(first, [&](int i) { return marked[i] != 0; });
+        if (!(flies ? brakes(step, first, excess) : excess > kinetic)) continue;
+        Overdrawn& piece = found.emplace_back();
+        piece.flies = flies;
+        for (const int p : group)
+            piece.nodes.insert(piece.nodes.end(), nodes_[p].begin(), nodes_[p].end());
     }
     return found;
 }

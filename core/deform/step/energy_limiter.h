@@ -45,9 +45,11 @@ class EnergyLimiter {
         std::vector<int> nodes;
         bool flies = false;  // one piece that nothing holds
     };
-    // The assembly's slots are of the end of the step. Empty where the body is one piece.
+    // The assembly's slots are of the end of the step. Empty where the body is one piece. The
+    // energies that it sums up serve limit(), unless forget_end() says that the step's end changed.
     std::vector<Overdrawn> overdrawn(const StepUnderway& step, const Assembly& assembly,
-                                     std::span<const std::uint8_t> held) const;
+                                     std::span<const std::uint8_t> held);
+    void forget_end() { after_.clear(); }
 
     // The velocity at the end of the step of a piece that nothing but weight and drag acts on.
     Vec3 flight(const StepUnderway& step, const Vec3& before_mm_per_s) const;
@@ -97,6 +99,7 @@ class EnergyLimiter {
     std::vector<std::vector<int>> nodes_;  // of each piece
     std::vector<double> mass_g_;           // likewise
     std::vector<Balance> before_;
+    std::vector<Balance> after_;  // of the step's end; empty: not summed up
 };
 
 // Says in the report of a step what the limiter took, after which `kinetic_nj` is left.
