@@ -120,6 +120,9 @@ TEST_F(CourseEditing, a_name_is_typed_and_undone_at_once_and_is_never_empty) {
     name->selectAll();
     QTest::keyClicks(name, "Wards");
     EXPECT_EQ(read_course(file_).name, "Wards");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_TRUE(editor_.isVisible()) << "Enter presses no button";
+    EXPECT_TRUE(read_course(file_).lessons[0].pass.empty());
     name->selectAll();
     QTest::keyClick(name, Qt::Key_Delete);
     EXPECT_EQ(read_course(file_).name, "Wards");

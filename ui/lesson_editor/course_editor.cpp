@@ -149,6 +149,7 @@ QWidget* CourseEditor::build_foot() {
            [this] { save_copy(document_.course(), document_.file().parent_path()); });
     connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, this, undo);
     connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, this, redo);
+    box->button(QDialogButtonBox::Close)->setAutoDefault(false);
     connect(box, &QDialogButtonBox::rejected, this, &QDialog::hide);
     return box;
 }
