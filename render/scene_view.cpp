@@ -74,6 +74,10 @@ struct SceneView::Parts {
         if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));
         volume.prepare(by_card.value_or(false));
     }
+    Projection projection() {
+        const int* size = window.GetSize();
+        return {*renderer->GetActiveCamera(), size[0], size[1]};
+    }
     double aspect() const {
         const PictureSize size = picture_size();
         return static_cast<double>(std::max(size.width, 1)) / std::max(size.height, 1);
@@ -416,21 +420,11 @@ bool SceneView::look_as(SceneView& other) {
 }
 
 ViewAxes SceneView::axes() const {
-    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
-    const Vec3 forward(eye.GetDirectionOfProjection());
-    const Vec3 right = forward.cross(Vec3(eye.GetViewUp())).normalized();
-    return {right, right.cross(forward), forward, Vec3(eye.GetFocalPoint())};
+    return axes_of(*parts_->renderer->GetActiveCamera());
 }
 
 ViewRay SceneView::ray_through(const Pixel& pixel) const {
-    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
-    const PictureSize size = parts_->picture_size();
-    const ViewAxes view = axes();
-    const double per_pixel =
-        2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / std::max(size.height, 1);
-    const Vec3 direction = view.forward + per_pixel * (pixel.x - 0.5 * size.width) * view.right -
-                           per_pixel * (pixel.y - 0.5 * size.height) * view.up;
-    return {Vec3(eye.GetPosition()), direction.normalized()};
+    return parts_->projection().ray_through(pixel);
 }
 
 SurfacePick SceneView::pick(const Pixel& pixel) const {
@@ -439,33 +433,23 @@ SurfacePick SceneView::pick(const Pixel& pixel) const {
 }
 
 Vec3 SceneView::point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const {
-    const ViewRay ray = ray_through(pixel);
-    const Vec3 forward(parts_->renderer->GetActiveCamera()->GetDirectionOfProjection());
-    const double along = (depth_mm - ray.origin_mm).dot(forward) / ray.direction.dot(forward);
-    return ray.origin_mm + along * ray.direction;
+    return parts_->projection().point_at_depth(pixel, depth_mm);
 }
 
 Pixel SceneView::pixel_of(const Vec3& position_mm) const {
-    vtkCamera& eye = *parts_->renderer->GetActiveCamera();
-    const PictureSize size = parts_->picture_size();
-    const ViewAxes view = axes();
-    const Vec3 offset = position_mm - Vec3(eye.GetPosition());
-    const double per_pixel = 2.0 * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) /
-                             std::max(size.height, 1) * offset.dot(view.forward);
-    return {0.5 * size.width + offset.dot(view.right) / per_pixel,
-            0.5 * size.height - offset.dot(view.up) / per_pixel};
+    return parts_->projection().pixel_of(position_mm);
 }
 
 int SceneView::bridge_at(const Pixel& pixel, double reach) const {
     int nearest = -1;
     double least = reach;
+    const Projection projection = parts_->projection();
     const std::vector<BridgeView>& bridges = parts_->bridges.bridges();
     for (std::size_t b = 0; b < bridges.size(); ++b) {
         const std::vector<Vec3>& path = bridges[b].path_mm;
         for (std::size_t i = 1; i < path.size(); ++i) {
-            const Pixel from = pixel_of(path[i - 1]);
-            const Pixel to = pixel_of(path[i]);
-            const double distance = distance_to_stretch(pixel, from, to);
+            const double distance = distance_to_stretch(pixel, projection.pixel_of(path[i - 1]),
+                                                        projection.pixel_of(path[i]));
             if (distance > least) continue;
             least = distance;
             nearest = static_cast<int>(b);

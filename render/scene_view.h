@@ -19,6 +19,7 @@
 #include "render/legend_rows.h"
 #include "render/mark_actors.h"
 #include "render/measure_marks.h"
+#include "render/projection.h"
 #include "render/surface_geometry.h"
 #include "render/view_look.h"
 #include "render/volume_look.h"
@@ -27,26 +28,6 @@ class vtkCamera;
 class vtkRenderWindow;
 
 namespace hepatica {
-
-// Device pixels, from the picture's upper left corner, as screens count them.
-struct Pixel {
-    double x = 0.0;
-    double y = 0.0;
-};
-
-// A ray from the eye through a pixel; `direction` has unit length.
-struct ViewRay {
-    Vec3 origin_mm = Vec3::Zero();
-    Vec3 direction = Vec3::UnitZ();
-};
-
-// The picture's directions, of unit length, and the point that it is about.
-struct ViewAxes {
-    Vec3 right = Vec3::UnitX();
-    Vec3 up = Vec3::UnitZ();
-    Vec3 forward = Vec3::UnitY();  // away from the eye
-    Vec3 focus_mm = Vec3::Zero();
-};
 
 // How much is spent on a picture: nothing, for those that must be quick; the surface is rounded and
 // its edges smoothed by a pass over the finished picture, which software renderers can afford at

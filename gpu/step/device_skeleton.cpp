@@ -9,7 +9,7 @@ namespace hepatica::gpu {
 namespace {
 
 BlockMatrix pattern_of(const AssemblyPlan& plan) {
-    return {plan.row_begin, plan.column, {}, plan.diagonal};
+    return {plan.row_begin, plan.column, {}, plan.diagonal, {}};
 }
 
 std::vector<std::vector<int>> vertices_of_nodes(const AffineCoarseSpace& space) {

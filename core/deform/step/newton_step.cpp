@@ -34,6 +34,16 @@ constexpr double rounding = 1e-13;  // relative size of a change of energy that 
 // whole: a share of the way from rest would brake the whole body.
 constexpr int rescue_iterates = 2;
 
+// Infinite where any is not finite.
+double longest_of(const std::vector<Vec3>& vectors) {
+    double squared = 0.0;
+    for (const Vec3& v : vectors) {
+        if (!v.allFinite()) return INFINITY;
+        squared = std::max(squared, v.squaredNorm());
+    }
+    return std::sqrt(squared);
+}
+
 }  // namespace
 
 NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
@@ -87,9 +97,9 @@ void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
 
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     const bool coupled = step.potentials.coupled(step.positions);
-    const double inertia = 1.0 + step.dt_s * body_.damping.alpha_per_s;
-    solver_->bound_below(body_.mass_g,
-                         velocity_error_.any() ? VelocityError::least_share : inertia);
+    solver_->bound_below(body_.mass_g, velocity_error_.any()
+                                           ? VelocityError::least_share
+                                           : 1.0 + step.dt_s * body_.damping.alpha_per_s);
     solver_->update(potential_.matrix(), step.positions, potential_.assembled_rows());
     // The first system is solved for the change of velocity, whose relative error means something
     // for a body in flight, too.
@@ -355,16 +365,14 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
 }
 
 bool NewtonStep::calm(const StepUnderway& step) const {
-    double squared = 0.0;
-    for (const Vec3& v : step.start.velocities_mm_per_s)
-        squared = std::max(squared, v.squaredNorm());
-    return step.dt_s * std::sqrt(squared) < calm_move * body_.mean_edge_mm;
+    return step.dt_s * longest_of(step.start.velocities_mm_per_s) < calm_move * body_.mean_edge_mm;
 }
 
 // From rest to rest: no position would change, and so no length of the direction need be tried.
 bool NewtonStep::still(const StepUnderway& step) const {
     return settings_.line_search && step.iterate == 0 && !step.predicted &&
-           std::isfinite(step.value) && longest_move_mm(step) <= no_move * body_.mean_edge_mm;
+           std::isfinite(step.value) &&
+           step.dt_s * longest_of(direction_) <= no_move * body_.mean_edge_mm;
 }
 
 void NewtonStep::find_damping_along(const StepUnderway& step) {
@@ -375,15 +383,6 @@ void NewtonStep::find_damping_along(const StepUnderway& step) {
         for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping_along_[i]; });
     }
     potential_.damping_from(step, direction_, product_, damping_along_);
-}
-
-double NewtonStep::longest_move_mm(const StepUnderway& step) const {
-    double squared = 0.0;
-    for (const Vec3& d : direction_) {
-        if (!d.allFinite()) return INFINITY;
-        squared = std::max(squared, d.squaredNorm());
-    }
-    return step.dt_s * std::sqrt(squared);
 }
 
 // Takes the present velocity as the first guess, unless the incremental potential is higher there
@@ -478,7 +477,7 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
     int most = std::min(settings_.iterations, most_solves);
     for (;; ++step.iterate) {
         const bool lower = iterate(step, report);
-        const double longest = longest_move_mm(step);
+        const double longest = step.dt_s * longest_of(direction_);
         if (!lower) {
             // Where the potential overflows, the direction means nothing.
             if (step.iterate == 0)

@@ -93,7 +93,6 @@ class NewtonStep {
     bool calm(const StepUnderway& step) const;
     bool search_line(StepUnderway& step);
     bool try_step_length(StepUnderway& step, double step_length, double slope);
-    double longest_move_mm(const StepUnderway& step) const;
 
     const Body& body_;
     IncrementalPotential& potential_;

@@ -180,6 +180,12 @@ std::vector<Vec3> bend(const std::vector<Vec3>& positions_mm, double angle_rad, 
     return bent;
 }
 
+std::vector<double> vertex_masses(const SampleBody& body, const SampleMaterial& material) {
+    std::vector<double> mass;
+    vertex_mass(body.mesh, material, mass);
+    return mass;
+}
+
 BlockMatrix assemble(const SampleBody& body, const std::vector<Vec3>& positions_mm,
                      const SampleMaterial& material) {
     const TetMesh& mesh = body.mesh;

@@ -41,6 +41,9 @@ struct SampleMaterial {
     double dt_s = 1.0 / 60.0;
 };
 
+// Lumped at the vertices [g]: what assemble() adds to the diagonal.
+std::vector<double> vertex_masses(const SampleBody& body, const SampleMaterial& material);
+
 // M + dt^2 K, stiffness rotated by each tetrahedron's rotation from rest to `positions_mm`.
 // Fixed vertices keep their mass only.
 BlockMatrix assemble(const SampleBody& body, const std::vector<Vec3>& positions_mm,

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the pixels of a picture to lines of sight into the scene, and back, as a camera's
+// perspective has it. A value: it holds for the camera as it was when it was taken.
+#pragma once
+
+#include "core/base/vector.h"
+
+class vtkCamera;
+
+namespace hepatica {
+
+// Device pixels, from the picture's upper left corner, as screens count them.
+struct Pixel {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// A ray from the eye through a pixel; `direction` has unit length.
+struct ViewRay {
+    Vec3 origin_mm = Vec3::Zero();
+    Vec3 direction = Vec3::UnitZ();
+};
+
+// The picture's directions, of unit length, and the point that it is about.
+struct ViewAxes {
+    Vec3 right = Vec3::UnitX();
+    Vec3 up = Vec3::UnitZ();
+    Vec3 forward = Vec3::UnitY();  // away from the eye
+    Vec3 focus_mm = Vec3::Zero();
+};
+
+ViewAxes axes_of(vtkCamera& camera);
+
+class Projection {
+  public:
+    // `width`, `height`: of the picture in pixels.
+    Projection(vtkCamera& camera, int width, int height);
+
+    ViewRay ray_through(const Pixel& pixel) const;
+    Pixel pixel_of(const Vec3& position_mm) const;
+    // The point under the pixel in the plane through `depth_mm` parallel to the picture.
+    Vec3 point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const;
+
+  private:
+    ViewAxes axes_;
+    Vec3 eye_mm_;
+    double width_, height_;
+    double per_pixel_;  // the length of a pixel at a distance of 1
+};
+
+}  // namespace hepatica
