@@ -88,6 +88,9 @@ class MainWindow : public QMainWindow {
     void save_film(const std::filesystem::path& place, double end_s,
                    const std::function<void(double at_s)>& go_to);
 
+    // The program that writes reports; at first the one that runs.
+    void set_report_program(const QString& program) { report_program_ = program; }
+
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
     // Called when this window closes and another one shall be made in its place, as another
@@ -245,6 +248,7 @@ class MainWindow : public QMainWindow {
     int hovered_vertex_ = -1;  // of the frame
     double picture_ms_ = 0.0;
     std::string last_message_;
+    QString report_program_;
     QString report_message_;  // that says where the last report lies
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;

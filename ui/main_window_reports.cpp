@@ -45,8 +45,10 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     job.kind = JobKind::report;
     job.title = Words::tr("Writing the report").toStdString();
     job.begin = [this, order, place]() -> BackgroundJob::Work {
-        return [this, order, place](Job& job) -> std::function<void()> {
-            order_report(QCoreApplication::applicationFilePath(), order, place, job);
+        const QString program =
+            report_program_.isEmpty() ? QCoreApplication::applicationFilePath() : report_program_;
+        return [this, program, order, place](Job& job) -> std::function<void()> {
+            order_report(program, order, place, job);
             return [this, place] { offer_report(place); };
         };
     };

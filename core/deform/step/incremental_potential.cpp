@@ -146,7 +146,8 @@ void IncrementalPotential::add_tension(double dt_s) {
     tension_added_ = true;
 }
 
-void IncrementalPotential::damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
+void IncrementalPotential::damping_from(const StepUnderway& step, std::span<const Vec3> first_mm,
+                                        const std::vector<Vec3>& d,
                                         const std::vector<Vec3>& product,
                                         std::vector<Vec3>& damping) const {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
@@ -155,7 +156,7 @@ void IncrementalPotential::damping_from(const StepUnderway& step, const std::vec
     for_each_node(d.size(), [&](std::size_t i) {
         damping[i] = product[i] - inertia * body_.mass_g[i] * d[i];
     });
-    step.potentials.add_product(step.positions, -dt * dt, d, matrix_, damping);
+    step.potentials.add_product(first_mm, -dt * dt, d, matrix_, damping);
     collapse_.add_product(d, -dt * dt, damping);
     if (tension_added_) tension_->subtract_product(d, damping);
     const double scale = beta / (dt * dt + dt * beta);

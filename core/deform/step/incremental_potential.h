@@ -72,10 +72,11 @@ class IncrementalPotential {
     // Sets the blocks beside the diagonal in rows and columns of held nodes to zero.
     void cut_held(BlockMatrix& matrix) const;
 
-    // beta K_0 d from `product` = A d, with the matrix of the first iterate, while the step is
-    // there.
-    void damping_from(const StepUnderway& step, const std::vector<Vec3>& d,
-                      const std::vector<Vec3>& product, std::vector<Vec3>& damping) const;
+    // beta K_0 d from `product` = A d, with the matrix of the first iterate, which was at
+    // `first_mm`.
+    void damping_from(const StepUnderway& step, std::span<const Vec3> first_mm,
+                      const std::vector<Vec3>& d, const std::vector<Vec3>& product,
+                      std::vector<Vec3>& damping) const;
     // Keeps beta K_0, which the first iterate's matrix holds together with `beside` (may be null),
     // before that is overwritten; in live rows, all others meet no motion. `first_mm` is where that
     // iterate was.

@@ -67,15 +67,25 @@ void NewtonStep::keep_damping(const StepUnderway& step) {
 
 void NewtonStep::find_damping(StepUnderway& step) {
     if (body_.damping.beta_s == 0.0 || !step.damping_force.empty()) return;
-    keep_damping(step);
-    potential_.damping_of(step.velocity, step.damping_force);
+    damping_of_first(step, step.velocity, step.damping_force);
+}
+
+// By the matrix of the first iterate, which must not have been assembled anew since.
+void NewtonStep::damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
+                                  std::vector<Vec3>& damping) {
+    multiply(potential_.matrix(), velocity, product_);
+    if (velocity_error_.any()) {
+        multiply(velocity_error_.matrix(), velocity, damping);
+        for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping[i]; });
+    }
+    potential_.damping_from(step, first_mm_, velocity, product_, damping);
 }
 
 // Computes beta K_0 w for a first iterate with w != 0, and adds it to the residual.
 void NewtonStep::begin_damping(StepUnderway& step) {
     if (body_.damping.beta_s == 0.0) return;
     multiply(potential_.matrix(), step.velocity, product_);
-    potential_.damping_from(step, step.velocity, product_, step.damping_force);
+    potential_.damping_from(step, first_mm_, step.velocity, product_, step.damping_force);
     for_each_node(residual_.size(),
                   [&](std::size_t i) { residual_[i] -= step.dt_s * step.damping_force[i]; });
     step.damping_form = dot(step.velocity, step.damping_force);
@@ -355,7 +365,7 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     ++report.newton_iterations;
     direction_ = change_;
     if (step.iterate == 0 && step.predicted) {
-        find_damping_along(step);
+        if (body_.damping.beta_s > 0.0) damping_of_first(step, direction_, damping_along_);
     } else if (step.iterate == 0) {
         for_each_node(change_.size(),
                       [&](std::size_t i) { direction_[i] += step.start.velocities_mm_per_s[i]; });
@@ -373,16 +383,6 @@ bool NewtonStep::still(const StepUnderway& step) const {
     return settings_.line_search && step.iterate == 0 && !step.predicted &&
            std::isfinite(step.value) &&
            step.dt_s * longest_of(direction_) <= no_move * body_.mean_edge_mm;
-}
-
-void NewtonStep::find_damping_along(const StepUnderway& step) {
-    if (body_.damping.beta_s == 0.0) return;
-    multiply(potential_.matrix(), direction_, product_);
-    if (velocity_error_.any()) {
-        multiply(velocity_error_.matrix(), direction_, damping_along_);
-        for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping_along_[i]; });
-    }
-    potential_.damping_from(step, direction_, product_, damping_along_);
 }
 
 // Takes the present velocity as the first guess, unless the incremental potential is higher there

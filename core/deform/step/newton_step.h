@@ -79,7 +79,8 @@ class NewtonStep {
     bool iterate(StepUnderway& step, StepReport& report);
     int iterates_after_cut(const StepUnderway& step) const;
     void begin_damping(StepUnderway& step);
-    void find_damping_along(const StepUnderway& step);
+    void damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
+                          std::vector<Vec3>& damping);
     void keep_damping(const StepUnderway& step);
     void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
