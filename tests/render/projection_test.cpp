@@ -29,9 +29,12 @@ class Eye {
     // By VTK's own matrix.
     Pixel shown_by_vtk(const Vec3& position_mm) {
         double point[4] = {position_mm.x(), position_mm.y(), position_mm.z(), 1.0}, seen[4];
-        camera_->GetCompositeProjectionTransformMatrix(static_cast<double>(picture_width) / picture_height, 0, 1)
+        camera_
+            ->GetCompositeProjectionTransformMatrix(
+                static_cast<double>(picture_width) / picture_height, 0, 1)
             ->MultiplyPoint(point, seen);
-        return {0.5 * picture_width * (1.0 + seen[0] / seen[3]), 0.5 * picture_height * (1.0 - seen[1] / seen[3])};
+        return {0.5 * picture_width * (1.0 + seen[0] / seen[3]),
+                0.5 * picture_height * (1.0 - seen[1] / seen[3])};
     }
 
   private:
