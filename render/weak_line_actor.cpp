@@ -18,8 +18,8 @@ namespace hepatica {
 namespace {
 
 constexpr float pause = 0.18f;  // of an edge, at each of its ends
-constexpr double line_points = 2.5;
-constexpr double lift_mm = 0.5;
+constexpr double line_points = 4.5;
+constexpr double lift_mm = 1.0;
 
 std::vector<float> dashes_of(const Frame& frame) {
     std::vector<float> ends;

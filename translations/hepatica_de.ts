@@ -7943,10 +7943,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Lektion hinzufügen</translation>
     </message>
     <message>
-        <source>Save a copy of the course</source>
-        <translation>Kopie des Kurses speichern</translation>
-    </message>
-    <message>
         <source>%1 (cannot be read)</source>
         <translation>%1 (nicht lesbar)</translation>
     </message>
@@ -8000,6 +7996,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Copy to another &amp;file…</source>
         <translation>In andere &amp;Datei kopieren …</translation>
+    </message>
+    <message>
+        <source>The program&apos;s &amp;own course</source>
+        <translation>Der &amp;mitgelieferte Kurs</translation>
+    </message>
+    <message>
+        <source>A copy of the course is edited: where shall it lie?</source>
+        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie liegen?</translation>
     </message>
 </context>
 </TS>

@@ -35,12 +35,13 @@ QString standing_of(const CourseLine& line) {
 
 }  // namespace
 
-CourseDialog::CourseDialog(Begin begin, QWidget* parent)
+CourseDialog::CourseDialog(Begin begin, std::function<void()> own, QWidget* parent)
     : QDialog(parent),
       begin_(std::move(begin)),
       title_(new QLabel),
       table_(new QTableWidget),
-      start_(new QPushButton(Words::tr("&Begin the lesson"))) {
+      start_(new QPushButton(Words::tr("&Begin the lesson"))),
+      own_(new QPushButton(Words::tr("The program's &own course"))) {
     setWindowTitle(Words::tr("Course"));
     resize_on_screen(*this, {720, 420});
     title_->setObjectName("courseTitle");
@@ -58,6 +59,9 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
     start_->setDefault(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->addButton(start_, QDialogButtonBox::ActionRole);
+    own_->setObjectName("courseOwn");
+    buttons->addButton(own_, QDialogButtonBox::ResetRole);
+    connect(own_, &QPushButton::clicked, this, own);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
     const auto start = [this] {
         const int row = table_->currentRow();
@@ -74,8 +78,9 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
 }
 
 void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines,
-                               const std::string& whose) {
+                               const std::string& whose, bool own) {
     lines_ = std::move(lines);
+    own_->setVisible(!own);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
     const QString title = whose.empty() ? Words::tr("<b>%1</b>: %2 of %3 lessons passed")
                                         : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4");

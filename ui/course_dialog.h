@@ -19,12 +19,13 @@ namespace hepatica {
 class CourseDialog : public QDialog {
   public:
     using Begin = std::function<void(const CourseLine&)>;
-    CourseDialog(Begin begin, QWidget* parent);
+    // `own`: shall show the course that comes with the program.
+    CourseDialog(Begin begin, std::function<void()> own, QWidget* parent);
 
     // The first lesson that is not passed yet is chosen. `whose`: the trainee whose attempts count;
-    // empty: everybody's.
+    // empty: everybody's. `own`: it is the program's.
     void show_course(const std::string& name, std::vector<CourseLine> lines,
-                     const std::string& whose = {});
+                     const std::string& whose, bool own);
     const std::vector<CourseLine>& lines() const { return lines_; }
 
   private:
@@ -33,6 +34,7 @@ class CourseDialog : public QDialog {
     QLabel* title_;
     QTableWidget* table_;
     QPushButton* start_;
+    QPushButton* own_;
 };
 
 }  // namespace hepatica

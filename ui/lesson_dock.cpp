@@ -22,6 +22,7 @@
 #include "ui/lesson_editor/course_editor.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
+#include "ui/questions.h"
 #include "ui/save_file_dialog.h"
 #include "ui/words.h"
 
@@ -80,6 +81,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                               [this](const QString& name) {
                                   trainee_ = name.toStdString();
                                   ways_.named(name);
+                                  name_last_attempt();
                               }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
@@ -89,7 +91,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
            }},
           parent)),
       course_(new CourseDialog([this](const CourseLine& line) { start(line.lesson, line.pass); },
-                               parent)) {
+                               [this] { show_course({}); }, parent)) {
     setObjectName("Lesson");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     auto* scroll = new QScrollArea(this);
@@ -114,7 +116,7 @@ void LessonDock::fill(QMenu& menu) {
     }
     menu.addSeparator();
     connect(menu.addAction(Words::tr("&Course…")), &QAction::triggered, this,
-            [this] { show_course({}); });
+            [this] { show_course(course_file_); });
     connect(menu.addAction(Words::tr("&Open lesson…")), &QAction::triggered, this,
             [this] { ask_for_lesson(); });
     connect(menu.addAction(Words::tr("Open co&urse…")), &QAction::triggered, this,
@@ -145,7 +147,7 @@ void LessonDock::show_course(const fs::path& file) {
             std::erase_if(attempts,
                           [this](const Attempt& attempt) { return attempt.name != trainee_; });
         course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
-                             trainee_);
+                             trainee_, file.empty());
         course_file_ = file;
     } catch (...) {
         ways_.failed(Words::tr("Open course"), std::current_exception());
@@ -162,12 +164,15 @@ void LessonDock::edit_course() {
         };
         ways.where_to_save = [this](const std::string& name) -> std::optional<fs::path> {
             const QString file = ask_where_to_save_file(
-                *parentWidget(), Words::tr("Save a copy of the course"),
+                *parentWidget(), Words::tr("A copy of the course is edited: where shall it lie?"),
                 QString("%1/%2.json").arg(QDir::homePath(), translated(name)),
                 Words::tr("Courses (*.json)"));
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };
-        ways.failed = ways_.failed;
+        ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
+            QWidget& shown = course_editor_->isVisible() ? *course_editor_ : *parentWidget();
+            tell_failure(shown, doing, failure_of(error));
+        };
         ways.written = [this](const fs::path& file) {
             course_file_ = file;
             if (course_->isVisible()) show_course(file);
@@ -208,6 +213,7 @@ void LessonDock::open_case(const fs::path& place) {
 bool LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
     if (!read(name)) return false;
     lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
+    course_pass_ = more_pass;
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
         begin();
@@ -276,6 +282,7 @@ void LessonDock::begin() {
         watch_ = std::move(play.watch);
         guard_ = std::make_unique<RecordingGuard>(watch_->recording());
         watched_name_ = name_;
+        watched_course_pass_ = course_pass_;
         result_kept_ = false;
         on_screen_ = true;
         ways_.use(std::move(play.simulation));
@@ -320,6 +327,16 @@ void LessonDock::show_figures() {
     keep_result();
 }
 
+// Who gives his name after the end means the attempt that has just ended.
+void LessonDock::name_last_attempt() {
+    if (!watch_ || !result_kept_ || watch_->recording().parent_path() == tried()) return;
+    try {
+        name_attempt(watch_->recording(), trainee_);
+    } catch (...) {
+        ways_.failed(Words::tr("Keep the result"), std::current_exception());
+    }
+}
+
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
     guard_.reset();
@@ -327,7 +344,7 @@ void LessonDock::keep_result() {
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
         Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
-                                     now.toStdString());
+                                     now.toStdString(), watched_course_pass_);
         attempt.name = trainee_;
         write_attempt(attempt);
     } catch (...) {

@@ -103,6 +103,7 @@ class LessonDock : public QDockWidget {
     // Where lessons that are tried and their recordings are kept.
     std::filesystem::path tried() const { return recordings_ / "tried"; }
     std::filesystem::path next_recording() const;
+    void name_last_attempt();
     void keep_result();  // of an attempt that has ended, once
     void show_attempts();
 
@@ -112,6 +113,8 @@ class LessonDock : public QDockWidget {
     std::string name_;                       // of the lesson: an id or a file
     std::string watched_name_, shown_name_;  // of watch_'s; of the one whose attempts are shown
     std::optional<Lesson> lesson_;
+    // Pass marks of a course, among those of lesson_ and of watch_'s.
+    std::vector<Predicate> course_pass_, watched_course_pass_;
     bool waits_ = false;  // for its patient
     // Whom it waits for: a case; empty: the built-in patient, or whoever comes where it is for any.
     std::filesystem::path waits_for_;

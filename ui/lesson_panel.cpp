@@ -27,6 +27,12 @@ QLabel* add_label(QVBoxLayout& column, const char* name) {
     return label;
 }
 
+// Of what only grows, such as the time: more than a mark allows stays more.
+bool missed_for_good(const BoundStanding& mark) {
+    return mark.predicate.quantity < Quantity::dose_target_share && !mark.predicate.at_least &&
+           !std::isnan(mark.value) && !mark.kept;
+}
+
 // A row of a table: a mark that colour alone need not tell, the bound, and how it stands.
 QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, FlowUnits units,
                const char* kept, const char* broken) {
@@ -44,7 +50,8 @@ QString table_of(const QString& title, const std::vector<BoundStanding>& bounds,
                  const char* broken) {
     if (bounds.empty()) return "";
     QString html = "<p style='margin:0'>" + title + "</p><table width='100%'>";
-    for (const BoundStanding& bound : bounds) html += row_of(bound, marks, units, kept, broken);
+    for (const BoundStanding& bound : bounds)
+        html += row_of(bound, marks, units, kept, missed_for_good(bound) ? "✗" : broken);
     return html + "</table>";
 }
 
@@ -75,6 +82,10 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     limits_ = add_label(*column, "lessonLimits");
     pass_ = add_label(*column, "lessonPass");
     end_ = add_label(*column, "lessonEnd");
+    auto* play_row = new QHBoxLayout;
+    add_button(*play_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
+    add_button(*play_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
+    column->addLayout(play_row);
     auto* next_row = new QHBoxLayout;
     next_ = add_button(*next_row, {}, "lessonNext", [run = ways.next] { run(); });
     column->addLayout(next_row);
@@ -90,10 +101,6 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     attempts_->setObjectName("lessonAttempts");
     connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
     column->addWidget(attempts_);
-    auto* last_row = new QHBoxLayout;
-    add_button(*last_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
-    add_button(*last_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
-    column->addLayout(last_row);
     column->addLayout(make_name());
     connect(name_, &QLineEdit::editingFinished, this, [this, run = ways.name] {
         if (run) run(name_->text().simplified());

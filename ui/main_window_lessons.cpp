@@ -177,7 +177,8 @@ void MainWindow::build_lesson_editor() {
         return ask_unsaved_lesson(*lesson_editor_, lesson_editor_->document().lesson().name, kept);
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
-        fail(doing, failure_of(error));
+        log_->add_failure(doing, failure_of(error));
+        tell_failure(*lesson_editor_, doing, failure_of(error));
     };
     if (!draft_slot_) draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);

@@ -47,13 +47,17 @@ MessageBar::MessageBar(QWidget* pictures)
         row->addWidget(button, 0, Qt::AlignVCenter);
 }
 
-void MessageBar::show_failure(const Failure& failure) {
+QStringList lines_of(const Failure& failure) {
     QString problem = translated(failure.problem);
     if (!problem.isEmpty()) problem[0] = problem[0].toUpper();
     QStringList lines{problem};
     if (!failure.place.empty()) lines << Words::tr("in %1").arg(translated(failure.place));
     if (!failure.remedy.empty()) lines << translated(failure.remedy);
-    show_as("failure", lines);
+    return lines;
+}
+
+void MessageBar::show_failure(const Failure& failure) {
+    show_as("failure", lines_of(failure));
 }
 
 void MessageBar::show_notice(const QString& text) {

@@ -17,6 +17,9 @@ class QToolButton;
 
 namespace hepatica {
 
+// What went wrong, where, and what helps, each as far as it is known.
+QStringList lines_of(const Failure& failure);
+
 class MessageBar : public OverlayBar {
   public:
     explicit MessageBar(QWidget* pictures);

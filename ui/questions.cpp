@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "ui/core_words.h"
+#include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/save_case_dialog.h"
 #include "ui/series_dialog.h"
@@ -102,6 +103,15 @@ std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Se
                                              Words::tr("All files (*)"));
     if (place.isEmpty()) return std::nullopt;
     return to_path(place);
+}
+
+void tell_failure(QWidget& window, const QString& doing, const Failure& failure) {
+    const QStringList lines = lines_of(failure);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, doing, lines.front(), QMessageBox::Ok, &window);
+    box->setInformativeText(lines.mid(1).join("\n"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept) {

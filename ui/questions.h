@@ -21,6 +21,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
 // None: not after all.
 std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
 
+// What went wrong in a window of its own: before it, where it is seen. Returns at once.
+void tell_failure(QWidget& window, const QString& doing, const Failure& failure);
+
 // About a lesson of that name; `kept`: a copy of it is on disk, so that it may be left for later.
 UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept);
 

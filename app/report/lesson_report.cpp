@@ -19,6 +19,7 @@
 #include "app/report/page_printer.h"
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/score.h"
 #include "core/scene/surface_anatomy.h"
@@ -185,10 +186,14 @@ Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUn
 }
 
 // The lesson that a play was of: the one named, or the built-in one with the recorded scene, or
-// none.
+// none; with the pass marks of the course that it was begun from.
 std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recording& recording) {
-    return request.lesson.empty() ? built_in_lesson_of(recording)
-                                  : std::optional(find_lesson(request.lesson));
+    std::optional<Lesson> lesson = request.lesson.empty()
+                                       ? built_in_lesson_of(recording)
+                                       : std::optional(find_lesson(request.lesson));
+    const std::vector<Predicate> of_course = course_pass_beside(request.recording);
+    if (lesson) lesson->pass.insert(lesson->pass.end(), of_course.begin(), of_course.end());
+    return lesson;
 }
 
 // A step that nobody reaches, so that all of the play is measured.

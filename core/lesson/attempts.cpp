@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/lesson/lesson_fields.h"
+#include "core/lesson/predicate_json.h"
 
 namespace hepatica {
 
@@ -48,13 +49,32 @@ std::string in_quotes(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+// Whether only the last ones of the pass marks, so many, kept it from being passed.
+bool passed_but_for(std::size_t marks, const LessonStanding& standing) {
+    if (standing.outcome == LessonOutcome::passed) return true;
+    const auto own_end = standing.pass.end() - static_cast<std::ptrdiff_t>(marks);
+    const auto missed = std::ranges::count(standing.pass, false, &BoundStanding::kept);
+    const bool reached_the_end = standing.outcome == LessonOutcome::failed &&
+                                 standing.step == standing.steps.size() &&
+                                 static_cast<std::ptrdiff_t>(standing.reasons.size()) == missed;
+    return reached_the_end && std::all_of(standing.pass.begin(), own_end,
+                                          [](const BoundStanding& mark) { return mark.kept; });
+}
+
+}  // namespace
+
 Attempt attempt_of(const fs::path& recording, const std::string& lesson,
-                   const LessonStanding& standing, const std::string& ended_at) {
+                   const LessonStanding& standing, const std::string& ended_at,
+                   std::vector<Predicate> course_pass) {
     Attempt attempt;
     attempt.recording = recording;
     attempt.lesson = lesson;
     attempt.ended_at = ended_at;
     attempt.passed = standing.outcome == LessonOutcome::passed;
+    attempt.passed_lesson = passed_but_for(course_pass.size(), standing);
+    attempt.course_pass = std::move(course_pass);
     attempt.reasons = standing.reasons;
     for (std::size_t i = 0; i < metric_count; ++i)
         attempt.metrics[i] = value_of({quantity(i), -1, true, 0.0}, standing.metrics, {}, 0.0);
@@ -75,6 +95,10 @@ void write_attempt(const Attempt& attempt) {
               {"passed", attempt.passed},       {"reasons", attempt.reasons},
               {"reference", attempt.reference}, {"metrics", metrics}};
     if (!attempt.name.empty()) json["name"] = attempt.name;
+    if (!attempt.course_pass.empty()) {
+        json["course_pass"] = json_of(attempt.course_pass, {});
+        json["passed_lesson"] = attempt.passed_lesson;
+    }
     write_text_atomically(result_file_of(attempt.recording), json.dump(1) + "\n");
 }
 
@@ -83,7 +107,7 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     if (json.is_discarded()) throw InputError("is not JSON", place, result_remedy);
     const LessonFields fields(json, place, "");
     fields.know({"format", "version", "lesson", "ended_at", "passed", "reasons", "reference",
-                 "metrics", "name"});
+                 "metrics", "name", "course_pass", "passed_lesson"});
     fields.require_format(result_format, result_remedy);
     Attempt attempt;
     attempt.recording = recording;
@@ -91,6 +115,9 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     if (fields.has("name")) attempt.name = fields.need("name").text();
     attempt.ended_at = fields.need("ended_at").text();
     attempt.passed = truth_from(fields.need("passed"));
+    attempt.course_pass = predicates_from(fields, "course_pass", {});
+    attempt.passed_lesson =
+        fields.has("passed_lesson") ? truth_from(fields.need("passed_lesson")) : attempt.passed;
     for (const LessonFields& reason : fields.need("reasons").list())
         attempt.reasons.push_back(reason.text());
     attempt.reference = truth_from(fields.need("reference"));
@@ -142,13 +169,34 @@ std::vector<std::string> names_in(const std::vector<Attempt>& attempts) {
     return names;
 }
 
-std::string name_beside(const fs::path& recording) {
+namespace {
+
+// Of the result beside the recording; without one, or where it cannot be read, what nobody has
+// filled.
+Attempt attempt_beside(const fs::path& recording) {
     const fs::path file = result_file_of(recording);
     try {
-        return attempt_from(read_text_file(file, result_remedy), recording, file.string()).name;
+        return attempt_from(read_text_file(file, result_remedy), recording, file.string());
     } catch (const InputError&) {
-        return "";
+        return {};
     }
+}
+
+}  // namespace
+
+std::string name_beside(const fs::path& recording) {
+    return attempt_beside(recording).name;
+}
+
+std::vector<Predicate> course_pass_beside(const fs::path& recording) {
+    return attempt_beside(recording).course_pass;
+}
+
+void name_attempt(const fs::path& recording, const std::string& name) {
+    const fs::path file = result_file_of(recording);
+    Attempt attempt = attempt_from(read_text_file(file, result_remedy), recording, file.string());
+    attempt.name = name;
+    write_attempt(attempt);
 }
 
 std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity) {

@@ -5,7 +5,9 @@
 //    "ended_at": "2026-11-23T13:20:05Z", "passed": false, "reasons": ["limit broken: ..."],
 //    "reference": false, "metrics": {"time_s": 12.5, ..., "dose_target_share": null}}
 // Where the trainee gave a name or a number, "name": "..." stands beside them; a result of who gave
-// none names nobody.
+// none names nobody. Of a lesson that was begun from a course with pass marks of its own,
+// "course_pass": [{"what": "time_s", "at_most": 60}] and "passed_lesson": true, the verdict
+// without them.
 #pragma once
 
 #include <array>
@@ -23,20 +25,24 @@ inline constexpr std::size_t metric_count = static_cast<std::size_t>(Quantity::s
 
 struct Attempt {
     std::filesystem::path recording;
-    std::string lesson;    // its name
-    std::string name;      // of the trainee, as he gave it; empty: nobody is named
-    std::string ended_at;  // UTC, as in ISO 8601, so that texts sort as times
-    bool passed = false;
-    std::vector<std::string> reasons;            // why not
-    bool reference = false;                      // others are measured by it, as by an instructor's
+    std::string lesson;                  // its name
+    std::string name;                    // of the trainee, as he gave it; empty: nobody is named
+    std::string ended_at;                // UTC, as in ISO 8601, so that texts sort as times
+    bool passed = false;                 // by all marks it was played under
+    std::vector<Predicate> course_pass;  // those of a course among them
+    bool passed_lesson = false;          // by the lesson's own alone
+    std::vector<std::string> reasons;    // why it was not passed
+    bool reference = false;              // others are measured by it, as by an instructor's
     std::array<double, metric_count> metrics{};  // by quantity; NaN: not known
 
     double value(Quantity quantity) const { return metrics[static_cast<std::size_t>(quantity)]; }
 };
 
-// The attempt that ended like this.
+// The attempt that ended like this; `course_pass`: the last ones of the standing's pass marks, of
+// the course that it was begun from.
 Attempt attempt_of(const std::filesystem::path& recording, const std::string& lesson,
-                   const LessonStanding& standing, const std::string& ended_at);
+                   const LessonStanding& standing, const std::string& ended_at,
+                   std::vector<Predicate> course_pass = {});
 
 std::filesystem::path result_file_of(const std::filesystem::path& recording);
 // Whole or not at all. Throws InputError where it cannot be written.
@@ -58,6 +64,11 @@ Attempts attempts_at(const std::string& lesson, const std::filesystem::path& fol
 std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
 // Whom the result beside this recording names; empty: nobody, or there is none that can be read.
 std::string name_beside(const std::filesystem::path& recording);
+// The same of the pass marks of a course under which it was played; none: of none.
+std::vector<Predicate> course_pass_beside(const std::filesystem::path& recording);
+// Names the trainee of the attempt whose result lies beside this recording; empty: nobody. Throws
+// InputError where there is none that can be read and written.
+void name_attempt(const std::filesystem::path& recording, const std::string& name);
 
 // The least and the most of a quantity among the attempts that others are measured by; none where
 // there are none, or where it is not known of any.

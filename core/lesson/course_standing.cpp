@@ -27,7 +27,7 @@ std::string entry_naming(const std::string& lesson, const std::filesystem::path&
 }
 
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks) {
-    return attempt.passed && std::ranges::all_of(marks, [&](const Predicate& mark) {
+    return attempt.passed_lesson && std::ranges::all_of(marks, [&](const Predicate& mark) {
                return mark.quantity < Quantity::step_time_s &&
                       mark.holds(attempt.value(mark.quantity));
            });

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/lesson/predicate_json.h"
 
 namespace hepatica {
 
@@ -20,25 +21,12 @@ Json place_json(const ScriptPlace& place) {
     return {{"point_mm", {at.x(), at.y(), at.z()}}};
 }
 
-Json bounds_json(const std::vector<Predicate>& bounds, const std::vector<std::string>& marks) {
-    Json list = Json::array();
-    for (const Predicate& bound : bounds) {
-        const QuantityWords& words = words_of(bound.quantity);
-        Json json{{"what", words.name}};
-        if (words.of_mark && bound.mark >= 0)
-            json["mark"] = marks[static_cast<std::size_t>(bound.mark)];
-        json[bound.at_least ? "at_least" : "at_most"] = bound.bound;
-        list.push_back(std::move(json));
-    }
-    return list;
-}
-
 Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
     Json json{{"text", step.text}};
     if (!step.hint.empty()) json["hint"] = step.hint;
-    json["goal"] = bounds_json(step.goal, marks);
+    json["goal"] = json_of(step.goal, marks);
     if (step.hold_s != 0.0) json["hold_s"] = step.hold_s;
-    if (!step.limits.empty()) json["limits"] = bounds_json(step.limits, marks);
+    if (!step.limits.empty()) json["limits"] = json_of(step.limits, marks);
     return json;
 }
 
@@ -58,8 +46,8 @@ std::string text_of(const Lesson& lesson) {
     if (lesson.target) json["target"] = place_json(*lesson.target);
     json["steps"] = Json::array();
     for (const LessonStep& step : lesson.steps) json["steps"].push_back(step_json(step, marks));
-    if (!lesson.limits.empty()) json["limits"] = bounds_json(lesson.limits, marks);
-    if (!lesson.pass.empty()) json["pass"] = bounds_json(lesson.pass, marks);
+    if (!lesson.limits.empty()) json["limits"] = json_of(lesson.limits, marks);
+    if (!lesson.pass.empty()) json["pass"] = json_of(lesson.pass, marks);
     return json.dump(2) + "\n";
 }
 
@@ -79,7 +67,7 @@ std::string text_of(const Course& course) {
     json["lessons"] = Json::array();
     for (const CourseEntry& entry : course.lessons) {
         Json lesson{{"lesson", entry.lesson}};
-        if (!entry.pass.empty()) lesson["pass"] = bounds_json(entry.pass, {});
+        if (!entry.pass.empty()) lesson["pass"] = json_of(entry.pass, {});
         json["lessons"].push_back(std::move(lesson));
     }
     return json.dump(2) + "\n";

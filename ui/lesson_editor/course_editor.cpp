@@ -156,7 +156,9 @@ QWidget* CourseEditor::build_foot() {
 
 void CourseEditor::edit(const std::filesystem::path& file) {
     if (file.empty() && document_.empty()) {
-        save_copy(course_of(built_in_course(), "course"), {});
+        Course own = course_of(built_in_course(), "course");
+        own.name = translated(own.name).toStdString();
+        save_copy(own, {});
         if (document_.empty()) return;
     } else if (!file.empty() && file != document_.file()) {
         if (!attempt(Words::tr("Edit course"), [&] { document_.open(file); })) return;
