@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/back_end_choice.h"
+#include "app/measured_play.h"
 #include "app/verbs/verbs.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/world.h"
@@ -85,6 +86,7 @@ Json run_scene(const SceneChoices& options, Job& job) {
             {"case", scene.patient.string()},
             {"vertices", session.world().vertex_count()},
             {"parts", parts},
+            {"obstacles", obstacles_of(session.world())},
             {"gpu", facts_of(back_end)}};
 }
 

@@ -16,7 +16,8 @@ void sort_each_once(std::vector<int>& numbers) {
 
 }  // namespace
 
-SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm)
+SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm,
+                                 std::span<const SurfaceKind> kind_of_node)
     : surface_(std::move(surface)),
       owned_nodes_(surface_.triangles().size()),
       owned_edges_(surface_.triangles().size()),
@@ -43,6 +44,17 @@ SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> r
     find_edges(area_mm2);
     find_borders();
     find_pieces();
+    find_kinds(kind_of_node);
+}
+
+void SurfaceFeatures::find_kinds(std::span<const SurfaceKind> kind_of_node) {
+    kind_of_piece_.assign(patches_of_piece_.size(), SurfaceKind::moving);
+    if (kind_of_node.empty()) return;
+    for (std::size_t piece = 0; piece < kind_of_piece_.size(); ++piece) {
+        const int node = surface_.vertices_of(patches_of_piece_[piece].front()).front();
+        kind_of_piece_[piece] = kind_of_node[node];
+        beside_obstacles_ |= kind_of_node[node] != SurfaceKind::moving;
+    }
 }
 
 void SurfaceFeatures::find_borders() {

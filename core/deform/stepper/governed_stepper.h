@@ -88,6 +88,7 @@ class GovernedStepper final : public LiveStepper {
     bool tool_led_ = false;   // the tool is on its way
     ToolLoad tool_load_;      // of the last step
     SelfLoad self_load_;      // as well
+    ObstacleLoad obstacle_load_;  // as well
     double tool_work_ = 0.0;  // of grabs and tool since the last step [nJ]
     double lost_ = 0.0;       // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
