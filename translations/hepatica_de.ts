@@ -7930,5 +7930,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>a piece went on without the step&apos;s forces: they would have made energy or taken its momentum</source>
         <translation>ein Stück bewegte sich ohne die Kräfte des Schritts weiter: Sie hätten Energie erzeugt oder ihm Impuls genommen</translation>
     </message>
+    <message>
+        <source>They touch the &amp;liver&apos;s surface and tumours</source>
+        <translation>Sie berühren die &amp;Leberoberfläche und Tumoren</translation>
+    </message>
+    <message>
+        <source>holds neither a liver nor a tumour that vessels could touch</source>
+        <translation>enthält weder eine Leber noch einen Tumor, die Gefäße berühren könnten</translation>
+    </message>
+    <message>
+        <source>Leave &quot;obstacles&quot;: true out of the scene&apos;s contact, or reconstruct the case with a liver or tumours</source>
+        <translation>Nehmen Sie &quot;obstacles&quot;: true aus dem Kontakt der Szene heraus, oder rekonstruieren Sie den Fall mit einer Leber oder Tumoren</translation>
+    </message>
 </context>
 </TS>

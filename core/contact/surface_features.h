@@ -67,6 +67,10 @@ class SurfaceFeatures {
     bool beside_obstacles() const { return beside_obstacles_; }
     SurfaceKind kind_of_piece(int piece) const { return kind_of_piece_[piece]; }
     SurfaceKind kind_of_patch(int patch) const { return kind_of_piece_[piece_of_patch_[patch]]; }
+    // How far an edge or a vertex of an obstacle sticks out to where the body is, from 0, in a flat
+    // face or a hollow, to 1, where its triangles turn by 60 degrees or more.
+    double sharpness_of_edge(int edge) const { return edge_sharpness_[edge]; }
+    double sharpness_of_node(int node) const { return node_sharpness_[node]; }
     // False of two patches that stand still, and beside obstacles of two that move, too.
     bool may_meet(int patch, int other) const {
         return !beside_obstacles_ || (kind_of_patch(patch) == SurfaceKind::moving) !=
@@ -77,6 +81,8 @@ class SurfaceFeatures {
     void find_edges(std::span<const double> area_mm2);
     void find_pieces();
     void find_kinds(std::span<const SurfaceKind> kind_of_node);
+    void find_sharpness(std::span<const SurfaceKind> kind_of_node,
+                        std::span<const Vec3> positions_mm);
     void find_borders();
 
     SurfacePatches surface_;
@@ -89,6 +95,7 @@ class SurfaceFeatures {
     std::vector<int> piece_of_patch_;
     std::vector<std::vector<int>> patches_of_piece_;
     std::vector<SurfaceKind> kind_of_piece_;
+    std::vector<double> edge_sharpness_, node_sharpness_;  // beside obstacles
     int pieces_ = 0;
     bool beside_obstacles_ = false;
 };

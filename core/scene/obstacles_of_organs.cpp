@@ -19,12 +19,27 @@ constexpr double cells_in_diameter = 10.0, finest_mm = 1.0, coarsest_mm = 4.0;
 constexpr double smoothing = 0.5;  // of a cell
 constexpr double reach = 4.0;      // of the smoothing: nothing of the surface is cut off
 
+constexpr double closed_mm = 6.0, closed_spacing_mm = 2.0;
+
+Mask part_of(const Mask& organ, const IndexBox& box, double margin_mm) {
+    return crop(organ, grow_box(box, organ.grid, margin_mm));
+}
+
+// Masks of livers may have the vessels carved out: tunnels as wide as a portal vein are closed.
+Mask closed_liver(const Mask& liver) {
+    Job job;
+    const Mask part = part_of(liver, bounding_box(liver), 2.0 * closed_mm);
+    const Vec3 spacing = part.grid.spacing_mm.cwiseMax(Vec3::Constant(closed_spacing_mm));
+    return close(resample(part, respaced(part.grid, spacing), Interpolation::linear, job),
+                 closed_mm, job);
+}
+
 // The surface of what is not 0, its holes filled; empty where nothing is left of it.
 TriangleMesh smooth_surface(const Mask& organ) {
     const IndexBox box = bounding_box(organ);
     if (box.empty()) return {};
     Job job;
-    const Mask part = fill_holes(crop(organ, grow_box(box, organ.grid, reach * coarsest_mm)));
+    const Mask part = fill_holes(part_of(organ, box, reach * coarsest_mm));
     const auto voxels = static_cast<double>(
         part.voxels.size() - std::ranges::count(part.voxels, std::uint8_t{0}));
     const double diameter_mm =
@@ -47,7 +62,8 @@ std::vector<Obstacle> obstacles_in(const Mask& organs) {
         if (!surface.triangles.empty()) all.push_back({std::move(surface), kind});
     };
     if (organs.voxels.empty()) return all;
-    if (const Mask liver = liver_of(organs); !liver.voxels.empty()) add(liver, SurfaceKind::shell);
+    if (const Mask liver = liver_of(organs); !liver.voxels.empty())
+        add(closed_liver(liver), SurfaceKind::shell);
     for (const Tumour& tumour : tumours_in(organs)) {
         Mask one = organs;
         const std::uint8_t label = label_of_tumour(tumour.number);

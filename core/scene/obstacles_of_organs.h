@@ -12,8 +12,8 @@
 
 namespace hepatica {
 
-// The liver, tumours included, then each tumour by its number; those that there are. A cell of a
-// surface is a tenth of a ball's diameter that has the organ's volume, from 1 to 4 mm.
+// The liver, tumours included and tunnels of vessels closed, then each tumour by its number; those
+// that there are. A cell of a surface is a tenth of a ball's diameter that has the organ's volume, from 1 to 4 mm.
 std::vector<Obstacle> obstacles_in(const Mask& organs);
 
 // Those that a scene asks for; null where it does not, or asks for what is known and nothing is.

@@ -124,6 +124,7 @@ SurfacePairs::SurfacePairs(SurfaceFeatures features, std::span<const Vec3> rest_
     const Stopwatch watch(build_ms_);
     at_rest_.find(rest_mm, touching_at_rest * pad_.thickness_mm);
     overlaps_.set(at_rest_.touching(), at_rest_.buried());
+    find_clearances();
     candidates(rest_mm, rest_mm);
 }
 
@@ -168,6 +169,7 @@ void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> p
                           touching_at_rest * pad_.thickness_mm);
     overlaps_.follow_split(before.overlaps, came_from(parents, before.nodes), positions_mm,
                            pad_.thickness_mm, &at_rest_);
+    find_clearances();
     forget();
 }
 
@@ -186,8 +188,39 @@ OverlapsKept SurfacePairs::kept_overlaps() const {
     return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried())};
 }
 
-// Half the distance at rest, but the full thickness for pairs that overlapped at rest.
+void SurfacePairs::find_clearances() {
+    if (!features_.beside_obstacles()) return;
+    node_clearance_mm_.assign(rest_mm_.size(), INFINITY);
+    edge_clearance_mm_.assign(features_.edges().size(), INFINITY);
+    triangle_clearance_mm_.assign(features_.surface().triangles().size(), INFINITY);
+    std::vector<FeaturePair> near;
+    NearPairs(features_, 0.0)
+        .add_between_strangers({rest_mm_, rest_mm_, 2.0 * pad_.thickness_mm},
+                               [&](int p, int q) { return at_rest_.left_out(p, q); }, near);
+    const auto take = [](double& least, double distance) { least = std::min(least, distance); };
+    for (const FeaturePair& pair : near) {
+        const double apart = distance_mm(pair, rest_mm_);
+        if (pair.of_edges)
+            take(edge_clearance_mm_[of_obstacle(pair.nodes[0]) ? pair.second : pair.first], apart);
+        else if (of_obstacle(pair.first))
+            take(triangle_clearance_mm_[pair.second], apart);
+        else
+            take(node_clearance_mm_[pair.first], apart);
+    }
+}
+
+double SurfacePairs::clearance_of(const FeaturePair& pair) const {
+    if (pair.of_edges)
+        return edge_clearance_mm_[of_obstacle(pair.nodes[0]) ? pair.second : pair.first];
+    return of_obstacle(pair.first) ? triangle_clearance_mm_[pair.second]
+                                   : node_clearance_mm_[pair.first];
+}
+
+// Half the distance at rest, but the full thickness for pairs that overlapped at rest. Against
+// obstacles that of the body's feature to any of them: the pad is the same wherever it slides.
 double SurfacePairs::pad_of(const FeaturePair& pair) const {
+    if (features_.beside_obstacles())
+        return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
         return pad_.thickness_mm;
     return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
@@ -197,6 +230,25 @@ const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> f
                                                         std::span<const Vec3> to_mm) const {
     return cover_.along(from_mm, to_mm,
                         [&](int patch, int other) { return overlaps_.left_out(patch, other); });
+}
+
+// Against an obstacle the vertices of the body bear with all their share, and edges and vertices of
+// the obstacle as far as they stick out. In a flat face they never come nearer than a vertex of the
+// body, and would be ridges to what slides across.
+double SurfacePairs::area_of(const FeaturePair& pair) const {
+    if (!features_.beside_obstacles())
+        return pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
+                                       features_.area_of_edge_mm2(pair.second))
+                             : 0.5 * features_.area_of_node_mm2(pair.first);
+    if (pair.of_edges) {
+        const bool first = of_obstacle(pair.nodes[0]);
+        return 0.5 * features_.sharpness_of_edge(first ? pair.first : pair.second) *
+               features_.area_of_edge_mm2(first ? pair.second : pair.first);
+    }
+    if (!of_obstacle(pair.first)) return features_.area_of_node_mm2(pair.first);
+    double share = 0.0;
+    for (int a = 1; a < 4; ++a) share += features_.area_of_node_mm2(pair.nodes[a]) / 3.0;
+    return 0.5 * features_.sharpness_of_node(pair.first) * share;
 }
 
 std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
@@ -209,9 +261,8 @@ std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
     if (!(contact.gap_mm < most)) return std::nullopt;
     const double pad = pad_of(pair);
     if (!(contact.gap_mm < pad)) return std::nullopt;
-    const double area = pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
-                                                features_.area_of_edge_mm2(pair.second))
-                                      : 0.5 * features_.area_of_node_mm2(pair.first);
+    const double area = area_of(pair);
+    if (area == 0.0) return std::nullopt;
     const double strength = area * pad_.pressure_pa;
     const PadBarrier barrier = pad_barrier(contact.gap_mm, pad, strength);
     contact.normal = contact.gap_mm > 0.0 ? Vec3(apart / contact.gap_mm) : Vec3(Vec3::UnitZ());

@@ -4,7 +4,7 @@
 // stores
 //   A p h (-g - ln(1 - g)),    whose force is A p g/(1 - g):
 // linear at first and without bound where the gap closes. A is a half of the vertex' share of the
-// surface at rest, or the mean of a quarter of each edge's. h is at most half the distance at rest,
+// surface at rest, or the mean of a quarter of each edge's; against an obstacle see area_of. h is at most half the distance at rest,
 // so that the pad is empty there: neighbours count, too. Edges that are parallel have no nearest
 // points: there the pad fades out as c (2 - c), with c = sin^2/0.01 of the angle between them (Li
 // et al. 2020, eq. 24); vertices and triangles hold those apart. Forces are the exact gradient: a
@@ -93,6 +93,8 @@ class SurfacePairs {
 
   private:
     double pad_of(const FeaturePair& pair) const;
+    double area_of(const FeaturePair& pair) const;
+    bool of_obstacle(int node) const { return node >= moving_nodes_; }
     std::optional<SurfaceContact> contact_of(const FeaturePair& pair,
                                              std::span<const Vec3> positions_mm) const;
     void fade(SurfaceContact& contact, std::span<const Vec3> positions_mm) const;
@@ -102,6 +104,9 @@ class SurfacePairs {
     // not asked.
     double least_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                        const std::function<double(double gap_mm, double pad_mm)>& kept) const;
+    // Beside obstacles: how far each feature of the body is from all of them at rest.
+    void find_clearances();
+    double clearance_of(const FeaturePair& pair) const;
     // The node of the surface before from which each came.
     std::vector<int> came_from(std::span<const int> parents, int nodes_before) const;
     void forget();
@@ -113,6 +118,7 @@ class SurfacePairs {
     Overlaps overlaps_, at_rest_;
     std::shared_ptr<const OverlapsBefore> whole_;  // see BeforeTear; null: this one
     int whole_nodes_ = 0;
+    std::vector<double> node_clearance_mm_, edge_clearance_mm_, triangle_clearance_mm_;
     mutable PairCover cover_;
     mutable std::vector<Vec3> looked_at_mm_;  // where contacts_ are
     mutable std::vector<SurfaceContact> contacts_;
