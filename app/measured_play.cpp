@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measured_play.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -57,8 +59,8 @@ void add_step(const SessionStep& step, MeasuredPlay& result) {
     result.contacts_max =
         std::max(result.contacts_max, tool.contacts + self.contacts + obstacles.contacts);
     result.obstacle_contacts_max = std::max(result.obstacle_contacts_max, obstacles.contacts);
-    result.rows_max = std::max(
-        result.rows_max, 3 * (tool.contacts + obstacles.contacts) + self.contacts);
+    result.rows_max =
+        std::max(result.rows_max, 3 * (tool.contacts + obstacles.contacts) + self.contacts);
     result.penetration_max_mm = std::max({result.penetration_max_mm, -tool.least_gap_mm,
                                           -self.least_gap_mm, -obstacles.least_gap_mm});
     if (step.deform.momentum_exchanged_g_mm_per_s > 0.0)
@@ -148,6 +150,11 @@ Json obstacles_of(const World& world) {
     if (!contact || contact->obstacles == WantedObstacles::none) return nullptr;
     const auto& obstacles = world.deform()->body().obstacles;
     return obstacles ? obstacles->all.size() : 0;
+}
+
+void say_where_obstacles_are_none(const World& world) {
+    if (obstacles_of(world) == 0)
+        spdlog::warn("the case knows neither a liver nor a tumour: the scene has no obstacles");
 }
 
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,

@@ -48,6 +48,7 @@ Json run_scene(const SceneChoices& options, Job& job) {
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(scene.patient));
     Session session(patient, scene.spec, job, back_end.back_end);
+    say_where_obstacles_are_none(session.world());
     job.begin_stage("Weighing the parts");
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
     if (scene.spec.flow) session.post(InjectDrug{held});

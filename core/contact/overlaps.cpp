@@ -182,8 +182,7 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
     bool slipped = false;
     std::erase_if(touching_, [&](const auto& pair) {
         if (near(pair[0], pair[1])) return false;
-        if (features_.beside_obstacles())
-            slipped |= slipped_in(pair, boxes, positions_mm, still);
+        if (features_.beside_obstacles()) slipped |= slipped_in(pair, boxes, positions_mm, still);
         return true;
     });
     buried_ = std::move(still);

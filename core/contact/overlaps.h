@@ -7,7 +7,8 @@
 // Within is where rays meet the surface more often from behind than from before. One piece does not
 // overlap itself: its surface bounds tetrahedra that share faces. Beside obstacles only what moves
 // may lie in what stands still. In a shell, which is to hold it, it lies where a vertex is outside,
-// and what lies so is left out for good: it goes through the shell's wall, or has no business in it.
+// and what lies so is left out for good: it goes through the shell's wall, or has no business in
+// it.
 #pragma once
 
 #include <array>

@@ -155,8 +155,7 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
         for (int piece = 0; piece < features_.pieces(); ++piece)
             if (may_lie_in(p, piece) && old_piece[piece] != old_piece[piece_of(p)] &&
                 (!origins[p].bare.empty() || was_buried(piece)) &&
-                ((for_good(piece) && was_buried(piece)) ||
-                 lies_in(p, piece, boxes, positions_mm)))
+                ((for_good(piece) && was_buried(piece)) || lies_in(p, piece, boxes, positions_mm)))
                 buried_.push_back({p, piece});
     }
 }

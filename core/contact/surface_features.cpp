@@ -60,7 +60,8 @@ void SurfaceFeatures::find_kinds(std::span<const SurfaceKind> kind_of_node) {
     }
 }
 
-// By the normals of the two triangles at an edge; of those that meet in a hollow nothing sticks out.
+// By the normals of the two triangles at an edge; of those that meet in a hollow nothing sticks
+// out.
 void SurfaceFeatures::find_sharpness(std::span<const SurfaceKind> kind_of_node,
                                      std::span<const Vec3> positions_mm) {
     edge_sharpness_.assign(edges_.size(), 0.0);
@@ -70,8 +71,7 @@ void SurfaceFeatures::find_sharpness(std::span<const SurfaceKind> kind_of_node,
         if (kind_of_node[triangle[0]] == SurfaceKind::moving) continue;
         const Triangle x = corners_of(triangle, positions_mm);
         const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-        for (int a = 0; a < 3; ++a)
-            normal_beside[{triangle[a], triangle[(a + 1) % 3]}] = normal;
+        for (int a = 0; a < 3; ++a) normal_beside[{triangle[a], triangle[(a + 1) % 3]}] = normal;
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];

@@ -13,11 +13,11 @@ namespace hepatica {
 // way round, leaves the scene as it was.
 class SceneParts {
   public:
-    void set_moves(SceneSpec& scene, bool on);    // and what needs it
-    void set_touches(SceneSpec& scene, bool on);  // tools and vessels; needs what moves
-    void set_self(SceneSpec& scene, bool on);     // vessels and vessels; needs what moves
+    void set_moves(SceneSpec& scene, bool on);      // and what needs it
+    void set_touches(SceneSpec& scene, bool on);    // tools and vessels; needs what moves
+    void set_self(SceneSpec& scene, bool on);       // vessels and vessels; needs what moves
     void set_obstacles(SceneSpec& scene, bool on);  // vessels and organs; needs what moves
-    void set_tears(SceneSpec& scene, bool on);    // needs what moves
+    void set_tears(SceneSpec& scene, bool on);      // needs what moves
     void set_flows(SceneSpec& scene, bool on);
     // Of another lesson from now on.
     void forget() { *this = SceneParts(); }

@@ -40,8 +40,8 @@ TriangleMesh smooth_surface(const Mask& organ) {
     if (box.empty()) return {};
     Job job;
     const Mask part = fill_holes(part_of(organ, box, reach * coarsest_mm));
-    const auto voxels = static_cast<double>(
-        part.voxels.size() - std::ranges::count(part.voxels, std::uint8_t{0}));
+    const auto voxels =
+        static_cast<double>(part.voxels.size() - std::ranges::count(part.voxels, std::uint8_t{0}));
     const double diameter_mm =
         std::cbrt(6.0 / M_PI * voxels * std::abs(part.grid.spacing_mm.prod()));
     const double cell_mm = std::clamp(diameter_mm / cells_in_diameter, finest_mm, coarsest_mm);
@@ -82,9 +82,10 @@ std::shared_ptr<const Obstacles> obstacles_for(const PatientCase& patient,
     const std::string where = patient.voxels_at.empty()
                                   ? patient.source.name.empty() ? "the case" : patient.source.name
                                   : (patient.voxels_at / "organs.nii.gz").string();
-    throw InputError("holds neither a liver nor a tumour that vessels could touch", where,
-                     "Leave \"obstacles\": true out of the scene's contact, or reconstruct the case "
-                     "with a liver or tumours");
+    throw InputError(
+        "holds neither a liver nor a tumour that vessels could touch", where,
+        "Leave \"obstacles\": true out of the scene's contact, or reconstruct the case "
+        "with a liver or tumours");
 }
 
 }  // namespace hepatica

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a patient's organs stands in the way of his vessels: his tumours, which they do not enter,
-// and the liver, which what is in it does not leave. Rigid, and made of voxels: smooth surfaces as
-// coarse as contact needs.
+// What of a patient's organs stands in the way of his vessels: his tumours, which they do not
+// enter, and the liver, which what is in it does not leave. Rigid, and made of voxels: smooth
+// surfaces as coarse as contact needs.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,8 @@
 namespace hepatica {
 
 // The liver, tumours included and tunnels of vessels closed, then each tumour by its number; those
-// that there are. A cell of a surface is a tenth of a ball's diameter that has the organ's volume, from 1 to 4 mm.
+// that there are. A cell of a surface is a tenth of a ball's diameter that has the organ's volume,
+// from 1 to 4 mm.
 std::vector<Obstacle> obstacles_in(const Mask& organs);
 
 // Those that a scene asks for; null where it does not, or asks for what is known and nothing is.

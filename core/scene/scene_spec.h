@@ -40,7 +40,8 @@ struct FlowSpec {
     double drug_speed = 1.0;  // drug seconds per simulated second
 };
 
-// The liver's surface and tumours: none, those that the case knows, be it none, or some at any rate.
+// The liver's surface and tumours: none, those that the case knows, be it none, or some at any
+// rate.
 enum class WantedObstacles { none, known, required };
 
 // What may touch what. Needs "deform".

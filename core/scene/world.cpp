@@ -70,9 +70,8 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
         cost_of("obstacles", [&] { obstacles = obstacles_for(*patient_, spec_.contact); });
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
-            deform_ =
-                std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region, back_end,
-                                             spec_.contact, spec_.tear, obstacles);
+            deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
+                                                   back_end, spec_.contact, spec_.tear, obstacles);
         }));
     // Built with the body; what they cost is known from the first step on.
     if (spec_.contact && spec_.contact->self) parts_.push_back({.name = "self-contact"});

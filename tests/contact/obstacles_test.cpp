@@ -56,8 +56,8 @@ TEST(BesideObstacles, OnlyWhatMovesAndWhatStandsStillMeet) {
     const BoxesBeside beside(SurfaceKind::solid, 1.0, Vec3(1.0, 0.5, 2.2));
     const SurfaceFeatures features = beside.features();
     ASSERT_TRUE(features.beside_obstacles());
-    const auto first_fixed = static_cast<int>(
-        std::ranges::count(beside.kinds, SurfaceKind::moving));
+    const auto first_fixed =
+        static_cast<int>(std::ranges::count(beside.kinds, SurfaceKind::moving));
     constexpr double reach = 0.5;
     PairCover cover(features, reach, 0.1);
     const auto all_count = [](int, int) { return false; };

@@ -14,18 +14,20 @@ namespace {
 using Set = void (SceneParts::*)(SceneSpec&, bool);
 
 bool on(const SceneSpec& scene, int part) {
-    const bool ticks[] = {scene.deform.has_value(), scene.contact && scene.contact->tools,
+    const bool ticks[] = {scene.deform.has_value(),
+                          scene.contact && scene.contact->tools,
                           scene.contact && scene.contact->self,
                           scene.contact && scene.contact->obstacles != WantedObstacles::none,
-                          scene.tear.has_value(), scene.flow.has_value()};
+                          scene.tear.has_value(),
+                          scene.flow.has_value()};
     return ticks[part];
 }
 
 // Each tick that the scene allows the other way and back leaves it as it was.
 void expect_ticks_undo_themselves(const SceneSpec& before, const std::string& which) {
-    constexpr Set sets[] = {&SceneParts::set_moves, &SceneParts::set_touches, &SceneParts::set_self,
-                            &SceneParts::set_obstacles, &SceneParts::set_tears,
-                            &SceneParts::set_flows};
+    constexpr Set sets[] = {&SceneParts::set_moves, &SceneParts::set_touches,
+                            &SceneParts::set_self,  &SceneParts::set_obstacles,
+                            &SceneParts::set_tears, &SceneParts::set_flows};
     SceneParts parts;
     for (int part = 0; part < 6; ++part) {
         const bool needs_moving = part >= 1 && part <= 4;

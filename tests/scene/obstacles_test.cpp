@@ -44,8 +44,9 @@ Mask organs_with(const std::vector<Ball>& balls, const Vec3& spacing_mm, bool le
     grid.origin_mm = box.min();
     if (left_handed) grid.origin_mm.x() = box.max().x();
     for (std::size_t c = 0; c < 3; ++c)
-        grid.dims[c] = static_cast<int>(box.sizes()[static_cast<int>(c)] /
-                                        spacing_mm[static_cast<int>(c)]) + 1;
+        grid.dims[c] =
+            static_cast<int>(box.sizes()[static_cast<int>(c)] / spacing_mm[static_cast<int>(c)]) +
+            1;
     Mask organs(grid);
     for (std::size_t i = 0; i < organs.voxels.size(); ++i) {
         const auto [x, y, z] = grid.index_of(i);
@@ -91,12 +92,11 @@ TEST(LevelSurface, OfNothingIsEmpty) {
 
 TEST(ObstaclesOfOrgans, AreTheLiverAndEachTumour) {
     for (const bool left_handed : {false, true}) {
-        const Mask organs =
-            organs_with({{Vec3(0, 0, 0), 30.0, organ_label::liver},
-                         {Vec3(5, 0, 0), 6.0, organ_label::first_tumour},
-                         {Vec3(-12, 3, 0), 4.0, organ_label::first_tumour + 4},
-                         {Vec3(0, -20, 0), 5.0, organ_label::cava}},
-                        Vec3(1.0, 1.0, 1.5), left_handed);
+        const Mask organs = organs_with({{Vec3(0, 0, 0), 30.0, organ_label::liver},
+                                         {Vec3(5, 0, 0), 6.0, organ_label::first_tumour},
+                                         {Vec3(-12, 3, 0), 4.0, organ_label::first_tumour + 4},
+                                         {Vec3(0, -20, 0), 5.0, organ_label::cava}},
+                                        Vec3(1.0, 1.0, 1.5), left_handed);
         const std::vector<Obstacle> found = obstacles_in(organs);
         ASSERT_EQ(found.size(), 3u);
         EXPECT_EQ(found[0].kind, SurfaceKind::shell);
@@ -116,9 +116,9 @@ TEST(ObstaclesOfOrgans, AreTheLiverAndEachTumour) {
         EXPECT_LT(found[0].surface.triangles.size(), 4000u);
     }
     EXPECT_TRUE(obstacles_in(Mask()).empty());
-    EXPECT_TRUE(obstacles_in(organs_with({{Vec3::Zero(), 9.0, organ_label::cava}},
-                                         Vec3::Constant(1.0)))
-                    .empty());
+    EXPECT_TRUE(
+        obstacles_in(organs_with({{Vec3::Zero(), 9.0, organ_label::cava}}, Vec3::Constant(1.0)))
+            .empty());
 }
 
 // A tumour of one voxel has the surface of its voxel.
@@ -181,8 +181,7 @@ TEST(ObstaclesOfAScene, AreBuiltWhereTheyAreNamed) {
 TEST(ObstaclesOfAScene, ACaseWithoutThemIsRefusedWhereTheyAreDemanded) {
     Job job;
     const World asked(small_patient(), scene_with("{}"), job);
-    EXPECT_EQ(names_of_parts(asked),
-              (std::vector<std::string>{"shape", "deform", "self-contact"}));
+    EXPECT_EQ(names_of_parts(asked), (std::vector<std::string>{"shape", "deform", "self-contact"}));
     try {
         const World demanded(small_patient(), scene_with(R"({"obstacles": true})"), job);
         FAIL();
@@ -250,8 +249,7 @@ TEST(ObstaclesOfAScene, AreTouchedNotEnteredAndSleptOn) {
     int contacts = 0;
     bool asleep = false;
     for (int k = 0; k < 900 && !asleep; ++k) {
-        if (k < 60)
-            world.deform()->move_grab(held + (k + 1) / 60.0 * (tumour.centre_mm - held));
+        if (k < 60) world.deform()->move_grab(held + (k + 1) / 60.0 * (tumour.centre_mm - held));
         const StepReport report = world.step();
         contacts = std::max(contacts, report.obstacles.touch.contacts);
         asleep = report.asleep;

@@ -161,8 +161,8 @@ void AboutPage::fill_patients(const std::string& patient) {
 
 void AboutPage::fill_scene(const SceneSpec& scene) {
     moves_->setChecked(scene.deform.has_value());
-    for (QWidget* part : std::initializer_list<QWidget*>{material_, touches_, self_, obstacles_,
-                                                              tears_})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{material_, touches_, self_, obstacles_, tears_})
         part->setEnabled(scene.deform.has_value());
     if (scene.deform)
         material_->setCurrentIndex(

@@ -12,7 +12,7 @@
 namespace hepatica {
 
 struct Obstacle {
-    TriangleMesh surface;  // closed, counter-clockwise from outside
+    TriangleMesh surface;                   // closed, counter-clockwise from outside
     SurfaceKind kind = SurfaceKind::solid;  // or a shell: nothing that is in it gets out
 };
 

@@ -86,13 +86,14 @@ double CoulombFriction::energy(std::span<const Vec3> positions_mm, std::span<con
 }
 
 void CoulombFriction::add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3>,
-                                       std::span<const int> piece_of_node,
-                                       std::span<double> energy_nj) const {
+                                          std::span<const int> piece_of_node,
+                                          std::span<double> energy_nj) const {
     for (const Grip& grip : grips_)
         energy_nj[piece_of_node[grip.nodes[0]]] += energy_of(grip, positions_mm);
 }
 
-void CoulombFriction::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const {
+void CoulombFriction::add_forces(std::span<const Vec3> positions_mm,
+                                 std::span<Vec3> forces_un) const {
     for (const Grip& grip : grips_) {
         const Vec3 force = force_of(grip, positions_mm);
         for (int a = 0; a < 3; ++a) forces_un[grip.nodes[a]] += grip.weights[a] * force;
@@ -100,15 +101,15 @@ void CoulombFriction::add_forces(std::span<const Vec3> positions_mm, std::span<V
 }
 
 void CoulombFriction::add_stiffness(std::span<const Vec3> positions_mm, double factor,
-                                 BlockMatrix& matrix) const {
+                                    BlockMatrix& matrix) const {
     for (const Grip& grip : grips_)
         add_point_stiffness(grip.nodes, grip.weights, factor * stiffness_of(grip, positions_mm),
                             held_, matrix);
 }
 
 void CoulombFriction::add_product(std::span<const Vec3> positions_mm, double factor,
-                               std::span<const Vec3> d, const BlockMatrix&,
-                               std::span<Vec3> product) const {
+                                  std::span<const Vec3> d, const BlockMatrix&,
+                                  std::span<Vec3> product) const {
     for (const Grip& grip : grips_)
         add_point_product(grip.nodes, grip.weights, factor * stiffness_of(grip, positions_mm), d,
                           product);

@@ -3,13 +3,14 @@
 // the normal force N, as it was at the end of the step before, that slips by y takes
 //   mu N (y - e/3) of energy,   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
 // whose force grows to mu N over e = dt * creep and is mu N beyond (Li et al. 2020, eq. 15). Slip
-// is the motion of the touching point along the surface less that of what it touches. With the normals,
-// weights and forces of the beginning the force is exact, and so is the stiffness, positive
-// semidefinite, of what sticks and of what slips on. What slips but is about to stick would by that
-// go past the point where it sticks, however far, and the energy's kink there would cut the whole
-// body's step to nothing. So its stiffness is mu N / y in all directions of the plane: the least
-// that bounds the energy from above, so that no step goes too far. What sticks creeps slower than
-// 1e-5 mean edges a second, which is sleep. Its term of the ledger is `friction_loss`.
+// is the motion of the touching point along the surface less that of what it touches. With the
+// normals, weights and forces of the beginning the force is exact, and so is the stiffness,
+// positive semidefinite, of what sticks and of what slips on. What slips but is about to stick
+// would by that go past the point where it sticks, however far, and the energy's kink there would
+// cut the whole body's step to nothing. So its stiffness is mu N / y in all directions of the
+// plane: the least that bounds the energy from above, so that no step goes too far. What sticks
+// creeps slower than 1e-5 mean edges a second, which is sleep. Its term of the ledger is
+// `friction_loss`.
 #pragma once
 
 #include <vector>

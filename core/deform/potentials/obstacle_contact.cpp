@@ -13,9 +13,8 @@ ObstacleContact::ObstacleContact(const Body& body) : body_(body) {
         with_obstacles(*body.obstacles, body.rest_positions_mm, body.touching_surface);
     rest_mm_ = std::move(both.positions_mm);
     from_mm_ = to_mm_ = rest_mm_;
-    pairs_.emplace(
-        SurfaceFeatures(SurfacePatches(std::move(both.triangles)), rest_mm_, both.kinds), rest_mm_,
-        body.node_count(), body.obstacle_pad, body.mean_edge_mm);
+    pairs_.emplace(SurfaceFeatures(SurfacePatches(std::move(both.triangles)), rest_mm_, both.kinds),
+                   rest_mm_, body.node_count(), body.obstacle_pad, body.mean_edge_mm);
 }
 
 std::span<const Vec3> ObstacleContact::all_from(std::span<const Vec3> positions_mm) const {
@@ -112,8 +111,8 @@ std::vector<Grip> ObstacleFriction::grips_of(std::span<const Vec3> start_mm, dou
     if (contact_.friction() == 0.0) return grips;
     for (const SurfaceContact& contact : contact_.contacts(start_mm)) {
         const ObstacleContactPoint point = contact_.point_of(contact);
-        Grip grip{point.nodes, point.weights, point.normal,
-                  contact_.friction() * contact.force_un, Vec3::Zero()};
+        Grip grip{point.nodes, point.weights, point.normal, contact_.friction() * contact.force_un,
+                  Vec3::Zero()};
         grip.anchor_mm = grip.point(start_mm);
         grips.push_back(grip);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The body's surface and obstacles, as a potential: the pads of surface_pairs.h between its features
-// and those of rigid surfaces that stand still. All blocks of the stiffness are within one feature
-// of the body, so that the matrix holds it whole. A surface is no wall with two sides but a sheet
-// that nothing passes: what is outside of a tumour stays outside, what is in the liver stays in.
-// Its term of the ledger is `contact`. What overlaps at rest: see Overlaps.
+// The body's surface and obstacles, as a potential: the pads of surface_pairs.h between its
+// features and those of rigid surfaces that stand still. All blocks of the stiffness are within one
+// feature of the body, so that the matrix holds it whole. A surface is no wall with two sides but a
+// sheet that nothing passes: what is outside of a tumour stays outside, what is in the liver stays
+// in. Its term of the ledger is `contact`. What overlaps at rest: see Overlaps.
 #pragma once
 
 #include <vector>
@@ -71,9 +71,9 @@ class ObstacleContact final : public Potential {
     std::span<const Vec3> all_to(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
 
     const Body& body_;
-    std::vector<Vec3> rest_mm_;                // of all nodes
+    std::vector<Vec3> rest_mm_;                  // of all nodes
     mutable std::vector<Vec3> from_mm_, to_mm_;  // likewise
-    std::optional<SurfacePairs> pairs_;        // always there
+    std::optional<SurfacePairs> pairs_;          // always there
     std::span<const std::uint8_t> held_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The potentials that act on one body: weight, the surrounding tissue, the hand's grabs and, where
-// the body may be touched, a tool's contact and friction, and that of its surfaces and of obstacles,
-// and, where it tears, what binds parted joints; each function is the sum over them in this order.
+// the body may be touched, a tool's contact and friction, and that of its surfaces and of
+// obstacles, and, where it tears, what binds parted joints; each function is the sum over them in
+// this order.
 #pragma once
 
 #include <memory>

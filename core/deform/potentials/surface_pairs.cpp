@@ -195,8 +195,9 @@ void SurfacePairs::find_clearances() {
     triangle_clearance_mm_.assign(features_.surface().triangles().size(), INFINITY);
     std::vector<FeaturePair> near;
     NearPairs(features_, 0.0)
-        .add_between_strangers({rest_mm_, rest_mm_, 2.0 * pad_.thickness_mm},
-                               [&](int p, int q) { return at_rest_.left_out(p, q); }, near);
+        .add_between_strangers(
+            {rest_mm_, rest_mm_, 2.0 * pad_.thickness_mm},
+            [&](int p, int q) { return at_rest_.left_out(p, q); }, near);
     const auto take = [](double& least, double distance) { least = std::min(least, distance); };
     for (const FeaturePair& pair : near) {
         const double apart = distance_mm(pair, rest_mm_);
@@ -219,15 +220,14 @@ double SurfacePairs::clearance_of(const FeaturePair& pair) const {
 // Half the distance at rest, but the full thickness for pairs that overlapped at rest. Against
 // obstacles that of the body's feature to any of them: the pad is the same wherever it slides.
 double SurfacePairs::pad_of(const FeaturePair& pair) const {
-    if (features_.beside_obstacles())
-        return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
+    if (features_.beside_obstacles()) return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
         return pad_.thickness_mm;
     return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
 }
 
 const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> from_mm,
-                                                        std::span<const Vec3> to_mm) const {
+                                                         std::span<const Vec3> to_mm) const {
     return cover_.along(from_mm, to_mm,
                         [&](int patch, int other) { return overlaps_.left_out(patch, other); });
 }
@@ -252,7 +252,7 @@ double SurfacePairs::area_of(const FeaturePair& pair) const {
 }
 
 std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
-                                                      std::span<const Vec3> x) const {
+                                                       std::span<const Vec3> x) const {
     const double most = pad_.thickness_mm;
     if (squared_gap_of_boxes_mm2(pair, x) >= most * most) return std::nullopt;
     SurfaceContact contact{.of = pair, .at = nearest(pair, x)};
@@ -292,7 +292,8 @@ void SurfacePairs::fade(SurfaceContact& contact, std::span<const Vec3> x) const 
     contact.stiffness_un_per_mm *= share;
 }
 
-const std::vector<SurfaceContact>& SurfacePairs::contacts(std::span<const Vec3> positions_mm) const {
+const std::vector<SurfaceContact>& SurfacePairs::contacts(
+    std::span<const Vec3> positions_mm) const {
     if (std::ranges::equal(looked_at_mm_, positions_mm)) return contacts_;
     const Stopwatch watch(spent_ms_);
     const std::vector<FeaturePair>& near = candidates(positions_mm, positions_mm);
@@ -354,7 +355,7 @@ double SurfacePairs::free_share(std::span<const Vec3> from_mm, std::span<const V
 }
 
 double SurfacePairs::share_until_touch(std::span<const Vec3> from_mm,
-                                      std::span<const Vec3> to_mm) const {
+                                       std::span<const Vec3> to_mm) const {
     if (free_share(from_mm, to_mm) == 1.0) return 1.0;
     return least_share(from_mm, to_mm,
                        [](double gap, double pad) { return gap > pad ? touched * pad : -1.0; });

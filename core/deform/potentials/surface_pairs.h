@@ -4,12 +4,13 @@
 // stores
 //   A p h (-g - ln(1 - g)),    whose force is A p g/(1 - g):
 // linear at first and without bound where the gap closes. A is a half of the vertex' share of the
-// surface at rest, or the mean of a quarter of each edge's; against an obstacle see area_of. h is at most half the distance at rest,
-// so that the pad is empty there: neighbours count, too. Edges that are parallel have no nearest
-// points: there the pad fades out as c (2 - c), with c = sin^2/0.01 of the angle between them (Li
-// et al. 2020, eq. 24); vertices and triangles hold those apart. Forces are the exact gradient: a
-// pair of them has the sum and the torque zero. The stiffness is that along the normal; what turns
-// the normal is left out. What overlaps at rest: see Overlaps.
+// surface at rest, or the mean of a quarter of each edge's; against an obstacle see area_of. h is
+// at most half the distance at rest, so that the pad is empty there: neighbours count, too. Edges
+// that are parallel have no nearest points: there the pad fades out as c (2 - c), with c =
+// sin^2/0.01 of the angle between them (Li et al. 2020, eq. 24); vertices and triangles hold those
+// apart. Forces are the exact gradient: a pair of them has the sum and the torque zero. The
+// stiffness is that along the normal; what turns the normal is left out. What overlaps at rest: see
+// Overlaps.
 #pragma once
 
 #include <memory>

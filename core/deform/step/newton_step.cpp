@@ -110,13 +110,10 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
                       potential_.live().held(), residual_, change_, settings_.linear, step.stop)
                 : solver_->solve(residual_, change_, settings_.linear);
     if (solver_->made_from_latest()) {
-        made_from_ = origin_of(step);
-        made_with_.reset();
+        made_ = {.made_from = origin_of(step), .overlaps = step.potentials.kept_overlaps()};
         if (step.potentials.tool())
-            made_with_ = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
-        made_while_ = step.potentials.kept_overlaps();
-        began_mm_.clear();
-        if (step.potentials.obstacles()) began_mm_ = step.start.positions_mm;
+            made_.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
+        if (step.potentials.obstacles()) made_.began_mm = step.start.positions_mm;
     }
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;
@@ -223,10 +220,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         throw;
     }
     back_to_present();
-    made_from_ = origin;
-    made_with_ = checkpoint.tool;
-    made_while_ = checkpoint.overlaps;
-    began_mm_ = checkpoint.began_mm;
+    made_ = checkpoint;
 }
 
 // To be called while the assembly's slots hold the start of the step.

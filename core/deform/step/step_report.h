@@ -26,7 +26,7 @@ struct StepReport {
     bool asleep = false;     // nothing moved: the step was skipped
     std::string message;     // why degraded, in words
     EnergyLedger energy;
-    ToolLoad tool;  // at the end of the step; of a sleeping body that of its last
+    ToolLoad tool;           // at the end of the step; of a sleeping body that of its last
     SelfLoad self;           // as `tool`
     ObstacleLoad obstacles;  // as `tool`
     SelfCost self_cost, obstacle_cost;

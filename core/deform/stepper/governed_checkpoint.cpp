@@ -41,10 +41,10 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
     const SurfacesKept overlaps = back_end_->overlaps();
     if (overlaps.self) kept.self = SelfCheckpoint{*overlaps.self, self_load_, resting_.contact};
     if (overlaps.obstacles)
-        kept.obstacles = ObstacleCheckpoint{
-            {*overlaps.obstacles, obstacle_load_.touch, resting_.contact},
-            obstacle_load_.force_un,
-            obstacle_load_.impulse_un_s};
+        kept.obstacles =
+            ObstacleCheckpoint{{*overlaps.obstacles, obstacle_load_.touch, resting_.contact},
+                               obstacle_load_.force_un,
+                               obstacle_load_.impulse_un_s};
     if (tearing_) kept.tear = tearing_->state();
     if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
     return kept;

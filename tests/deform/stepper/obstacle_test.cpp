@@ -31,8 +31,8 @@ using test::points_inside;
 
 // Pairs of triangles of the body and of obstacles that cross, by exact predicates.
 int crossings_with_obstacles(const BodyDescription& body, const Stepper& stepper) {
-    const WithObstacles all = with_obstacles(*body.obstacles, stepper.positions_mm(),
-                                             boundary_triangles(body.mesh));
+    const WithObstacles all =
+        with_obstacles(*body.obstacles, stepper.positions_mm(), boundary_triangles(body.mesh));
     const auto of_body = static_cast<int>(boundary_triangles(body.mesh).size());
     const auto pairs = crossing_triangles(all.triangles, all.positions_mm);
     return static_cast<int>(std::ranges::count_if(
@@ -45,10 +45,10 @@ const TriangleMesh& surface_of_first(const BodyDescription& body) {
 
 int nearest_vertex(const BodyDescription& body, const Vec3& point_mm) {
     const auto& x = body.mesh.vertices_mm;
-    return static_cast<int>(std::ranges::min_element(x, {}, [&](const Vec3& at) {
-                                return (at - point_mm).squaredNorm();
-                            }) -
-                            x.begin());
+    return static_cast<int>(
+        std::ranges::min_element(x, {},
+                                 [&](const Vec3& at) { return (at - point_mm).squaredNorm(); }) -
+        x.begin());
 }
 
 Grab hand_at(int vertex, const Vec3& target_mm, double strength_un = 2e5) {
@@ -248,16 +248,15 @@ TEST(Obstacle, WhereNothingTouchesTheBitsAreAsTheyWere) {
     }
 }
 
-// A bar that runs through a tumour: nothing pushes it at rest, nor where it is pulled a little; with
-// the tumour as a shell, what is outside of it is left out for good.
+// A bar that runs through a tumour: nothing pushes it at rest, nor where it is pulled a little;
+// with the tumour as a shell, what is outside of it is left out for good.
 TEST(Obstacle, WhatOverlapsAtRestIsNotPushed) {
     for (const SurfaceKind kind : {SurfaceKind::solid, SurfaceKind::shell}) {
         BodyDescription body = test::bar();
         body.touchable = false;
         body.obstacles = one_obstacle(ball_surface(Vec3(30.3, 3.2, 3.1), 7.0), 0.2, kind);
         const auto stepper = make_cpu_stepper(body, {});
-        for (int k = 0; k < 30; ++k)
-            EXPECT_EQ(stepper->step(frame_s).obstacles.touch.contacts, 0);
+        for (int k = 0; k < 30; ++k) EXPECT_EQ(stepper->step(frame_s).obstacles.touch.contacts, 0);
         for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v)
             EXPECT_LT((stepper->positions_mm()[v] - body.mesh.vertices_mm[v]).norm(), 1e-9);
         ASSERT_TRUE(stepper->checkpoint().obstacles);

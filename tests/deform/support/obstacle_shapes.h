@@ -24,8 +24,8 @@ inline TriangleMesh ball_surface(const Vec3& centre_mm, double radius_mm, int cu
     for (int cut = 0; cut < cuts; ++cut) {
         std::map<std::pair<int, int>, int> middles;
         const auto middle = [&](int a, int b) {
-            const auto [at, made] = middles.try_emplace(
-                std::minmax(a, b), static_cast<int>(mesh.vertices_mm.size()));
+            const auto [at, made] =
+                middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.vertices_mm.size()));
             if (made)
                 mesh.vertices_mm.push_back(
                     (mesh.vertices_mm[a] + mesh.vertices_mm[b]).normalized());
@@ -63,8 +63,8 @@ inline double winding(const TriangleMesh& surface, const Vec3& point) {
         const Vec3 a = surface.vertices_mm[i] - point, b = surface.vertices_mm[j] - point,
                    c = surface.vertices_mm[k] - point;
         const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc +
-                                                         a.dot(c) * lb + b.dot(c) * la);
+        angle += 2.0 * std::atan2(a.dot(b.cross(c)),
+                                  la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
     }
     return angle / (4.0 * M_PI);
 }
