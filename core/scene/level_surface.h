@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed surface where a field of voxels is a half, by surface nets (Gibson 1998): a vertex in
-// every cell that it passes, a quadrangle across every edge between voxels that it cuts. Most of its
-// triangles are about as large as cells, which suits contact.
+// every cell that it passes, a quadrangle across every edge between voxels that it cuts. Most of
+// its triangles are about as large as cells, which suits contact.
 #pragma once
 
 #include "core/image/volume.h"

@@ -119,6 +119,13 @@ TEST(BesideObstacles, WhatIsOutsideOfAShellIsLeftOutForGood) {
     EXPECT_EQ(counting_pairs(features, at_rest), 0);
     EXPECT_FALSE(at_rest.let_go(outside.moved(Vec3(0, 0, 9)), 0.1));
     EXPECT_EQ(counting_pairs(features, at_rest), 0);
+    // Also while something else is looked at that touches.
+    const auto last = static_cast<int>(features.surface().size()) - 1;
+    Overlaps both(features);
+    ASSERT_TRUE(both.set({{0, last}}, at_rest.buried()));
+    EXPECT_TRUE(both.let_go(outside.moved(Vec3(0, 0, 9)), 0.1));
+    EXPECT_TRUE(both.touching().empty());
+    EXPECT_EQ(both.buried(), at_rest.buried());
     // Also where it is looked for while it happens to be inside.
     Overlaps later(features);
     later.find(outside.moved(Vec3(0, 0, 9)), 0.01, &at_rest);

@@ -114,6 +114,24 @@ TEST_P(ObstacleContactTest, NothingPushesAtRest) {
 
 INSTANTIATE_TEST_SUITE_P(BoxAndBall, ObstacleContactTest, testing::Bool());
 
+// A bar that lies nearer to a box than the pad is thick: the pad begins at half of that.
+TEST(ObstacleContact, ThePadIsEmptyAtRestHoweverNearTheBodyIs) {
+    BodyDescription bar;
+    bar.mesh = kuhn_brick(Vec3(12, 4, 4), {6, 2, 2});
+    bar.obstacles = one_obstacle(box_surface(Vec3(-3, -3, -4.05), Vec3(20, 11, 4), {7, 4, 2}));
+    const Body body = build_body(bar, ElementModel::corotated, ElementOrder::linear);
+    ASSERT_GT(body.obstacle_pad.thickness_mm, 0.1);
+    const ObstacleContact contact(body);
+    const auto lowered = [&](double by) {
+        std::vector<Vec3> x = body.rest_positions_mm;
+        for (Vec3& at : x) at += Vec3(3.1, 1.3, -by);  // above other triangles than at rest
+        return x;
+    };
+    EXPECT_TRUE(contact.contacts(body.rest_positions_mm).empty());
+    EXPECT_TRUE(contact.contacts(lowered(0.0249)).empty());
+    EXPECT_FALSE(contact.contacts(lowered(0.0251)).empty());
+}
+
 TEST(ObstacleContact, RefusesSurfacesThatAreOpenOrDoNotFit) {
     const auto refused = [](const Obstacles& obstacles) {
         EXPECT_THROW(validate(obstacles), InputError);
