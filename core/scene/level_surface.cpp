@@ -19,9 +19,9 @@ class Net {
         for (int z = 0; z + 1 < dims[2]; ++z)
             for (int y = 0; y + 1 < dims[1]; ++y)
                 for (int x = 0; x + 1 < dims[0]; ++x) add_vertex({x, y, z});
-        for (int z = 1; z + 1 < dims[2]; ++z)
-            for (int y = 1; y + 1 < dims[1]; ++y)
-                for (int x = 1; x + 1 < dims[0]; ++x)
+        for (int z = 0; z + 1 < dims[2]; ++z)
+            for (int y = 0; y + 1 < dims[1]; ++y)
+                for (int x = 0; x + 1 < dims[0]; ++x)
                     for (std::size_t axis = 0; axis < 3; ++axis) add_quadrangle({x, y, z}, axis);
         return std::move(mesh_);
     }
@@ -59,6 +59,7 @@ class Net {
         ++to[axis];
         if (inside(from) == inside(to)) return;
         const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
+        if (from[b] == 0 || from[c] == 0) return;
         constexpr std::array<std::array<int, 2>, 4> around{{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
         std::array<int, 4> v{};
         for (std::size_t k = 0; k < 4; ++k) {

@@ -132,6 +132,19 @@ TEST(ObstaclesOfOrgans, ATinyTumourIsThere) {
     EXPECT_GT(enclosed_volume_mm3(found[0].surface), 0.01);
 }
 
+// A grid that is cut off at the organ: the surface is closed there.
+TEST(ObstaclesOfOrgans, AreClosedWhereTheGridEnds) {
+    Grid grid;
+    grid.dims = {12, 9, 7};
+    Mask organs(grid);
+    std::ranges::fill(organs.voxels, organ_label::first_tumour);
+    organs.at(0, 0, 0) = 0;
+    const std::vector<Obstacle> found = obstacles_in(organs);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NO_THROW(validate_closed(found[0].surface));
+    EXPECT_GT(enclosed_volume_mm3(found[0].surface), 400.0);
+}
+
 std::shared_ptr<PatientCase> patient_with(const Mask& organs) {
     auto patient = std::make_shared<PatientCase>(*small_patient());
     patient->organs = organs;
