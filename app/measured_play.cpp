@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measured_play.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -53,10 +55,14 @@ void add_step(const SessionStep& step, MeasuredPlay& result) {
     if (result.degraded_because.empty()) result.degraded_because = step.deform.message;
     const ToolLoad& tool = step.deform.tool;
     const SelfLoad& self = step.deform.self;
-    result.contacts_max = std::max(result.contacts_max, tool.contacts + self.contacts);
-    result.rows_max = std::max(result.rows_max, 3 * tool.contacts + self.contacts);
-    result.penetration_max_mm =
-        std::max({result.penetration_max_mm, -tool.least_gap_mm, -self.least_gap_mm});
+    const SelfLoad& obstacles = step.deform.obstacles.touch;
+    result.contacts_max =
+        std::max(result.contacts_max, tool.contacts + self.contacts + obstacles.contacts);
+    result.obstacle_contacts_max = std::max(result.obstacle_contacts_max, obstacles.contacts);
+    result.rows_max =
+        std::max(result.rows_max, 3 * (tool.contacts + obstacles.contacts) + self.contacts);
+    result.penetration_max_mm = std::max({result.penetration_max_mm, -tool.least_gap_mm,
+                                          -self.least_gap_mm, -obstacles.least_gap_mm});
     if (step.deform.momentum_exchanged_g_mm_per_s > 0.0)
         result.momentum_error_relative =
             std::max(result.momentum_error_relative, step.deform.momentum_error_g_mm_per_s /
@@ -101,15 +107,20 @@ Json touch_of(World& world, const MeasuredPlay& played) {
     const std::optional<ContactSpec>& contact = world.spec().contact;
     const bool tools = contact && contact->tools;
     const bool self = contact && contact->self;
-    const bool touches = tools || self;
+    const Json obstacles = obstacles_of(world);
+    const bool beside = obstacles.is_number() && obstacles > 0;
+    const bool touches = tools || self || beside;
     return {
         {"contacts_max", value_if(touches, played.contacts_max)},
+        {"obstacles", obstacles},
+        {"obstacle_contacts_max", value_if(beside, played.obstacle_contacts_max)},
         {"rows_max", value_if(touches, played.rows_max)},
         {"penetration_max_mm", value_if(touches, played.penetration_max_mm)},
         {"tool_force_max_un", value_if(tools, played.tool_force_max_un)},
         {"hand_at_limit_steps", value_if(world.deform() != nullptr, played.hand_at_limit_steps)},
         {"tool_at_limit_steps", value_if(tools, played.tool_at_limit_steps)},
-        {"intersections_at_end", self ? Json(crossing_pairs(*world.deform())) : Json(nullptr)},
+        {"intersections_at_end",
+         self || beside ? Json(crossing_pairs(*world.deform())) : Json(nullptr)},
         {"momentum_error_relative",
          value_if(self || world.spec().tear, played.momentum_error_relative)}};
 }
@@ -133,6 +144,18 @@ Json tear_of(World& world, const MeasuredPlay& played) {
 }
 
 }  // namespace
+
+Json obstacles_of(const World& world) {
+    const std::optional<ContactSpec>& contact = world.spec().contact;
+    if (!contact || contact->obstacles == WantedObstacles::none) return nullptr;
+    const auto& obstacles = world.deform()->body().obstacles;
+    return obstacles ? obstacles->all.size() : 0;
+}
+
+void say_where_obstacles_are_none(const World& world) {
+    if (obstacles_of(world) == 0)
+        spdlog::warn("the case knows neither a liver nor a tumour: the scene has no obstacles");
+}
 
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
                           bool fit, Job& job) {

@@ -8,6 +8,7 @@
 
 #include "app/command_line.h"
 #include "app/step_times.h"
+#include "core/scene/world.h"
 #include "core/session/session.h"
 
 namespace hepatica {
@@ -20,8 +21,9 @@ struct MeasuredPlay {
     std::string degraded_because;  // of the first such step
     int setting_changes = 0;
     Json velocity_error_fit;  // null unless asked for
-    int contacts_max = 0;     // points in a tool's pad and pairs of features in the vessels' own
-    int rows_max = 0;         // normal and, against a tool, two of friction
+    int contacts_max = 0;     // points in a tool's pad and pairs of features of surfaces in theirs
+    int obstacle_contacts_max = 0;  // those with obstacles
+    int rows_max = 0;               // normal and, against what has friction, two of that
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
     int hand_at_limit_steps = 0, tool_at_limit_steps = 0;
@@ -35,6 +37,11 @@ struct MeasuredPlay {
 // velocity error of eq. (11) to the first 120 steps. Throws Cancelled.
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
                           bool fit, Job& job);
+
+// How many surfaces the scene's vessels may touch beside their own; null where it asks for none.
+Json obstacles_of(const World& world);
+// Warns where a scene takes what obstacles there are, and there are none.
+void say_where_obstacles_are_none(const World& world);
 
 // What was measured, and the state of the session at the end; null where the scene has no such
 // part.

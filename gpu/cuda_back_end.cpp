@@ -49,8 +49,8 @@ class CudaBackEnd final : public StepBackEnd {
     bool free_of_tool(std::span<const Vec3> positions_mm) const override {
         return cpu_->free_of_tool(positions_mm);
     }
-    std::optional<OverlapsKept> overlaps() const override { return cpu_->overlaps(); }
-    void set_overlaps(const OverlapsKept& kept) override { cpu_->set_overlaps(kept); }
+    SurfacesKept overlaps() const override { return cpu_->overlaps(); }
+    void set_overlaps(const SurfacesKept& kept) override { cpu_->set_overlaps(kept); }
     std::vector<std::array<int, 2>> touching_nodes() const override {
         return cpu_->touching_nodes();
     }
@@ -186,6 +186,7 @@ std::optional<std::string> why_not_on_device(const Body& body, const StepperOpti
     if (!has_kernels(body)) return "its elements have no kernels yet";
     if (body.tears) return "bodies that tear have no kernels yet";
     if (body.self_pad) return "surfaces that touch each other have no kernels yet";
+    if (body.obstacles) return "obstacles have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
     if (options.solver == LinearSolverKind::cholesky) return "the solver cholesky has no kernels";
     if (options.published || options.audit || options.velocity_error.alpha_per_s != 0.0 ||

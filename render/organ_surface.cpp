@@ -14,6 +14,7 @@
 
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
+#include "core/image/share_inside.h"
 
 namespace hepatica {
 namespace {
@@ -25,26 +26,9 @@ struct Coarseness {
 constexpr Coarseness of_organ{2.0, 2.0}, of_tumour{0.8, 1.0};
 constexpr double reach = 4.0;  // of the smoothing: nothing of the surface is cut off
 
-// 1 in the object and 0 elsewhere, smoothed.
-FloatVolume share_inside(const Mask& part, const Coarseness& coarse, Job& job) {
-    FloatVolume share(part.grid);
-    std::ranges::copy(part.voxels, share.voxels.begin());
-    gaussian_smooth(share, Vec3::Constant(coarse.smoothing_mm), job);
-    const Grid grid =
-        respaced(share.grid, share.grid.spacing_mm.cwiseMax(Vec3::Constant(coarse.spacing_mm)));
-    return resample(share, grid, Interpolation::linear, job);
-}
-
-// The same with a layer of zeros around it, so that every surface is closed.
-FloatVolume with_border(const FloatVolume& inner) {
-    Grid grid = inner.grid;
-    for (int& count : grid.dims) count += 2;
-    grid.origin_mm = inner.grid.to_mm(-1, -1, -1);
-    FloatVolume padded(grid);
-    for (int z = 0; z < inner.grid.dims[2]; ++z)
-        for (int y = 0; y < inner.grid.dims[1]; ++y)
-            std::copy_n(&inner.at(0, y, z), inner.grid.dims[0], &padded.at(1, y + 1, z + 1));
-    return padded;
+FloatVolume share_of(const Mask& part, const Coarseness& coarse, Job& job) {
+    return share_inside(part, coarse.smoothing_mm,
+                        part.grid.spacing_mm.cwiseMax(Vec3::Constant(coarse.spacing_mm)), job);
 }
 
 double signed_volume(const TriangleMesh& mesh) {
@@ -133,13 +117,13 @@ TriangleMesh organ_surface(const Mask& organs, std::uint8_t label, Job& job) {
     const IndexBox box = bounding_box(organ);
     if (box.empty()) return {};
     const Mask part = crop(organ, grow_box(box, organ.grid, reach * of_organ.smoothing_mm));
-    return closed_surface(share_inside(part, of_organ, job));
+    return closed_surface(share_of(part, of_organ, job));
 }
 
 TriangleMesh tumour_surface(const Mask& tumours, Job& job) {
     TriangleMesh all;
     for (const Mask& piece : pieces_of(tumours, reach * of_tumour.smoothing_mm, job)) {
-        TriangleMesh surface = closed_surface(share_inside(piece, of_tumour, job));
+        TriangleMesh surface = closed_surface(share_of(piece, of_tumour, job));
         if (surface.triangles.empty()) {  // too small to be smoothed
             FloatVolume plain(piece.grid);
             std::ranges::copy(piece.voxels, plain.voxels.begin());

@@ -8002,8 +8002,20 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Der &amp;mitgelieferte Kurs</translation>
     </message>
     <message>
+        <source>They touch the &amp;liver&apos;s surface and tumours</source>
+        <translation>Sie berühren die &amp;Leberoberfläche und Tumoren</translation>
+    </message>
+    <message>
+        <source>holds neither a liver nor a tumour that vessels could touch</source>
+        <translation>enthält weder eine Leber noch einen Tumor, die Gefäße berühren könnten</translation>
+    </message>
+    <message>
+        <source>Leave &quot;obstacles&quot;: true out of the scene&apos;s contact, or reconstruct the case with a liver or tumours</source>
+        <translation>Nehmen Sie &quot;obstacles&quot;: true aus dem Kontakt der Szene heraus, oder rekonstruieren Sie den Fall mit einer Leber oder Tumoren</translation>
+    </message>
+    <message>
         <source>A copy of the course is edited: where shall it lie?</source>
-        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie liegen?</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -95,6 +95,10 @@ constexpr std::array sentences_play{
     Words::id("Take the tool away first"),
     Words::id("the case"),
     Words::id("has no mesh, so its vessels cannot be moved"),
+    Words::id("holds neither a liver nor a tumour that vessels could touch"),
+    Words::id(
+        "Leave \"obstacles\": true out of the scene's contact, or reconstruct the case with a "
+        "liver or tumours"),
     Words::id("has no jaws"),
     Words::id("Take the forceps to open and close them"),
     Words::id("the point to hold is not finite"),

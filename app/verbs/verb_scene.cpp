@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/back_end_choice.h"
+#include "app/measured_play.h"
 #include "app/verbs/verbs.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/world.h"
@@ -47,6 +48,7 @@ Json run_scene(const SceneChoices& options, Job& job) {
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(scene.patient));
     Session session(patient, scene.spec, job, back_end.back_end);
+    say_where_obstacles_are_none(session.world());
     job.begin_stage("Weighing the parts");
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
     if (scene.spec.flow) session.post(InjectDrug{held});
@@ -85,6 +87,7 @@ Json run_scene(const SceneChoices& options, Job& job) {
             {"case", scene.patient.string()},
             {"vertices", session.world().vertex_count()},
             {"parts", parts},
+            {"obstacles", obstacles_of(session.world())},
             {"gpu", facts_of(back_end)}};
 }
 

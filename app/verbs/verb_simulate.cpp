@@ -101,6 +101,7 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     if (options.quality >= 0.0 && spec.deform && !options.automatic)
         explain_quality(options.quality, spec, *patient);
     Session session(patient, spec, job, back_end.back_end);
+    say_where_obstacles_are_none(session.world());
     std::optional<RecordingWriter> recording;
     if (!options.record.empty()) {
         recording.emplace(options.record, session.recording_start());

@@ -144,8 +144,9 @@ void NearPairs::find_strangers(const Sweep& sweep) {
     else
         tree_ = std::make_unique<PatchTree>(boxes_);
     strangers_ = tree_->meeting_pairs();
-    std::erase_if(strangers_,
-                  [&](const auto& pair) { return features_.neighbours(pair[0], pair[1]); });
+    std::erase_if(strangers_, [&](const auto& pair) {
+        return features_.neighbours(pair[0], pair[1]) || !features_.may_meet(pair[0], pair[1]);
+    });
 }
 
 bool NearPairs::may_meet(int patch, int other, double reach_mm) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace hepatica {
 namespace {
@@ -35,6 +36,11 @@ int crossing(const Triangle& x, const Vec3& from, const Vec3& ray) {
 
 std::array<int, 2> ordered(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
+}
+
+void each_once(Overlaps::Pairs& pairs) {
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 }  // namespace
@@ -87,7 +93,10 @@ bool Overlaps::within(const Vec3& point, int piece, std::span<const Box> boxes,
 
 bool Overlaps::lies_in(int patch, int piece, std::span<const Box> boxes,
                        std::span<const Vec3> positions_mm) const {
-    const auto in = [&](int v) { return within(positions_mm[v], piece, boxes, positions_mm); };
+    const bool holds = features_.kind_of_piece(piece) == SurfaceKind::shell;
+    const auto in = [&](int v) {
+        return within(positions_mm[v], piece, boxes, positions_mm) != holds;
+    };
     const auto before = within_.find({patch, piece});
     if (before != within_.end() && in(before->second)) return true;
     const auto vertices = features_.surface().vertices_of(patch);
@@ -97,7 +106,13 @@ bool Overlaps::lies_in(int patch, int piece, std::span<const Box> boxes,
     return true;
 }
 
-void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm) {
+bool Overlaps::may_lie_in(int patch, int piece) const {
+    if (!features_.beside_obstacles()) return piece != features_.piece_of_patch(patch);
+    return features_.kind_of_patch(patch) == SurfaceKind::moving &&
+           features_.kind_of_piece(piece) != SurfaceKind::moving;
+}
+
+void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm, const Overlaps* at_rest) {
     touching_.clear();
     buried_.clear();
     if (features_.pieces() < 2) return;
@@ -114,17 +129,37 @@ void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm) {
         wide.grow(touch_mm);
         for (int q = p + 1; q < patches; ++q)
             if (features_.piece_of_patch(p) != features_.piece_of_patch(q) &&
-                wide.meets(boxes[q]) && nearer_than(touch_mm, p, q, positions_mm))
+                features_.may_meet(p, q) && wide.meets(boxes[q]) &&
+                nearer_than(touch_mm, p, q, positions_mm))
                 touching_.push_back({p, q});
         for (int piece = 0; piece < features_.pieces(); ++piece)
-            if (piece != features_.piece_of_patch(p) && pieces[piece].meets(boxes[p]) &&
+            if (may_lie_in(p, piece) && (for_good(piece) || pieces[piece].meets(boxes[p])) &&
                 lies_in(p, piece, boxes, positions_mm))
                 buried_.push_back({p, piece});
     }
+    if (at_rest == nullptr) return;
+    std::ranges::copy_if(at_rest->buried_, std::back_inserter(buried_),
+                         [&](const auto& buried) { return for_good(buried[1]); });
+    each_once(buried_);
+}
+
+// A pair that has come apart on the wrong side of an obstacle: the patch is left out with all of it
+// from then on.
+bool Overlaps::slipped_in(const std::array<int, 2>& touching, std::span<const Box> boxes,
+                          std::span<const Vec3> positions_mm, Pairs& buried) const {
+    for (const auto& [patch, other] : {touching, std::array<int, 2>{touching[1], touching[0]}}) {
+        const int piece = features_.piece_of_patch(other);
+        if (!may_lie_in(patch, piece) || !lies_in(patch, piece, boxes, positions_mm)) continue;
+        buried.push_back({patch, piece});
+        return true;
+    }
+    return false;
 }
 
 bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
-    if (!any()) return false;
+    if (touching_.empty() &&
+        std::ranges::all_of(buried_, [&](const auto& pair) { return for_good(pair[1]); }))
+        return false;
     const std::vector<Box> boxes = boxes_of_patches(positions_mm);
     const auto near = [&](int p, int q) {
         Box wide = boxes[p];
@@ -134,7 +169,7 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
     const std::size_t before = touching_.size() + buried_.size();
     Pairs still, come_near;
     for (const auto& [patch, piece] : buried_) {
-        if (lies_in(patch, piece, boxes, positions_mm)) {
+        if (for_good(piece) || lies_in(patch, piece, boxes, positions_mm)) {
             still.push_back({patch, piece});
             continue;
         }
@@ -144,12 +179,17 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
                 come_near.push_back(ordered(patch, q));
     }
     const bool freed = still.size() < buried_.size();
+    bool slipped = false;
+    std::erase_if(touching_, [&](const auto& pair) {
+        if (near(pair[0], pair[1])) return false;
+        if (features_.beside_obstacles()) slipped |= slipped_in(pair, boxes, positions_mm, still);
+        return true;
+    });
     buried_ = std::move(still);
-    std::erase_if(touching_, [&](const auto& pair) { return !near(pair[0], pair[1]); });
+    if (slipped) each_once(buried_);
     touching_.insert(touching_.end(), come_near.begin(), come_near.end());
-    std::ranges::sort(touching_);
-    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
-    return freed || touching_.size() + buried_.size() != before;
+    each_once(touching_);
+    return freed || slipped || touching_.size() + buried_.size() != before;
 }
 
 bool Overlaps::left_out(int patch, int other) const {

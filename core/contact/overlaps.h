@@ -5,7 +5,10 @@
 //   farther from each other than a reach;
 //   a patch that has a vertex within another piece, with all patches of that piece, until none is.
 // Within is where rays meet the surface more often from behind than from before. One piece does not
-// overlap itself: its surface bounds tetrahedra that share faces.
+// overlap itself: its surface bounds tetrahedra that share faces. Beside obstacles only what moves
+// may lie in what stands still. In a shell, which is to hold it, it lies where a vertex is outside,
+// and what lies so is left out for good: it goes through the shell's wall, or has no business in
+// it.
 #pragma once
 
 #include <array>
@@ -27,8 +30,10 @@ class Overlaps {
     // Keeps a reference.
     explicit Overlaps(const SurfaceFeatures& features) : features_(features) {}
 
-    // All that overlaps at these positions, where triangles nearer than touch_mm do, too.
-    void find(std::span<const Vec3> positions_mm, double touch_mm);
+    // All that overlaps at these positions, where triangles nearer than touch_mm do, too; and what
+    // `at_rest` has left out for good.
+    void find(std::span<const Vec3> positions_mm, double touch_mm,
+              const Overlaps* at_rest = nullptr);
 
     // Lets go what has come apart; true where something has. Nothing begins to overlap by it.
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
@@ -56,6 +61,10 @@ class Overlaps {
 
   private:
     std::vector<Box> boxes_of_patches(std::span<const Vec3> positions_mm) const;
+    bool may_lie_in(int patch, int piece) const;
+    bool for_good(int piece) const { return features_.kind_of_piece(piece) == SurfaceKind::shell; }
+    bool slipped_in(const std::array<int, 2>& touching, std::span<const Box> boxes,
+                    std::span<const Vec3> positions_mm, Pairs& buried) const;
     bool nearer_than(double gap_mm, int patch, int other, std::span<const Vec3> positions_mm) const;
     bool within(const Vec3& point, int piece, std::span<const Box> boxes,
                 std::span<const Vec3> positions_mm) const;

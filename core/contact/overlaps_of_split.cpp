@@ -144,7 +144,8 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
         Box wide = boxes[p];
         wide.grow(reach_mm);
         for (int q = p + 1; q < patches; ++q)
-            if (piece_of(p) != piece_of(q) && wide.meets(boxes[q]) && overlap(p, q))
+            if (piece_of(p) != piece_of(q) && features_.may_meet(p, q) && wide.meets(boxes[q]) &&
+                overlap(p, q))
                 touching_.push_back({p, q});
         const auto was_buried = [&](int piece) {
             return std::ranges::any_of(origins[p].patches, [&](int patch) {
@@ -152,9 +153,9 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
             });
         };
         for (int piece = 0; piece < features_.pieces(); ++piece)
-            if (old_piece[piece] != old_piece[piece_of(p)] &&
+            if (may_lie_in(p, piece) && old_piece[piece] != old_piece[piece_of(p)] &&
                 (!origins[p].bare.empty() || was_buried(piece)) &&
-                lies_in(p, piece, boxes, positions_mm))
+                ((for_good(piece) && was_buried(piece)) || lies_in(p, piece, boxes, positions_mm)))
                 buried_.push_back({p, piece});
     }
 }

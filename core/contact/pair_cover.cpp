@@ -57,7 +57,8 @@ const std::vector<FeaturePair>& PairCover::along(std::span<const Vec3> from_mm,
     const bool goes_on = asked && at_its_end(from_mm);
     near_.clear();
     strangers_.add_between_strangers(sweep, left_out, near_);
-    neighbours_.add_along(sweep, goes_on ? std::optional(same_mm_) : std::nullopt, near_);
+    if (!features_.beside_obstacles())  // neighbours are of one surface
+        neighbours_.add_along(sweep, goes_on ? std::optional(same_mm_) : std::nullopt, near_);
     from_mm_.assign(from_mm.begin(), from_mm.end());
     to_mm_.assign(to_mm.begin(), to_mm.end());
     known_ = true;

@@ -9,6 +9,8 @@
 namespace hepatica {
 namespace {
 
+constexpr double flat = 1e-6;  // radians: rounding
+
 void sort_each_once(std::vector<int>& numbers) {
     std::ranges::sort(numbers);
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -16,7 +18,8 @@ void sort_each_once(std::vector<int>& numbers) {
 
 }  // namespace
 
-SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm)
+SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm,
+                                 std::span<const SurfaceKind> kind_of_node)
     : surface_(std::move(surface)),
       owned_nodes_(surface_.triangles().size()),
       owned_edges_(surface_.triangles().size()),
@@ -43,6 +46,46 @@ SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> r
     find_edges(area_mm2);
     find_borders();
     find_pieces();
+    find_kinds(kind_of_node);
+    if (beside_obstacles_) find_sharpness(kind_of_node, rest_positions_mm);
+}
+
+void SurfaceFeatures::find_kinds(std::span<const SurfaceKind> kind_of_node) {
+    kind_of_piece_.assign(patches_of_piece_.size(), SurfaceKind::moving);
+    if (kind_of_node.empty()) return;
+    for (std::size_t piece = 0; piece < kind_of_piece_.size(); ++piece) {
+        const int node = surface_.vertices_of(patches_of_piece_[piece].front()).front();
+        kind_of_piece_[piece] = kind_of_node[node];
+        beside_obstacles_ |= kind_of_node[node] != SurfaceKind::moving;
+    }
+}
+
+// By the normals of the two triangles at an edge; of those that meet in a hollow nothing sticks
+// out.
+void SurfaceFeatures::find_sharpness(std::span<const SurfaceKind> kind_of_node,
+                                     std::span<const Vec3> positions_mm) {
+    edge_sharpness_.assign(edges_.size(), 0.0);
+    node_sharpness_.assign(kind_of_node.size(), 0.0);
+    std::map<std::pair<int, int>, Vec3> normal_beside;
+    for (const auto& triangle : surface_.triangles()) {
+        if (kind_of_node[triangle[0]] == SurfaceKind::moving) continue;
+        const Triangle x = corners_of(triangle, positions_mm);
+        const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+        for (int a = 0; a < 3; ++a) normal_beside[{triangle[a], triangle[(a + 1) % 3]}] = normal;
+    }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        const auto [a, b] = edges_[e];
+        const auto there = normal_beside.find({a, b}), back = normal_beside.find({b, a});
+        if (there == normal_beside.end() || back == normal_beside.end()) continue;
+        const Vec3 along = positions_mm[b] - positions_mm[a];
+        const double outwards = there->second.cross(back->second).dot(along);
+        if ((kind_of_node[a] == SurfaceKind::shell) != (outwards < 0.0)) continue;
+        const double sharpness = std::min(1.0, (there->second - back->second).norm());
+        if (sharpness < flat) continue;
+        edge_sharpness_[e] = sharpness;
+        for (const int node : {a, b})
+            node_sharpness_[node] = std::max(node_sharpness_[node], sharpness);
+    }
 }
 
 void SurfaceFeatures::find_borders() {

@@ -2,8 +2,11 @@
 // What of a surface can meet what: its vertices and triangles, and its edges. Each vertex and each
 // edge belongs to the first triangle that has it, so that pairs of triangles give every pair of
 // features once. Each has a share of the surface at rest, a third of the triangles around it.
+// Beside a body's surface there may be those of obstacles, which stand still: then only what moves
+// and what stands still meet.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -21,10 +24,16 @@ struct FeaturePair {
 // that have them is of patches that count.
 using LeftOut = std::function<bool(int patch, int other)>;
 
+// What a surface is of: a body that moves; an obstacle that nothing may enter; or one, closed like
+// the others, that nothing may leave.
+enum class SurfaceKind : std::uint8_t { moving, solid, shell };
+
 // Thread safety: const access only.
 class SurfaceFeatures {
   public:
-    SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm);
+    // kind_of_node: one per node, the same for all nodes of a piece; empty: all move.
+    SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm,
+                    std::span<const SurfaceKind> kind_of_node = {});
 
     const SurfacePatches& surface() const { return surface_; }
     const std::vector<std::array<int, 2>>& edges() const { return edges_; }
@@ -54,9 +63,26 @@ class SurfaceFeatures {
     int piece_of_patch(int patch) const { return piece_of_patch_[patch]; }
     std::span<const int> patches_of_piece(int piece) const { return patches_of_piece_[piece]; }
 
+    // Whether there are obstacles, and what a piece or a patch is of.
+    bool beside_obstacles() const { return beside_obstacles_; }
+    SurfaceKind kind_of_piece(int piece) const { return kind_of_piece_[piece]; }
+    SurfaceKind kind_of_patch(int patch) const { return kind_of_piece_[piece_of_patch_[patch]]; }
+    // How far an edge or a vertex of an obstacle sticks out to where the body is, from 0, in a flat
+    // face or a hollow, to 1, where its triangles turn by 60 degrees or more.
+    double sharpness_of_edge(int edge) const { return edge_sharpness_[edge]; }
+    double sharpness_of_node(int node) const { return node_sharpness_[node]; }
+    // False of two patches that stand still, and beside obstacles of two that move, too.
+    bool may_meet(int patch, int other) const {
+        return !beside_obstacles_ || (kind_of_patch(patch) == SurfaceKind::moving) !=
+                                         (kind_of_patch(other) == SurfaceKind::moving);
+    }
+
   private:
     void find_edges(std::span<const double> area_mm2);
     void find_pieces();
+    void find_kinds(std::span<const SurfaceKind> kind_of_node);
+    void find_sharpness(std::span<const SurfaceKind> kind_of_node,
+                        std::span<const Vec3> positions_mm);
     void find_borders();
 
     SurfacePatches surface_;
@@ -68,7 +94,10 @@ class SurfaceFeatures {
     std::vector<double> node_area_mm2_, edge_area_mm2_;
     std::vector<int> piece_of_patch_;
     std::vector<std::vector<int>> patches_of_piece_;
+    std::vector<SurfaceKind> kind_of_piece_;
+    std::vector<double> edge_sharpness_, node_sharpness_;  // beside obstacles
     int pieces_ = 0;
+    bool beside_obstacles_ = false;
 };
 
 }  // namespace hepatica

@@ -36,22 +36,29 @@ void SceneParts::set_moves(SceneSpec& scene, bool on) {
     }
 }
 
-void SceneParts::set_contact(SceneSpec& scene, bool ContactSpec::*which, bool on) {
-    const auto of_nothing = [&] {
-        return scene.contact && !scene.contact->tools && !scene.contact->self;
-    };
+void SceneParts::set_contact(SceneSpec& scene, bool on,
+                             const std::function<void(ContactSpec&)>& change) {
+    const auto of_nothing = [&] { return scene.contact && scene.contact->nothing(); };
     if (on && (!scene.contact || of_nothing())) empty_contact_ = of_nothing();
     if (!scene.contact) scene.contact = ContactSpec{false, false};
-    (*scene.contact).*which = on;
+    change(*scene.contact);
     if (of_nothing() && !empty_contact_) scene.contact.reset();
 }
 
 void SceneParts::set_touches(SceneSpec& scene, bool on) {
-    set_contact(scene, &ContactSpec::tools, on);
+    set_contact(scene, on, [on](ContactSpec& contact) { contact.tools = on; });
 }
 
 void SceneParts::set_self(SceneSpec& scene, bool on) {
-    set_contact(scene, &ContactSpec::self, on);
+    set_contact(scene, on, [on](ContactSpec& contact) { contact.self = on; });
+}
+
+void SceneParts::set_obstacles(SceneSpec& scene, bool on) {
+    set_contact(scene, on, [&](ContactSpec& contact) {
+        const bool had = contact.obstacles != WantedObstacles::none;
+        if (had && !on) obstacles_ = contact.obstacles;
+        if (had != on) contact.obstacles = on ? obstacles_ : WantedObstacles::none;
+    });
 }
 
 void SceneParts::set_tears(SceneSpec& scene, bool on) {

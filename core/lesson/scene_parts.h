@@ -3,6 +3,8 @@
 // settings, which no page of the editor may show, until it is put in again.
 #pragma once
 
+#include <functional>
+
 #include "core/scene/scene_spec.h"
 
 namespace hepatica {
@@ -11,21 +13,23 @@ namespace hepatica {
 // way round, leaves the scene as it was.
 class SceneParts {
   public:
-    void set_moves(SceneSpec& scene, bool on);    // and what needs it
-    void set_touches(SceneSpec& scene, bool on);  // tools and vessels; needs what moves
-    void set_self(SceneSpec& scene, bool on);     // vessels and vessels; needs what moves
-    void set_tears(SceneSpec& scene, bool on);    // needs what moves
+    void set_moves(SceneSpec& scene, bool on);      // and what needs it
+    void set_touches(SceneSpec& scene, bool on);    // tools and vessels; needs what moves
+    void set_self(SceneSpec& scene, bool on);       // vessels and vessels; needs what moves
+    void set_obstacles(SceneSpec& scene, bool on);  // vessels and organs; needs what moves
+    void set_tears(SceneSpec& scene, bool on);      // needs what moves
     void set_flows(SceneSpec& scene, bool on);
     // Of another lesson from now on.
     void forget() { *this = SceneParts(); }
 
   private:
-    void set_contact(SceneSpec& scene, bool ContactSpec::*which, bool on);
+    void set_contact(SceneSpec& scene, bool on, const std::function<void(ContactSpec&)>& change);
 
     SceneSpec with_moving_{};  // what was taken out with it: deform, contact, tear
     bool moving_taken_ = false;
     std::optional<TearSpec> tear_;
     std::optional<FlowSpec> flow_;
+    WantedObstacles obstacles_ = WantedObstacles::required;
     bool empty_contact_ = false;  // the scene named contact, of nothing
 };
 

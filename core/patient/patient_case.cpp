@@ -133,6 +133,17 @@ auto in_folder(const fs::path& place, const Use& use) {
     }
 }
 
+// Refuses a case that was put in the place of the patient's.
+CaseHeader header_of_same(const fs::path& folder, const fs::path& place,
+                          const PatientCase& patient) {
+    CaseHeader header = read_case_header(folder);
+    if (header.source.image_sha256 != patient.source.image_sha256 ||
+        header.source.parameters_json != patient.source.parameters_json)
+        throw InputError("holds another patient than when it was opened", place.string(),
+                         "Put the case back that was there, or open this one anew");
+    return header;
+}
+
 void write_files(const fs::path& folder, const PatientCase& patient) {
     write_voxels(folder / case_file::mask, patient.mask);
     write_voxels(folder / case_file::skeleton, patient.skeleton);
@@ -179,12 +190,16 @@ void write_case(const fs::path& place, const PatientCase& patient) {
 
 void add_voxels(const fs::path& place, PatientCase& patient) {
     in_folder(place, [&](const fs::path& folder) {
-        const CaseHeader header = read_case_header(folder);
-        if (header.source.image_sha256 != patient.source.image_sha256 ||
-            header.source.parameters_json != patient.source.parameters_json)
-            throw InputError("holds another patient than when it was opened", place.string(),
-                             "Put the case back that was there, or open this one anew");
-        read_all_voxels(folder, header, patient);
+        read_all_voxels(folder, header_of_same(folder, place, patient), patient);
+    });
+    patient.voxels_at.clear();
+}
+
+Mask organs_of(const PatientCase& patient) {
+    if (!patient.organs.voxels.empty() || patient.voxels_at.empty()) return patient.organs;
+    return in_folder(patient.voxels_at, [&](const fs::path& folder) {
+        const CaseHeader header = header_of_same(folder, patient.voxels_at, patient);
+        return read_voxels(folder, header, case_file::organs);
     });
 }
 
@@ -200,7 +215,10 @@ PatientCase read_case(const fs::path& place) {
 }
 
 PatientCase read_case_without_voxels(const fs::path& place) {
-    return in_folder(place, [](const fs::path& folder) { return read(folder, false); });
+    PatientCase patient =
+        in_folder(place, [](const fs::path& folder) { return read(folder, false); });
+    patient.voxels_at = place;
+    return patient;
 }
 
 }  // namespace hepatica

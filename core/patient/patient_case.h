@@ -67,6 +67,9 @@ struct PatientCase {
     // The dial as measured on this mesh, one JSON object (see core/scene/measured_dial.h); empty
     // where it was not measured. Kept in dial.json, which may be removed.
     std::string dial_json;
+    // Where he was read from without his voxels, which lie there; empty: he has those that there
+    // are. Known in memory alone.
+    std::filesystem::path voxels_at;
 };
 
 // A folder that holds a case.json, or a file NAME.hepz. Says nothing about whether it can be read.
@@ -95,6 +98,10 @@ PatientCase read_case_without_voxels(const std::filesystem::path& place);
 // where the place holds a case of another CT or other parameters by now: of `patient` only
 // `source` is compared.
 void add_voxels(const std::filesystem::path& place, PatientCase& patient);
+
+// The labels of organs: his own, or those of the case that he was read from without them, as it is
+// on disk now; empty where there are none. Throws InputError as above.
+Mask organs_of(const PatientCase& patient);
 
 // Leaves a measured dial in a case that is there already, and nothing else of it changed. Throws
 // InputError where it cannot be written.

@@ -42,6 +42,16 @@ double mean_edge_mm(const TetMesh& mesh) {
     return sum / (3.0 * static_cast<double>(mesh.tetrahedra.size()));
 }
 
+std::uint64_t hash_of(const Obstacles& obstacles) {
+    Hasher hasher;
+    for (const Obstacle& obstacle : obstacles.all) {
+        for (const Vec3& x : obstacle.surface.vertices_mm) hasher.add_bytes(x.data(), sizeof(Vec3));
+        for (const auto& triangle : obstacle.surface.triangles)
+            hasher.add(std::span<const int>(triangle));
+    }
+    return hasher.value();
+}
+
 CoarseSkeleton skeleton_of(const VesselTree& tree) {
     std::vector<SkeletonPolyline> polylines;
     for (const VesselSegment& segment : tree.segments)
@@ -54,7 +64,8 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
                        const LiveRegionOptions& live_region, DeformBackEnd back_end,
                        const std::optional<ContactSpec>& contact,
-                       const std::optional<TearSpec>& tear)
+                       const std::optional<TearSpec>& tear,
+                       std::shared_ptr<const Obstacles> obstacles)
     : region_(live_region),
       back_end_(std::move(back_end)),
       wall_mm_(spec.wall_mm),
@@ -68,6 +79,8 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     body_.mesh = patient.mesh;
     body_.touchable = contact && contact->tools;
     if (contact && contact->self) body_.self.emplace();
+    if (obstacles) obstacles_hash_ = hash_of(*obstacles);
+    body_.obstacles = std::move(obstacles);
     const MaterialPreset& preset = material_named(spec.material);
     body_.material = preset.material;
     strength_pa_ = preset.strength_pa;
@@ -384,6 +397,7 @@ std::uint64_t DeformPart::state_hash() const {
     hasher.add_bytes(&stepper, sizeof stepper);
     hasher.add_bytes(setting.data(), setting.size());
     hasher.add(std::span<const double>(body));
+    if (body_.obstacles) hasher.add_bytes(&obstacles_hash_, sizeof obstacles_hash_);
     if (hold_) {
         const std::array<double, 2> spring{hold_->stiffness_un_per_mm, hold_->force_limit_un};
         hasher.add(std::span<const int>(hold_->vertices));

@@ -60,12 +60,14 @@ class DeformPart {
     // With the spec's setting, or else the one at its quality on the patient's dial. Throws
     // InputError where the case has no mesh, the material is not known, or a value is out of range.
     // Another region is for measurements: nothing freezes where still_radii_per_s is 0. Tools may
-    // be had, and vessels touch each other, where `contact` says so; they tear where `tear` does.
+    // be had, and vessels touch each other, where `contact` says so, and obstacles where some are
+    // given; they tear where `tear` does.
     DeformPart(const PatientCase& patient, const DeformSpec& spec,
                const LiveRegionOptions& live_region = region,
                DeformBackEnd back_end = cpu_back_end(),
                const std::optional<ContactSpec>& contact = {},
-               const std::optional<TearSpec>& tear = {});
+               const std::optional<TearSpec>& tear = {},
+               std::shared_ptr<const Obstacles> obstacles = {});
     ~DeformPart();
 
     // The hand closes around the point of the surface nearest to point_mm: every vertex within
@@ -187,6 +189,7 @@ class DeformPart {
     LiveRegionOptions region_;
     DeformBackEnd back_end_;
     BodyDescription body_;
+    std::uint64_t obstacles_hash_ = 0;
     std::vector<int> surface_vertices_;
     std::vector<VertexPlace> places_;  // per vertex
     StepperOptions setting_;

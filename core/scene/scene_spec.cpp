@@ -110,22 +110,31 @@ FlowSpec flow_from(const Json& json) {
     return spec;
 }
 
-// All that is there, or what is named. Obstacles are refused until they are there.
+// All that the case knows, or what is named.
 ContactSpec contact_from(const Json& json) {
     const bool all = json.is_object() && json.empty();
-    ContactSpec spec{.tools = all, .self = all};
+    ContactSpec spec{.tools = all,
+                     .self = all,
+                     .obstacles = all ? WantedObstacles::known : WantedObstacles::none};
     Fields fields(json, "contact");
     fields.read("tools", spec.tools);
     fields.read("self", spec.self);
     bool obstacles = false;
     fields.read("obstacles", obstacles);
-    if (obstacles) fields.refuse("is not there yet", "obstacles");
+    if (obstacles) spec.obstacles = WantedObstacles::required;
     fields.refuse_unknown();
     return spec;
 }
 
 constexpr std::array<std::pair<const char*, TearStop>, 3> names_of_stops{
     {{"none", TearStop::none}, {"entropy", TearStop::entropy}, {"vertices", TearStop::vertices}}};
+
+Json to_json(const ContactSpec& spec) {
+    if (spec.all()) return Json::object();
+    Json json{{"tools", spec.tools}, {"self", spec.self}};
+    if (spec.obstacles != WantedObstacles::none) json["obstacles"] = true;
+    return json;
+}
 
 const char* name_of(TearStop stop) {
     return std::ranges::find(names_of_stops, stop, [](const auto& entry) { return entry.second; })
@@ -189,8 +198,7 @@ Json to_json(const SceneSpec& spec) {
         if (error.alpha_per_s != 0.0 || error.beta_s != 0.0)
             json["deform"]["velocity_error"] = {error.alpha_per_s, error.beta_s};
     }
-    if (spec.contact)
-        json["contact"] = {{"tools", spec.contact->tools}, {"self", spec.contact->self}};
+    if (spec.contact) json["contact"] = to_json(*spec.contact);
     if (spec.tear) json["tear"] = to_json(*spec.tear);
     if (spec.flow) json["flow"] = {{"drug_speed", spec.flow->drug_speed}};
     return json;

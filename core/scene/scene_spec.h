@@ -40,10 +40,18 @@ struct FlowSpec {
     double drug_speed = 1.0;  // drug seconds per simulated second
 };
 
+// The liver's surface and tumours: none, those that the case knows, be it none, or some at any
+// rate.
+enum class WantedObstacles { none, known, required };
+
 // What may touch what. Needs "deform".
 struct ContactSpec {
     bool tools = true;  // a tool and the vessels
     bool self = false;  // the vessels among each other, and each with itself
+    WantedObstacles obstacles = WantedObstacles::none;
+
+    bool all() const { return tools && self && obstacles == WantedObstacles::known; }
+    bool nothing() const { return !tools && !self && obstacles == WantedObstacles::none; }
 };
 
 // What tears, and when it stops. Needs "deform".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/world.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/heap_use.h"
+#include "core/scene/obstacles_of_organs.h"
 #include "core/scene/world_checkpoint.h"
 
 namespace hepatica {
@@ -63,13 +65,17 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
             topology_.emplace(patient_->surface.vertices_mm.size(), patient_->surface.triangles);
     }));
     job.advance(0.1);
+    std::shared_ptr<const Obstacles> obstacles;
+    surfaces_of_obstacles_ =
+        cost_of("obstacles", [&] { obstacles = obstacles_for(*patient_, spec_.contact); });
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
             deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
-                                                   back_end, spec_.contact, spec_.tear);
+                                                   back_end, spec_.contact, spec_.tear, obstacles);
         }));
-    // Built with the body; what it costs is known from the first step on.
+    // Built with the body; what they cost is known from the first step on.
     if (spec_.contact && spec_.contact->self) parts_.push_back({.name = "self-contact"});
+    if (obstacles) parts_.push_back(surfaces_of_obstacles_);
     job.advance(0.8);
     if (spec_.flow)
         parts_.push_back(cost_of("flow", [&] {
@@ -95,17 +101,19 @@ Vec3 World::vertex_mm(int vertex) const {
     return deform_ ? deform_->positions_mm()[vertex] : rest_positions_mm()[vertex];
 }
 
-// From the deforming body's cost.
-void World::part_out_self_contact(const SelfCost& cost) {
-    for (PartCost& part : parts_) {
-        if (part.name == "self-contact") {
-            if (cost.bytes > 0) part.bytes = cost.bytes;
-            if (cost.build_ms > 0.0) part.build_ms = cost.build_ms;
-            part.frame_ms = cost.step_ms;
-        } else if (part.name == "deform") {
-            part.frame_ms -= cost.step_ms;
-        }
-    }
+PartCost* World::part(const std::string& name) {
+    const auto found = std::ranges::find(parts_, name, &PartCost::name);
+    return found != parts_.end() ? &*found : nullptr;
+}
+
+// From the deforming body's cost, beside what the part cost `before` there was a body.
+void World::part_out(const std::string& name, const PartCost& before, const SelfCost& cost) {
+    PartCost* const own = part(name);
+    if (own == nullptr) return;
+    if (cost.bytes > 0) own->bytes = before.bytes + cost.bytes;
+    if (cost.build_ms > 0.0) own->build_ms = before.build_ms + cost.build_ms;
+    own->frame_ms = cost.step_ms;
+    part("deform")->frame_ms -= cost.step_ms;
 }
 
 StepReport World::step(const std::stop_token& stop) {
@@ -121,7 +129,8 @@ StepReport World::step(const std::stop_token& stop) {
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
     if (bleeding_) bleeding_->step(spec_.dt_s);
-    if (spec_.contact && spec_.contact->self) part_out_self_contact(report.self_cost);
+    part_out("self-contact", {}, report.self_cost);
+    part_out("obstacles", surfaces_of_obstacles_, report.obstacle_cost);
     time_s_ += spec_.dt_s;
     return report;
 }

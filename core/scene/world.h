@@ -91,7 +91,8 @@ class World {
     std::uint64_t state_hash() const;
 
   private:
-    void part_out_self_contact(const SelfCost& cost);
+    PartCost* part(const std::string& name);
+    void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     void bleed();
 
     std::shared_ptr<const PatientCase> patient_;
@@ -104,6 +105,7 @@ class World {
     std::unique_ptr<Bleeding> bleeding_;  // where it can tear
     int pieces_ = 0;                      // as it was when torn vessels were last looked for
     std::vector<PartCost> parts_;
+    PartCost surfaces_of_obstacles_;  // beside what finding contacts with them costs
     double time_s_ = 0.0;
 };
 

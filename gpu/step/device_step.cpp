@@ -38,8 +38,9 @@ constexpr double limiter_rounding<double> = 1e-9;
 // Tools and touching surfaces are none of the device's business.
 Body without_surfaces(Body body) {
     body.surface.clear();
-    body.self_surface.clear();
+    body.touching_surface.clear();
     body.self_pad.reset();
+    body.obstacles.reset();
     return body;
 }
 

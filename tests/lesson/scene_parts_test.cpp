@@ -14,19 +14,23 @@ namespace {
 using Set = void (SceneParts::*)(SceneSpec&, bool);
 
 bool on(const SceneSpec& scene, int part) {
-    const bool ticks[] = {scene.deform.has_value(), scene.contact && scene.contact->tools,
-                          scene.contact && scene.contact->self, scene.tear.has_value(),
+    const bool ticks[] = {scene.deform.has_value(),
+                          scene.contact && scene.contact->tools,
+                          scene.contact && scene.contact->self,
+                          scene.contact && scene.contact->obstacles != WantedObstacles::none,
+                          scene.tear.has_value(),
                           scene.flow.has_value()};
     return ticks[part];
 }
 
 // Each tick that the scene allows the other way and back leaves it as it was.
 void expect_ticks_undo_themselves(const SceneSpec& before, const std::string& which) {
-    constexpr Set sets[] = {&SceneParts::set_moves, &SceneParts::set_touches, &SceneParts::set_self,
+    constexpr Set sets[] = {&SceneParts::set_moves, &SceneParts::set_touches,
+                            &SceneParts::set_self,  &SceneParts::set_obstacles,
                             &SceneParts::set_tears, &SceneParts::set_flows};
     SceneParts parts;
-    for (int part = 0; part < 5; ++part) {
-        const bool needs_moving = part >= 1 && part <= 3;
+    for (int part = 0; part < 6; ++part) {
+        const bool needs_moving = part >= 1 && part <= 4;
         if (needs_moving && !before.deform) continue;
         SceneSpec scene = before;
         const bool was = on(scene, part);
@@ -52,7 +56,7 @@ SceneSpec random_scene(std::mt19937& random) {
         scene.deform->quality = number();
         scene.deform->velocity_error = {number(), number()};
         if (yes()) scene.deform->setting = StepperOptions{};
-        if (yes()) scene.contact = ContactSpec{yes(), yes()};
+        if (yes()) scene.contact = ContactSpec{yes(), yes(), WantedObstacles(random() % 3)};
         if (yes()) {
             scene.tear = TearSpec{number(), TearStop::vertices, number(), 17, yes()};
         }

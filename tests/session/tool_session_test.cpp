@@ -368,7 +368,8 @@ TEST(ToolSession, ASceneNamesItsContacts) {
     ASSERT_TRUE(all.contact);
     EXPECT_TRUE(all.contact->tools);
     EXPECT_TRUE(all.contact->self);
-    EXPECT_EQ(to_json(all)["contact"]["tools"], true);
+    EXPECT_EQ(all.contact->obstacles, WantedObstacles::known);
+    EXPECT_EQ(to_json(all)["contact"], Json::object());
     const SceneSpec self =
         scene_from_json(Json::parse(R"({"deform": {}, "contact": {"self": true}})"));
     EXPECT_TRUE(self.contact->self);
@@ -379,7 +380,7 @@ TEST(ToolSession, ASceneNamesItsContacts) {
     EXPECT_FALSE(scene_from_json(Json::parse(R"({"deform": {}, "contact": {"tools": false}})"))
                      .contact->tools);
     for (const char* text :
-         {R"({"flow": {}, "contact": {}})", R"({"deform": {}, "contact": {"obstacles": true}})",
+         {R"({"flow": {}, "contact": {}})", R"({"deform": {}, "contact": {"obstacles": 1}})",
           R"({"deform": {}, "contact": {"tool": true}})", R"({"deform": {}, "contact": 1})"})
         EXPECT_THROW(scene_from_json(Json::parse(text)), InputError) << text;
 }

@@ -276,8 +276,8 @@ TEST_F(LessonEditorTest, settings_that_no_page_shows_outlive_their_tick) {
     answer_ = UnsavedLesson::discard;
     field<QAction>("beginWith_probe_free").trigger();
     const Lesson before = lesson();
-    for (const char* tick :
-         {"lessonMoves", "lessonTouches", "lessonSelf", "lessonTears", "lessonFlows"}) {
+    for (const char* tick : {"lessonMoves", "lessonTouches", "lessonSelf", "lessonObstacles",
+                             "lessonTears", "lessonFlows"}) {
         field<QCheckBox>(tick).click();
         EXPECT_NE(text_of(lesson()), text_of(before)) << tick;
         field<QCheckBox>(tick).click();

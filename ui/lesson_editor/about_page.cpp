@@ -113,6 +113,8 @@ QGroupBox* AboutPage::make_scene() {
         add_part(*box, Words::tr("&Tools touch them"), "lessonTouches", &SceneParts::set_touches);
     self_ =
         add_part(*box, Words::tr("They touch &each other"), "lessonSelf", &SceneParts::set_self);
+    obstacles_ = add_part(*box, Words::tr("They touch the &liver's surface and tumours"),
+                          "lessonObstacles", &SceneParts::set_obstacles);
     tears_ =
         add_part(*box, Words::tr("They te&ar and bleed"), "lessonTears", &SceneParts::set_tears);
     flows_ =
@@ -163,13 +165,15 @@ void AboutPage::fill_patients(const std::string& patient) {
 
 void AboutPage::fill_scene(const SceneSpec& scene) {
     moves_->setChecked(scene.deform.has_value());
-    for (QWidget* part : std::initializer_list<QWidget*>{material_, touches_, self_, tears_})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{material_, touches_, self_, obstacles_, tears_})
         part->setEnabled(scene.deform.has_value());
     if (scene.deform)
         material_->setCurrentIndex(
             material_->findData(QString::fromStdString(scene.deform->material)));
     touches_->setChecked(scene.contact && scene.contact->tools);
     self_->setChecked(scene.contact && scene.contact->self);
+    obstacles_->setChecked(scene.contact && scene.contact->obstacles != WantedObstacles::none);
     tears_->setChecked(scene.tear.has_value());
     flows_->setChecked(scene.flow.has_value());
     drug_speed_->setEnabled(scene.flow.has_value());

@@ -44,8 +44,8 @@ class AboutPage : public LessonPage {
     QPlainTextEdit* about_;
     QComboBox* patient_;
     QComboBox* material_ = nullptr;
-    QCheckBox *moves_ = nullptr, *touches_ = nullptr, *self_ = nullptr, *tears_ = nullptr,
-              *flows_ = nullptr;
+    QCheckBox *moves_ = nullptr, *touches_ = nullptr, *self_ = nullptr, *obstacles_ = nullptr,
+              *tears_ = nullptr, *flows_ = nullptr;
     DecimalSpinBox* drug_speed_ = nullptr;
     std::array<std::pair<LessonTool, QCheckBox*>, 9> tools_{};
 };

@@ -77,6 +77,7 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
     if (order == ElementOrder::quadratic && (model == ElementModel::spring || !d.hexahedra.empty()))
         reject("there is no quadratic form of springs or hexahedra", "the body",
                "Choose linear order, or tetrahedra of the corotated or neohookean model");
+    if (d.obstacles) validate(*d.obstacles);
     if (d.tear) {
         validate(*d.tear);
         if (order == ElementOrder::quadratic || !d.hexahedra.empty())
@@ -242,11 +243,14 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     body.mean_edge_mm = mean_edge(body);
     body.tears = description.tear.has_value();
     if (description.touchable) body.surface = surface_of_elements(description);
-    if (const auto& self = description.self) {
-        body.self_surface = surface_of_elements(description);
-        body.self_pad = {self->thickness_edges * body.mean_edge_mm,
-                         self->pressure_moduli * description.material.young_modulus_pa};
-    }
+    const auto pad_of = [&](const SelfPad& pad) {
+        return Body::Pad{pad.thickness_edges * body.mean_edge_mm,
+                         pad.pressure_moduli * description.material.young_modulus_pa};
+    };
+    if (description.self) body.self_pad = pad_of(*description.self);
+    body.obstacles = description.obstacles;
+    if (body.obstacles) body.obstacle_pad = pad_of(description.self.value_or(SelfPad{}));
+    if (body.self_pad || body.obstacles) body.touching_surface = surface_of_elements(description);
     return body;
 }
 

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/vector.h"
 #include "core/deform/body/material.h"
+#include "core/deform/body/obstacles.h"
 #include "core/deform/elements/hexahedron_element.h"
 #include "core/deform/elements/spring_element.h"
 #include "core/deform/elements/tetrahedron_element.h"
@@ -19,7 +21,7 @@
 
 namespace hepatica {
 
-// The pad between two surfaces of a body, in terms of the body: see SelfContact.
+// The pad between two surfaces of a body, and on obstacles, in terms of the body: see SurfacePairs.
 struct SelfPad {
     double thickness_edges = 0.1;  // of the mean edge at rest, > 0
     double pressure_moduli = 2.0;  // pressed to half, of the material's Young modulus, > 0
@@ -44,6 +46,7 @@ struct BodyDescription {
     std::optional<SelfPad> self{};  // its surfaces touch each other; none: nothing is built for it
     std::optional<TearLaw>
         tear{};  // it tears; none: nothing is built for it. Linear tetrahedra only
+    std::shared_ptr<const Obstacles> obstacles{};  // that it touches; null: nothing is built for it
 };
 
 // Order of the shape functions of tetrahedra: linear with 4 nodes, quadratic with 10.
@@ -86,8 +89,11 @@ struct Body {
     struct Pad {
         double thickness_mm = 0.0, pressure_pa = 0.0;
     };
-    std::optional<Pad> self_pad;                   // where its surfaces touch each other, and
-    std::vector<std::array<int, 3>> self_surface;  // these, as `surface`
+    std::optional<Pad> self_pad;                   // where its surfaces touch each other
+    std::shared_ptr<const Obstacles> obstacles{};  // that it touches; null: none
+    Pad obstacle_pad{};                            // on these
+    std::vector<std::array<int, 3>>
+        touching_surface;  // as `surface`, where it touches itself or obstacles
     bool tears = false;
     // Nodes that stood for one before the body tore there, ascending: blocks of the matrix beside
     // those of the elements.

@@ -7,6 +7,7 @@
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
 #include "core/deform/potentials/load_input.h"
+#include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/potentials/softening_ties.h"
 #include "core/deform/potentials/tether.h"
@@ -27,6 +28,14 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
         auto self = std::make_unique<SelfContact>(body);
         self_ = self.get();
         all_.push_back(std::move(self));
+    }
+    if (body.obstacles) {
+        auto obstacles = std::make_unique<ObstacleContact>(body);
+        auto friction = std::make_unique<ObstacleFriction>(body, *obstacles);
+        obstacles_ = obstacles.get();
+        obstacle_friction_ = friction.get();
+        all_.push_back(std::move(obstacles));
+        all_.push_back(std::move(friction));
     }
     if (body.tears) {
         auto ties = std::make_unique<SofteningTies>();
@@ -103,6 +112,23 @@ ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm) const {
     return load;
 }
 
+ObstacleLoad PotentialList::obstacle_load(std::span<const Vec3> positions_mm) const {
+    ObstacleLoad load;
+    if (!obstacles_) return load;
+    load.touch = load_of(obstacles_->contacts(positions_mm));
+    std::vector<Vec3> on_body(nodes_, Vec3::Zero());
+    obstacles_->add_forces(positions_mm, on_body);
+    for (const auto& point : obstacle_friction_->point_forces(positions_mm))
+        load.force_un -= point.force_un;
+    for (const Vec3& force : on_body) load.force_un -= force;
+    return load;
+}
+
+bool PotentialList::touches(std::span<const Vec3> positions_mm) const {
+    return tool() || coupled(positions_mm) ||
+           (obstacles_ && !obstacles_->contacts(positions_mm).empty());
+}
+
 void PotentialList::begin_step(const BodyState& start, double dt_s,
                                std::span<const std::uint8_t> held) const {
     for (const auto& potential : all_) potential->begin_step(start, dt_s, held);
@@ -164,10 +190,44 @@ void PotentialList::add_product(std::span<const Vec3> positions_mm, double facto
         potential->add_product(positions_mm, factor, d, pattern, product);
 }
 
-void PotentialList::set_overlaps(const OverlapsKept& kept) {
-    if (!self_ || !self_->set_overlaps(kept))
+SurfacesKept PotentialList::kept_overlaps() const {
+    SurfacesKept kept;
+    if (self_) kept.self = self_->pairs().kept_overlaps();
+    if (obstacles_) kept.obstacles = obstacles_->pairs().kept_overlaps();
+    return kept;
+}
+
+void PotentialList::set_overlaps(const SurfacesKept& kept) {
+    const auto fits = [](const std::optional<OverlapsKept>& some, auto* contact) {
+        return !some || (contact && contact->pairs().set_overlaps(*some));
+    };
+    if (!fits(kept.self, self_) || !fits(kept.obstacles, obstacles_))
         throw InputError("has surfaces that touch otherwise", "the checkpoint of a body",
                          "Make the stepper of the body that it was taken of");
+}
+
+void PotentialList::let_go(std::span<const Vec3> positions_mm) const {
+    if (self_) self_->pairs().let_go(positions_mm);
+    if (obstacles_) obstacles_->let_go(positions_mm);
+}
+
+void PotentialList::find_overlaps(std::span<const Vec3> positions_mm) const {
+    if (self_) self_->pairs().find_overlaps(positions_mm);
+    if (obstacles_) obstacles_->find_overlaps(positions_mm);
+}
+
+PotentialList::SurfacesBeforeTear PotentialList::before_tear() const {
+    SurfacesBeforeTear before;
+    if (self_) before.self = std::make_shared<BeforeTear>(self_->pairs().before_tear());
+    if (obstacles_)
+        before.obstacles = std::make_shared<BeforeTear>(obstacles_->pairs().before_tear());
+    return before;
+}
+
+void PotentialList::follow_split(const SurfacesBeforeTear& before, std::span<const int> parents,
+                                 std::span<const Vec3> positions_mm) const {
+    if (before.self) self_->pairs().follow_split(*before.self, parents, positions_mm);
+    if (before.obstacles) obstacles_->follow_split(*before.obstacles, parents, positions_mm);
 }
 
 bool PotentialList::coupled(std::span<const Vec3> positions_mm) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The potentials that act on one body: weight, the surrounding tissue, the hand's grabs and, where
-// the body may be touched, a tool's contact and friction, and that of its surfaces, and, where it
-// tears, what binds parted joints; each function is the sum over them in this order.
+// the body may be touched, a tool's contact and friction, and that of its surfaces and of
+// obstacles, and, where it tears, what binds parted joints; each function is the sum over them in
+// this order.
 #pragma once
 
 #include <memory>
@@ -13,6 +14,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/grab.h"
 #include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
 
 namespace hepatica {
@@ -22,8 +24,10 @@ class GrabSprings;
 class ToolContact;
 class ToolFriction;
 class SelfContact;
+class ObstacleContact;
+class ObstacleFriction;
 class SofteningTies;
-struct OverlapsKept;
+struct BeforeTear;
 
 // Keeps a reference to the body. Not thread-safe.
 class PotentialList {
@@ -52,11 +56,28 @@ class PotentialList {
 
     // The body's surfaces among each other; null where they do not touch.
     SelfContact* self() const { return self_; }
+    // Obstacles; null where there are none.
+    ObstacleContact* obstacles() const { return obstacles_; }
+    // Friction is there until end_step().
+    ObstacleLoad obstacle_load(std::span<const Vec3> positions_mm) const;
+    // Whether its surfaces or obstacles are touched at these positions, or a tool is there.
+    bool touches(std::span<const Vec3> positions_mm) const;
     // What binds parted joints; null where the body does not tear.
     SofteningTies* ties() const { return ties_; }
-    // As a checkpoint kept them. Throws InputError, and changes nothing, where they are of another
-    // body.
-    void set_overlaps(const OverlapsKept& kept);
+    // What of the body's surface overlaps. As a checkpoint kept it: throws InputError where it is
+    // of another body, and then changes nothing of what does not fit.
+    SurfacesKept kept_overlaps() const;
+    void set_overlaps(const SurfacesKept& kept);
+    // Lets what has come apart count; looks for it anew.
+    void let_go(std::span<const Vec3> positions_mm) const;
+    void find_overlaps(std::span<const Vec3> positions_mm) const;
+    // What the surfaces leave to those of the body that this one was torn into.
+    struct SurfacesBeforeTear {
+        std::shared_ptr<const BeforeTear> self, obstacles;  // null: none
+    };
+    SurfacesBeforeTear before_tear() const;
+    void follow_split(const SurfacesBeforeTear& before, std::span<const int> parents,
+                      std::span<const Vec3> positions_mm) const;
 
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
 
@@ -88,7 +109,9 @@ class PotentialList {
     GrabSprings* grabs_;
     ToolContact* contact_ = nullptr;  // of a body that may be touched
     ToolFriction* friction_ = nullptr;
-    SelfContact* self_ = nullptr;    // where its surfaces touch each other
+    SelfContact* self_ = nullptr;  // where its surfaces touch each other
+    ObstacleContact* obstacles_ = nullptr;
+    ObstacleFriction* obstacle_friction_ = nullptr;
     SofteningTies* ties_ = nullptr;  // where it tears
     std::size_t nodes_;
 };

@@ -1,80 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb's friction between a tool and what touches it, as the potential of one step: a contact of
-// the normal force N, as it was at the end of the step before, that slips by y takes
-//   mu N (y - e/3) of energy,   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
-// whose force grows to mu N over e = dt * creep and is mu N beyond (Li et al. 2020, eq. 15). Slip
-// is the motion of the touching point along the surface less that of the tool. With the normals,
-// weights and forces of the beginning the force is exact, and so is the stiffness, positive
-// semidefinite, of what sticks and of what slips on. What slips but is about to stick would by that
-// go past the point where it sticks, however far, and the energy's kink there would cut the whole
-// body's step to nothing. So its stiffness is mu N / y in all directions of the plane: the least
-// that bounds the energy from above, so that no step goes too far. What sticks creeps slower than
-// 1e-5 mean edges a second, which is sleep. Its term of the ledger is `friction_loss`.
+// Friction between a tool and what touches it: see CoulombFriction. A touched point is dragged with
+// the nearest point of the tool's axis.
 #pragma once
 
 #include <vector>
 
-#include "core/deform/body/body.h"
-#include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/coulomb_friction.h"
 #include "core/deform/potentials/tool_contact.h"
 
 namespace hepatica {
 
 // Keeps references to both.
-class ToolFriction final : public Potential {
+class ToolFriction final : public CoulombFriction {
   public:
-    ToolFriction(const Body& body, const ToolContact& contact) : body_(body), contact_(contact) {}
-
-    void begin_step(const BodyState& start, double dt_s,
-                    std::span<const std::uint8_t> held) override;
-    void end_step() override {
-        grips_.clear();
-        held_ = {};
-    }
-
-    // The friction on a point of the body.
-    struct PointForce {
-        Vec3 at_mm;
-        Vec3 force_un;
-    };
-    std::vector<PointForce> point_forces(std::span<const Vec3> positions_mm) const;
-
-    double energy(std::span<const Vec3> positions_mm,
-                  std::span<const Vec3> reference_mm) const override;
-    void foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) override;
-    void add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
-                             std::span<const int> piece_of_node,
-                             std::span<double> energy_nj) const override;
-    void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;
-    void add_stiffness(std::span<const Vec3> positions_mm, double factor,
-                       BlockMatrix& matrix) const override;
-    void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
-                     const BlockMatrix& pattern, std::span<Vec3> product) const override;
-    void book(double energy_nj, EnergyLedger& ledger) const override {
-        ledger.friction_loss += energy_nj;
-    }
+    ToolFriction(const Body& body, const ToolContact& contact)
+        : CoulombFriction(body), contact_(contact) {}
 
   private:
-    // A contact of the step's beginning.
-    struct Grip {
-        std::array<int, 3> nodes;
-        std::array<double, 3> weights;
-        Vec3 normal;
-        double limit_un;     // mu N
-        Vec3 anchor_mm;      // where the tool takes the point
-        bool slows = false;  // it slips, but is about to stick
-    };
-    static Vec3 point_of(const Grip& grip, std::span<const Vec3> positions_mm);
-    static Vec3 slip_of(const Grip& grip, std::span<const Vec3> positions_mm);
-    double energy_of(const Grip& grip, std::span<const Vec3> positions_mm) const;
-    Vec3 force_of(const Grip& grip, std::span<const Vec3> positions_mm) const;
-    Mat3 stiffness_of(const Grip& grip, std::span<const Vec3> positions_mm) const;
+    std::vector<Grip> grips_of(std::span<const Vec3> start_mm, double dt_s) const override;
 
-    const Body& body_;
     const ToolContact& contact_;
-    std::vector<Grip> grips_;
-    double creep_mm_ = 0.0;  // e
-    std::span<const std::uint8_t> held_;
 };
 
 }  // namespace hepatica

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/momentum_check.h"
@@ -68,8 +69,8 @@ StepReport BackwardEuler::advance(BodyState& state, double dt_s, const Potential
     std::optional<StepReport> report;
     double left_s = dt_s;
     int solves_left = settings_.iterations + settings_.extra_solves;
-    for (int impacts_left = potentials.tool() || potentials.self() ? most_impacts : 0;;
-         --impacts_left) {
+    const bool meets = potentials.tool() || potentials.self() || potentials.obstacles();
+    for (int impacts_left = meets ? most_impacts : 0;; --impacts_left) {
         double part_s = left_s;
         if (impacts_left > 0 && solves_left >= 2)
             part_s *= std::max(least_part, share_until_touch(state, left_s, potentials));
@@ -192,8 +193,13 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     report.tool = potentials.tool_load(state.positions_mm);
     report.tool.impulse_un_s = dt_s * report.tool.force_un;
     if (potentials.self()) {
-        report.self = potentials.self()->load(state.positions_mm);
-        report.self_cost = potentials.self()->take_cost();
+        report.self = load_of(potentials.self()->contacts(state.positions_mm));
+        report.self_cost = potentials.self()->pairs().take_cost();
+    }
+    if (potentials.obstacles()) {
+        report.obstacles = potentials.obstacle_load(state.positions_mm);
+        report.obstacles.impulse_un_s = dt_s * report.obstacles.force_un;
+        report.obstacle_cost = potentials.obstacles()->pairs().take_cost();
     }
     return report;
 }

@@ -15,7 +15,7 @@ bool any(std::span<const std::uint8_t> flags) {
 bool is_free(const Body& body, const PotentialList& potentials,
              std::span<const std::uint8_t> held) {
     return !any(held) && potentials.grabs().empty() && !potentials.tool() &&
-           body.damping.alpha_per_s == 0.0 &&
+           !potentials.obstacles() && body.damping.alpha_per_s == 0.0 &&
            std::ranges::all_of(body.tether_un_per_mm, [](double k) { return k == 0.0; });
 }
 

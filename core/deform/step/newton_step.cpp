@@ -133,12 +133,10 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
                       potential_.live().held(), residual_, change_, settings_.linear, step.stop)
                 : solver_->solve(residual_, change_, settings_.linear);
     if (solver_->made_from_latest()) {
-        made_from_ = origin_of(step);
-        made_with_.reset();
+        made_ = {.made_from = origin_of(step), .overlaps = step.potentials.kept_overlaps()};
         if (step.potentials.tool())
-            made_with_ = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
-        made_while_.reset();
-        if (step.potentials.self()) made_while_ = step.potentials.self()->kept_overlaps();
+            made_.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
+        if (step.potentials.obstacles()) made_.began_mm = step.start.positions_mm;
     }
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;
@@ -185,12 +183,15 @@ void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
                          "Make the stepper of the body that it was taken of");
     PotentialList potentials(body_);
     potentials.set_grabs(origin.grabs);
-    if (checkpoint.overlaps) potentials.set_overlaps(*checkpoint.overlaps);
+    potentials.set_overlaps(checkpoint.overlaps);
+    std::vector<Vec3> began_mm = origin.first_mm;
     if (with) {
-        validate_state(with->start_mm, with->start_mm, nodes);
         potentials.set_tool(with->tool);
+        began_mm = with->start_mm;
     }
-    potentials.begin_step({with ? with->start_mm : origin.first_mm, {}}, origin.dt_s, origin.held);
+    if (!checkpoint.began_mm.empty()) began_mm = checkpoint.began_mm;
+    validate_state(began_mm, began_mm, nodes);
+    potentials.begin_step({began_mm, {}}, origin.dt_s, origin.held);
     VelocityError error;
     error.set(origin.velocity_error);
     const BodyState start{origin.first_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
@@ -242,9 +243,7 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         throw;
     }
     back_to_present();
-    made_from_ = origin;
-    made_with_ = checkpoint.tool;
-    made_while_ = checkpoint.overlaps;
+    made_ = checkpoint;
 }
 
 // To be called while the assembly's slots hold the start of the step.
@@ -306,9 +305,9 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
     return false;
 }
 
-// Whether a tool is there, surfaces touch, or the last direction was cut lest they pass.
+// Whether something is touched, or the last direction was cut lest anything pass.
 bool NewtonStep::meets_pads(const StepUnderway& step) const {
-    return step.potentials.tool() || step.free < 1.0 || step.potentials.coupled(step.positions);
+    return step.free < 1.0 || step.potentials.touches(step.positions);
 }
 
 // How much of the direction may be taken so that nothing passes through anything.

@@ -61,7 +61,9 @@ class NewtonStep {
     // and leaves the potential at other positions; it throws InputError where the checkpoint does
     // not fit the body or the solver.
     SolverCheckpoint checkpoint() const {
-        return {made_from_, solver_->memory(), made_with_, made_while_};
+        SolverCheckpoint kept = made_;
+        kept.memory = solver_->memory();
+        return kept;
     }
     void restore(const SolverCheckpoint& checkpoint);
 
@@ -100,10 +102,8 @@ class NewtonStep {
     std::unique_ptr<LinearSolver> solver_;
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    std::optional<MatrixOrigin> made_from_;   // see LinearSolver::made_from_latest
-    std::optional<ToolOrigin> made_with_;     // of the same matrix
-    std::optional<OverlapsKept> made_while_;  // of the same matrix
-    std::vector<Vec3> first_mm_;              // where the first iterate's matrix was made
+    SolverCheckpoint made_;       // but its memory; see LinearSolver::made_from_latest
+    std::vector<Vec3> first_mm_;  // where the first iterate's matrix was made
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction
     std::vector<Vec3> direction_;  // of the velocity

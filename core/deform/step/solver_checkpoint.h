@@ -37,10 +37,12 @@ struct ToolOrigin {
 
 // What a linear solver carries from one step to the next.
 struct SolverCheckpoint {
-    std::optional<MatrixOrigin> made_from;   // of its factor or preconditioner, where it has one
-    std::vector<double> memory;              // see LinearSolver::memory
-    std::optional<ToolOrigin> tool{};        // none where the matrix knew no tool
-    std::optional<OverlapsKept> overlaps{};  // of that matrix; none where surfaces do not touch
+    std::optional<MatrixOrigin> made_from{};  // of its factor or preconditioner, where it has one
+    std::vector<double> memory{};             // see LinearSolver::memory
+    std::optional<ToolOrigin> tool{};         // none where the matrix knew no tool
+    SurfacesKept overlaps{};                  // of that matrix
+    std::vector<Vec3>
+        began_mm{};  // where its step began, of which obstacles' friction is; else empty
 };
 
 }  // namespace hepatica

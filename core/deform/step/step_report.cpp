@@ -21,7 +21,12 @@ StepReport in_sequence(const StepReport& first, const StepReport& second) {
     both.tool.impulse_un_s += first.tool.impulse_un_s;
     both.self.contacts = std::max(first.self.contacts, second.self.contacts);
     both.self.least_gap_mm = std::min(first.self.least_gap_mm, second.self.least_gap_mm);
+    SelfLoad& touch = both.obstacles.touch;
+    touch.contacts = std::max(first.obstacles.touch.contacts, touch.contacts);
+    touch.least_gap_mm = std::min(first.obstacles.touch.least_gap_mm, touch.least_gap_mm);
+    both.obstacles.impulse_un_s += first.obstacles.impulse_un_s;
     both.self_cost.step_ms += first.self_cost.step_ms;
+    both.obstacle_cost.step_ms += first.obstacle_cost.step_ms;
     both.momentum_error_g_mm_per_s += first.momentum_error_g_mm_per_s;
     both.momentum_exchanged_g_mm_per_s += first.momentum_exchanged_g_mm_per_s;
     both.audit_gap_nj += first.audit_gap_nj;

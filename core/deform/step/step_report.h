@@ -26,9 +26,10 @@ struct StepReport {
     bool asleep = false;     // nothing moved: the step was skipped
     std::string message;     // why degraded, in words
     EnergyLedger energy;
-    ToolLoad tool;  // at the end of the step; of a sleeping body that of its last
-    SelfLoad self;  // as `tool`
-    SelfCost self_cost;
+    ToolLoad tool;           // at the end of the step; of a sleeping body that of its last
+    SelfLoad self;           // as `tool`
+    ObstacleLoad obstacles;  // as `tool`
+    SelfCost self_cost, obstacle_cost;
     TearReport tear;  // at the end of the step, where the body may tear
     // Where surfaces may touch: see MomentumBalance.
     double momentum_error_g_mm_per_s = 0.0, momentum_exchanged_g_mm_per_s = 0.0;

@@ -77,11 +77,8 @@ class CpuBackEnd final : public StepBackEnd {
         return potentials_->free_of_tool(positions_mm);
     }
 
-    std::optional<OverlapsKept> overlaps() const override {
-        if (!potentials_->self()) return std::nullopt;
-        return potentials_->self()->kept_overlaps();
-    }
-    void set_overlaps(const OverlapsKept& kept) override { potentials_->set_overlaps(kept); }
+    SurfacesKept overlaps() const override { return potentials_->kept_overlaps(); }
+    void set_overlaps(const SurfacesKept& kept) override { potentials_->set_overlaps(kept); }
     std::vector<std::array<int, 2>> touching_nodes() const override;
 
     bool set_options(const StepperOptions& options) override {
@@ -104,7 +101,7 @@ class CpuBackEnd final : public StepBackEnd {
             report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
             report.energy.cohesion -= report.energy.tear_loss;
         }
-        if (potentials_->self()) potentials_->self()->let_go(state_.positions_mm);
+        potentials_->let_go(state_.positions_mm);
         return report;
     }
 
@@ -122,7 +119,7 @@ class CpuBackEnd final : public StepBackEnd {
     const BodyState& state() const override { return state_; }
     void set_state(const BodyState& state) override {
         state_ = state;
-        if (potentials_->self()) potentials_->self()->find_overlaps(state_.positions_mm);
+        potentials_->find_overlaps(state_.positions_mm);
         if (potentials_->ties()) potentials_->ties()->turn(state_.positions_mm);
         integrator_->forget();
     }
@@ -177,8 +174,7 @@ void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     const std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
-    std::optional<BeforeTear> surface;
-    if (potentials_->self()) surface = potentials_->self()->before_tear();
+    const PotentialList::SurfacesBeforeTear surfaces = potentials_->before_tear();
     body_ = build_body(torn(whole, tear), options_.model, options_.order);
     body_.parted_pairs = tear.parted_pairs;
     inherit(tear.parents, state_.positions_mm);
@@ -189,7 +185,7 @@ void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     potentials_->set_gravity(gravity);
     potentials_->set_tool(tool);
     potentials_->ties()->set(tear.law, tear.ties, state_.positions_mm);
-    if (surface) potentials_->self()->follow_split(*surface, tear.parents, state_.positions_mm);
+    potentials_->follow_split(surfaces, tear.parents, state_.positions_mm);
     integrator_.emplace(body_, newton_of(options_), std::move(solver));
 }
 

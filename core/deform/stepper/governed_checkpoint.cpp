@@ -14,6 +14,13 @@ namespace {
                      "Make a stepper of that kind");
 }
 
+SurfacesKept overlaps_of(const StepperCheckpoint& checkpoint) {
+    SurfacesKept kept;
+    if (checkpoint.self) kept.self = checkpoint.self->overlaps;
+    if (checkpoint.obstacles) kept.obstacles = checkpoint.obstacles->touch.overlaps;
+    return kept;
+}
+
 }  // namespace
 
 StepperCheckpoint GovernedStepper::checkpoint() const {
@@ -31,8 +38,13 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
                            .solver = back_end_->checkpoint(),
                            .region = {}};
     if (region_) kept.region = region_->checkpoint();
-    if (const auto overlaps = back_end_->overlaps())
-        kept.self = SelfCheckpoint{*overlaps, self_load_, resting_.contact};
+    const SurfacesKept overlaps = back_end_->overlaps();
+    if (overlaps.self) kept.self = SelfCheckpoint{*overlaps.self, self_load_, resting_.contact};
+    if (overlaps.obstacles)
+        kept.obstacles =
+            ObstacleCheckpoint{{*overlaps.obstacles, obstacle_load_.touch, resting_.contact},
+                               obstacle_load_.force_un,
+                               obstacle_load_.impulse_un_s};
     if (tearing_) kept.tear = tearing_->state();
     if (tool()) kept.tool = ToolCheckpoint{*tool(), tool_led_, tool_load_, resting_.contact};
     return kept;
@@ -48,9 +60,13 @@ void GovernedStepper::require_same_kind(const StepperCheckpoint& checkpoint) con
     if (checkpoint.region.has_value() != region_.has_value())
         refuse_kind(checkpoint.region.has_value(), "is of a stepper that computes a part",
                     "is of a stepper that computes the whole body");
-    if (checkpoint.self.has_value() != back_end_->overlaps().has_value())
+    const SurfacesKept overlaps = back_end_->overlaps();
+    if (checkpoint.self.has_value() != overlaps.self.has_value())
         refuse_kind(checkpoint.self.has_value(), "is of a body whose surfaces touch each other",
                     "is of a body whose surfaces do not touch each other");
+    if (checkpoint.obstacles.has_value() != overlaps.obstacles.has_value())
+        refuse_kind(checkpoint.obstacles.has_value(), "is of a body beside obstacles",
+                    "is of a body without obstacles");
 }
 
 void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
@@ -71,12 +87,12 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
 
 void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
                                      std::optional<Tearing> tearing) {
-    const std::optional<OverlapsKept> overlaps = back_end_->overlaps();
+    const SurfacesKept overlaps = back_end_->overlaps();
     const BodyState present = back_end_->state();
     tearing_.swap(tearing);
     try {
         if (tearing_) follow_tear(*back_end_);
-        if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
+        back_end_->set_overlaps(overlaps_of(checkpoint));
         back_end_->restore(checkpoint.solver);
     } catch (...) {
         tearing_.swap(tearing);
@@ -85,7 +101,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
             back_end_->set_state(present);
             if (region_) back_end_->freeze(frozen_nodes());
         }
-        if (overlaps) back_end_->set_overlaps(*overlaps);
+        back_end_->set_overlaps(overlaps);
         throw;
     }
 }
@@ -93,8 +109,11 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
 void GovernedStepper::restore_motion(const StepperCheckpoint& checkpoint) {
     stress_pa_.clear();
     back_end_->set_state(checkpoint.nodes);
-    if (checkpoint.self) back_end_->set_overlaps(checkpoint.self->overlaps);
+    back_end_->set_overlaps(overlaps_of(checkpoint));
     self_load_ = checkpoint.self ? checkpoint.self->last_load : SelfLoad{};
+    obstacle_load_ = {};
+    if (const auto& kept = checkpoint.obstacles)
+        obstacle_load_ = {kept->touch.last_load, kept->last_force_un, kept->last_impulse_un_s};
     const std::optional<ToolCheckpoint>& tool = checkpoint.tool;
     back_end_->set_tool(tool ? std::optional(tool->tool) : std::nullopt);
     tool_led_ = tool && tool->led;
@@ -115,6 +134,7 @@ void GovernedStepper::restore_motion(const StepperCheckpoint& checkpoint) {
     resting_.tether = checkpoint.last_tether;
     resting_.cohesion = back_end_->energies().cohesion;
     if (checkpoint.self) resting_.contact = checkpoint.self->last_contact;
+    if (checkpoint.obstacles) resting_.contact = checkpoint.obstacles->touch.last_contact;
     if (tool) resting_.contact = tool->last_contact;
 }
 

@@ -211,7 +211,7 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
         other->set_grabs(grabs_);
         other->set_state(back_end_->state());
         other->set_tool(back_end_->tool());
-        if (const auto overlaps = back_end_->overlaps()) other->set_overlaps(*overlaps);
+        other->set_overlaps(back_end_->overlaps());
         if (region_) other->freeze(frozen_nodes());
         back_end_ = std::move(other);
     }
@@ -252,6 +252,7 @@ StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
         if (tearing_) report.tear = tearing_->report();
         report.tool = tool_load_;
         report.self = self_load_;
+        report.obstacles = obstacle_load_;
     } else {
         const double part_s = dt_s / options_.substeps;
         for (int s = 0; s < options_.substeps; ++s) {
@@ -268,6 +269,7 @@ StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
         if (tearing_) tear(report);
         tool_load_ = report.tool;
         self_load_ = report.self;
+        obstacle_load_ = report.obstacles;
         resting_ = report.energy;
         watch(dt_s, report);
     }

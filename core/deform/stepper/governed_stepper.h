@@ -85,11 +85,12 @@ class GovernedStepper final : public LiveStepper {
     std::vector<double> energy_nj_;  // as well
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
-    bool tool_led_ = false;   // the tool is on its way
-    ToolLoad tool_load_;      // of the last step
-    SelfLoad self_load_;      // as well
-    double tool_work_ = 0.0;  // of grabs and tool since the last step [nJ]
-    double lost_ = 0.0;       // kinetic energy of nodes frozen since the last step [nJ]
+    bool tool_led_ = false;       // the tool is on its way
+    ToolLoad tool_load_;          // of the last step
+    SelfLoad self_load_;          // as well
+    ObstacleLoad obstacle_load_;  // as well
+    double tool_work_ = 0.0;      // of grabs and tool since the last step [nJ]
+    double lost_ = 0.0;           // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
     double settled_s_ = 0.0;  // the same for the threshold of the search for inverted elements
     EnergyLedger resting_;    // energies at the end of the last step; a sleeping body reports them

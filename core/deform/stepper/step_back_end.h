@@ -41,10 +41,10 @@ class StepBackEnd {
     virtual std::vector<int> vertices_near_tool() const = 0;
     // Whether no part of the body is in the tool when its nodes are at these places.
     virtual bool free_of_tool(std::span<const Vec3> positions_mm) const = 0;
-    // What of the body overlaps and does not count as touching; none where its surfaces do not
-    // touch each other. set_overlaps() throws InputError where it is not of this body.
-    virtual std::optional<OverlapsKept> overlaps() const = 0;
-    virtual void set_overlaps(const OverlapsKept& kept) = 0;
+    // What of the body overlaps itself or obstacles and does not count as touching; none where it
+    // does not touch these. set_overlaps() throws InputError where it is not of this body.
+    virtual SurfacesKept overlaps() const = 0;
+    virtual void set_overlaps(const SurfacesKept& kept) = 0;
     // Nodes that touch each other, by pairs.
     virtual std::vector<std::array<int, 2>> touching_nodes() const = 0;
     // Returns false, and changes nothing, where these options need another back end.

@@ -108,6 +108,16 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
+    value.touch;
+}
+{
+    fields(visit, value.touch);
+    visit(value.last_force_un);
+    visit(value.last_impulse_un_s);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
     value.iterate_mm;
 }
 {
@@ -171,7 +181,8 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.made_from);
     visit(value.solver.memory);
     visit(value.region);
-    visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps, value.tear);
+    visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps, value.tear,
+                     value.obstacles, value.solver.began_mm);
 }
 
 // Gives the bytes of every field to a sink.
@@ -201,15 +212,21 @@ class Writer {
         if (value) put_record(*value);
     }
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
-                    const auto& tear) {
-        const bool of_surfaces = self || overlaps || tear;
+                    const auto& tear, const auto& obstacles, const auto& began_mm) {
+        const bool of_obstacles = obstacles || overlaps.obstacles;
+        const bool of_surfaces = self || overlaps.self || tear || of_obstacles;
         if (!tool && !made_with && !of_surfaces) return;
         (*this)(tool);
         (*this)(made_with);
         if (!of_surfaces) return;
         (*this)(self);
-        (*this)(overlaps);
-        if (tear) (*this)(tear);
+        (*this)(overlaps.self);
+        if (!tear && !of_obstacles) return;
+        (*this)(tear);
+        if (!of_obstacles) return;
+        (*this)(obstacles);
+        (*this)(overlaps.obstacles);
+        (*this)(began_mm);
     }
 
   private:
@@ -278,19 +295,26 @@ class Reader {
     void operator()(std::optional<Record>& value) {
         if (take_flag()) take_record(value.emplace());
     }
-    void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps, auto& tear) {
+    void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps, auto& tear,
+                    auto& obstacles, auto& began_mm) {
         if (rest_.empty()) return;
         (*this)(tool);
         (*this)(made_with);
         bool used = tool || made_with;
         if (!rest_.empty()) {
             (*this)(self);
-            (*this)(overlaps);
-            used = self || overlaps;
+            (*this)(overlaps.self);
+            used = self || overlaps.self;
         }
         if (!rest_.empty()) {
             (*this)(tear);
             used = tear.has_value();
+        }
+        if (!rest_.empty()) {
+            (*this)(obstacles);
+            (*this)(overlaps.obstacles);
+            (*this)(began_mm);
+            used = obstacles || overlaps.obstacles;
         }
         if (!used) refuse("goes on after its end");
     }

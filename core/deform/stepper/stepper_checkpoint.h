@@ -46,6 +46,13 @@ struct SelfCheckpoint {
     double last_contact = 0.0;  // of the last step [nJ]
 };
 
+// Obstacles beside the body.
+struct ObstacleCheckpoint {
+    SelfCheckpoint touch;
+    Vec3 last_force_un = Vec3::Zero();  // of the last step, and
+    Vec3 last_impulse_un_s = Vec3::Zero();
+};
+
 struct StepperCheckpoint {
     BodyState nodes;  // vertices, then edge middles
     std::vector<Grab> grabs;
@@ -59,10 +66,11 @@ struct StepperCheckpoint {
     double last_grab = 0.0;
     double last_tether = 0.0;
     SolverCheckpoint solver;
-    std::optional<RegionCheckpoint> region;  // of a stepper with a live region
-    std::optional<ToolCheckpoint> tool{};    // where there is a tool
-    std::optional<SelfCheckpoint> self{};    // where surfaces touch each other
-    std::optional<TearState> tear{};         // where the body may tear
+    std::optional<RegionCheckpoint> region;         // of a stepper with a live region
+    std::optional<ToolCheckpoint> tool{};           // where there is a tool
+    std::optional<SelfCheckpoint> self{};           // where surfaces touch each other
+    std::optional<TearState> tear{};                // where the body may tear
+    std::optional<ObstacleCheckpoint> obstacles{};  // where there are any
 };
 
 // Hash of every field. Without a tool it is the hash of the others alone.
@@ -71,8 +79,8 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 // "hepatica checkpoint 3\n", then the fields in the order above, little-endian: numbers as 8 bytes
 // (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
 // their length; an optional field after a length of 0 or 1. The two optional
-// fields of tools stand behind all others, then those of surfaces, then that of tears: not at all
-// where there is none of them or behind them.
+// fields of tools stand behind all others, then those of surfaces, then that of tears, then those
+// of obstacles: not at all where there is none of them or behind them.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number

@@ -122,7 +122,7 @@ TEST(SelfContact, ThePadsLawInClosedForm) {
     body.self_pad = {0.4, 1000.0};  // half the distance at rest is more
     const SelfContact contact(body);
     double area = 0.0;
-    for (const auto& triangle : body.self_surface) {
+    for (const auto& triangle : body.touching_surface) {
         const Triangle c = corners_of(triangle, body.rest_positions_mm);
         for (const int node : triangle)
             if (node == 4) area += (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6.0;
@@ -142,8 +142,8 @@ TEST(SelfContact, ThePadsLawInClosedForm) {
         contact.add_product(x, 1.0, upwards, BlockMatrix(), product);
         const double stiffness = 0.5 * area * 1000.0 / (0.4 * (1.0 - pressed) * (1.0 - pressed));
         EXPECT_NEAR(product[4].z(), stiffness, 1e-9 * stiffness);
-        EXPECT_EQ(contact.load(x).contacts, 1);
-        EXPECT_NEAR(contact.load(x).least_gap_mm, 0.4 * (1.0 - pressed), 1e-12);
+        EXPECT_EQ(load_of(contact.contacts(x)).contacts, 1);
+        EXPECT_NEAR(load_of(contact.contacts(x)).least_gap_mm, 0.4 * (1.0 - pressed), 1e-12);
     }
 }
 
@@ -151,7 +151,7 @@ TEST(SelfContact, IsEmptyAtRestAndWhereItFliesAsAWhole) {
     const Body body = built(crossed_bars(0.02));  // within a pad of each other
     const SelfContact contact(body);
     EXPECT_TRUE(contact.contacts(body.rest_positions_mm).empty());
-    EXPECT_FALSE(contact.overlaps().any());
+    EXPECT_FALSE(contact.pairs().overlaps().any());
     std::vector<Vec3> moved = body.rest_positions_mm;
     for (Vec3& x : moved) x = test::about_z(0.7) * x + Vec3(500, -300, 40);
     EXPECT_TRUE(contact.contacts(moved).empty());
@@ -160,7 +160,7 @@ TEST(SelfContact, IsEmptyAtRestAndWhereItFliesAsAWhole) {
     // The upper one goes down.
     moved = body.rest_positions_mm;
     for (std::size_t i = moved.size() / 2; i < moved.size(); ++i) moved[i].z() -= 0.019;
-    EXPECT_GT(contact.load(moved).contacts, 0);
+    EXPECT_GT(load_of(contact.contacts(moved)).contacts, 0);
 }
 
 // By 0.01 to 1000 mm a step, from above, aside and askew: what is left of a motion leaves a tenth
@@ -179,7 +179,7 @@ TEST(SelfContact, MotionsEndBeforeAnythingPasses) {
             EXPECT_LT(share * down, 2.0) << size << " " << way.transpose();
             for (std::size_t i = half; i < to.size(); ++i)
                 to[i] = body.rest_positions_mm[i] + share * size * way;
-            const SelfLoad load = contact.load(to);
+            const SelfLoad load = load_of(contact.contacts(to));
             EXPECT_TRUE(share == 1.0 || (share * down > 1.5 && load.least_gap_mm > 0.0));
             EXPECT_TRUE(std::isfinite(contact.energy(to, to)));
         }

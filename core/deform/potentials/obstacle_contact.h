@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The body's surface and obstacles, as a potential: the pads of surface_pairs.h between its
+// features and those of rigid surfaces that stand still. All blocks of the stiffness are within one
+// feature of the body, so that the matrix holds it whole. A surface is no wall with two sides but a
+// sheet that nothing passes: what is outside of a tumour stays outside, what is in the liver stays
+// in. Its term of the ledger is `contact`. What overlaps at rest: see Overlaps.
+#pragma once
+
+#include <vector>
+
+#include "core/deform/body/body.h"
+#include "core/deform/potentials/coulomb_friction.h"
+#include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/surface_pairs.h"
+
+namespace hepatica {
+
+// A point of the body in an obstacle's pad: a vertex, a point of an edge or of a triangle.
+struct ObstacleContactPoint {
+    std::array<int, 3> nodes{};  // as in Grip
+    std::array<double, 3> weights{};
+    Vec3 normal = Vec3::Zero();  // from the obstacle to the body, of length 1
+};
+
+// Keeps a reference to the body, which has obstacles. Keeps what it found last: not thread-safe.
+class ObstacleContact final : public Potential {
+  public:
+    explicit ObstacleContact(const Body& body);
+
+    // Nodes from Body::node_count() on are those of the obstacles, one after the other.
+    const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const;
+    ObstacleContactPoint point_of(const SurfaceContact& contact) const;
+    double friction() const { return body_.obstacles->friction; }
+    // What of the two overlaps, what finding it costs; of positions of the body's nodes.
+    SurfacePairs& pairs() { return *pairs_; }
+    const SurfacePairs& pairs() const { return *pairs_; }
+    void let_go(std::span<const Vec3> positions_mm) { pairs_->let_go(all_from(positions_mm)); }
+    void find_overlaps(std::span<const Vec3> positions_mm) {
+        pairs_->find_overlaps(all_from(positions_mm));
+    }
+    void follow_split(const BeforeTear& before, std::span<const int> parents,
+                      std::span<const Vec3> positions_mm) {
+        pairs_->follow_split(before, parents, all_from(positions_mm));
+    }
+
+    double energy(std::span<const Vec3> positions_mm,
+                  std::span<const Vec3> reference_mm) const override;
+    void add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
+                             std::span<const int> piece_of_node,
+                             std::span<double> energy_nj) const override;
+    void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const override;
+    void add_stiffness(std::span<const Vec3> positions_mm, double factor,
+                       BlockMatrix& matrix) const override;
+    void add_product(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
+                     const BlockMatrix& pattern, std::span<Vec3> product) const override;
+    void mark_held(std::span<const Vec3> positions_mm, std::span<char> held) const override;
+    void begin_step(const BodyState&, double, std::span<const std::uint8_t> held) override {
+        held_ = held;
+    }
+    void end_step() override { held_ = {}; }
+    void book(double energy_nj, EnergyLedger& ledger) const override {
+        ledger.contact += energy_nj;
+    }
+    double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const override;
+    double share_until_touch(std::span<const Vec3> from_mm,
+                             std::span<const Vec3> to_mm) const override;
+
+  private:
+    // The places of all nodes, those of the obstacles behind the body's; until the next call.
+    std::span<const Vec3> all_from(std::span<const Vec3> positions_mm) const;
+    std::span<const Vec3> all_to(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
+
+    const Body& body_;
+    std::vector<Vec3> rest_mm_;                  // of all nodes
+    mutable std::vector<Vec3> from_mm_, to_mm_;  // likewise
+    std::optional<SurfacePairs> pairs_;          // always there
+    std::span<const std::uint8_t> held_;
+};
+
+// Friction between the body and obstacles. Keeps references to both.
+class ObstacleFriction final : public CoulombFriction {
+  public:
+    ObstacleFriction(const Body& body, const ObstacleContact& contact)
+        : CoulombFriction(body), contact_(contact) {}
+
+  private:
+    std::vector<Grip> grips_of(std::span<const Vec3> start_mm, double dt_s) const override;
+
+    const ObstacleContact& contact_;
+};
+
+}  // namespace hepatica

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/deform/potentials/surface_pairs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/contact/time_of_contact.h"
+#include "core/deform/body/torn_body.h"
+#include "core/deform/potentials/pad_barrier.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double least_part = 0.1;         // of a gap, that a motion leaves
+constexpr double touched = 0.5;            // of the pad
+constexpr double nearly_parallel = 0.01;   // sin^2 of the angle between edges
+constexpr double touching_at_rest = 0.05;  // of the pad
+constexpr double slack_edges = 0.25;       // of the search, see PairCover
+constexpr double band = 1e-3;              // of a gap, for times of contact
+constexpr std::size_t pairs_per_block = 64;
+
+// Adds the time between its construction and destruction to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms) {}
+    ~Stopwatch() {
+        const std::chrono::duration<double, std::milli> gone = Clock::now() - begin_;
+        sum_ms_ += gone.count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_ms_;
+    Clock::time_point begin_ = Clock::now();
+};
+
+Segment segment(const FeaturePair& pair, int first, std::span<const Vec3> x) {
+    return {x[pair.nodes[first]], x[pair.nodes[first + 1]]};
+}
+
+Triangle triangle(const FeaturePair& pair, std::span<const Vec3> x) {
+    return {x[pair.nodes[1]], x[pair.nodes[2]], x[pair.nodes[3]]};
+}
+
+// The nearest points of the two features.
+PointPair nearest(const FeaturePair& pair, std::span<const Vec3> x) {
+    PointPair at{.nodes = pair.nodes, .in_first = pair.of_edges ? 2 : 1};
+    if (pair.of_edges) {
+        const SegmentSegment on = closest(segment(pair, 0, x), segment(pair, 2, x));
+        at.weights = {1.0 - on.along_first, on.along_first, on.along_second - 1.0,
+                      -on.along_second};
+    } else {
+        const PointTriangle on = closest(x[pair.nodes[0]], triangle(pair, x));
+        at.weights = {1.0, -on.weights[0], -on.weights[1], -on.weights[2]};
+    }
+    return at;
+}
+
+double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
+    return std::sqrt(pair.of_edges ? closest(segment(pair, 0, x), segment(pair, 2, x)).squared_mm2
+                                   : closest(x[pair.nodes[0]], triangle(pair, x)).squared_mm2);
+}
+
+// A lower bound on the distance of the two features, squared: that of their boxes.
+double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x) {
+    const int in_first = pair.of_edges ? 2 : 1;
+    Box first, second;
+    for (int a = 0; a < 4; ++a) (a < in_first ? first : second).add(x[pair.nodes[a]]);
+    const Vec3 apart = (first.low - second.high).cwiseMax(second.low - first.high);
+    return apart.cwiseMax(Vec3::Zero()).squaredNorm();
+}
+
+// An upper bound on how much the distance of the two features decreases.
+double approach_mm(const FeaturePair& pair, std::span<const Vec3> from, std::span<const Vec3> to) {
+    const auto moved = [&](int a) -> Vec3 { return to[pair.nodes[a]] - from[pair.nodes[a]]; };
+    const int in_first = pair.of_edges ? 2 : 1;
+    double squared = 0.0;
+    for (int a = 0; a < in_first; ++a)
+        for (int b = in_first; b < 4; ++b)
+            squared = std::max(squared, (moved(a) - moved(b)).squaredNorm());
+    return std::sqrt(squared);
+}
+
+std::optional<double> time_to(const FeaturePair& pair, std::span<const Vec3> from,
+                              std::span<const Vec3> to, double keep_mm, double tolerance_mm) {
+    if (pair.of_edges)
+        return time_of_contact(Motion<Segment>{segment(pair, 0, from), segment(pair, 0, to)},
+                               Motion<Segment>{segment(pair, 2, from), segment(pair, 2, to)},
+                               keep_mm, tolerance_mm);
+    return time_of_contact(Motion<Vec3>{from[pair.nodes[0]], to[pair.nodes[0]]},
+                           Motion<Triangle>{triangle(pair, from), triangle(pair, to)}, keep_mm,
+                           tolerance_mm);
+}
+
+std::vector<int> one_by_one(const Overlaps::Pairs& pairs) {
+    std::vector<int> all;
+    for (const auto& pair : pairs) all.insert(all.end(), pair.begin(), pair.end());
+    return all;
+}
+
+Overlaps::Pairs in_pairs(const std::vector<int>& all) {
+    Overlaps::Pairs pairs;
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2) pairs.push_back({all[i], all[i + 1]});
+    return pairs;
+}
+
+}  // namespace
+
+SurfacePairs::SurfacePairs(SurfaceFeatures features, std::span<const Vec3> rest_mm,
+                           int moving_nodes, const Body::Pad& pad, double mean_edge_mm)
+    : rest_mm_(rest_mm),
+      moving_nodes_(moving_nodes),
+      pad_(pad),
+      features_(std::move(features)),
+      overlaps_(features_),
+      at_rest_(features_),
+      cover_(features_, pad_.thickness_mm, slack_edges * mean_edge_mm) {
+    const Stopwatch watch(build_ms_);
+    at_rest_.find(rest_mm, touching_at_rest * pad_.thickness_mm);
+    overlaps_.set(at_rest_.touching(), at_rest_.buried());
+    find_clearances();
+    candidates(rest_mm, rest_mm);
+}
+
+void SurfacePairs::forget() {
+    cover_.forget();
+    looked_at_mm_.clear();
+}
+
+void SurfacePairs::let_go(std::span<const Vec3> positions_mm) {
+    const Stopwatch watch(spent_ms_);
+    if (!overlaps_.let_go(positions_mm, pad_.thickness_mm)) return;
+    forget();
+}
+
+void SurfacePairs::find_overlaps(std::span<const Vec3> positions_mm) {
+    overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm, &at_rest_);
+    forget();
+}
+
+BeforeTear SurfacePairs::before_tear() const {
+    const OverlapsBefore now{features_, overlaps_.touching(), overlaps_.buried()};
+    if (whole_) return {now, moving_nodes_, whole_, whole_nodes_};
+    const OverlapsBefore rest{features_, at_rest_.touching(), at_rest_.buried()};
+    return {now, moving_nodes_, std::make_shared<OverlapsBefore>(rest), moving_nodes_};
+}
+
+// Those that stand still stay behind all others.
+std::vector<int> SurfacePairs::came_from(std::span<const int> parents, int nodes_before) const {
+    std::vector<int> from = hepatica::nodes_before(parents, nodes_before);
+    for (std::size_t v = parents.size(); v < rest_mm_.size(); ++v)
+        from.push_back(nodes_before + static_cast<int>(v - parents.size()));
+    return from;
+}
+
+// At rest it goes on from the whole, so that it is the same however it was torn.
+void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> parents,
+                                std::span<const Vec3> positions_mm) {
+    const Stopwatch watch(spent_ms_);
+    whole_ = before.whole;
+    whole_nodes_ = before.whole_nodes;
+    at_rest_.follow_split(*whole_, came_from(parents, whole_nodes_), rest_mm_,
+                          touching_at_rest * pad_.thickness_mm);
+    overlaps_.follow_split(before.overlaps, came_from(parents, before.nodes), positions_mm,
+                           pad_.thickness_mm, &at_rest_);
+    find_clearances();
+    forget();
+}
+
+bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps) {
+    return kept.touching.size() % 2 == 0 && kept.buried.size() % 2 == 0 &&
+           overlaps.set(in_pairs(kept.touching), in_pairs(kept.buried));
+}
+
+bool SurfacePairs::set_overlaps(const OverlapsKept& kept) {
+    if (!set_pairs(kept, overlaps_)) return false;
+    forget();
+    return true;
+}
+
+OverlapsKept SurfacePairs::kept_overlaps() const {
+    return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried())};
+}
+
+void SurfacePairs::find_clearances() {
+    if (!features_.beside_obstacles()) return;
+    node_clearance_mm_.assign(rest_mm_.size(), INFINITY);
+    edge_clearance_mm_.assign(features_.edges().size(), INFINITY);
+    triangle_clearance_mm_.assign(features_.surface().triangles().size(), INFINITY);
+    std::vector<FeaturePair> near;
+    NearPairs(features_, 0.0)
+        .add_between_strangers(
+            {rest_mm_, rest_mm_, 2.0 * pad_.thickness_mm},
+            [&](int p, int q) { return at_rest_.left_out(p, q); }, near);
+    const auto take = [](double& least, double distance) { least = std::min(least, distance); };
+    for (const FeaturePair& pair : near) {
+        const double apart = distance_mm(pair, rest_mm_);
+        if (pair.of_edges)
+            take(edge_clearance_mm_[of_obstacle(pair.nodes[0]) ? pair.second : pair.first], apart);
+        else if (of_obstacle(pair.first))
+            take(triangle_clearance_mm_[pair.second], apart);
+        else
+            take(node_clearance_mm_[pair.first], apart);
+    }
+}
+
+double SurfacePairs::clearance_of(const FeaturePair& pair) const {
+    if (pair.of_edges)
+        return edge_clearance_mm_[of_obstacle(pair.nodes[0]) ? pair.second : pair.first];
+    return of_obstacle(pair.first) ? triangle_clearance_mm_[pair.second]
+                                   : node_clearance_mm_[pair.first];
+}
+
+// Half the distance at rest, but the full thickness for pairs that overlapped at rest. Against
+// obstacles that of the body's feature to any of them: the pad is the same wherever it slides.
+double SurfacePairs::pad_of(const FeaturePair& pair) const {
+    if (features_.beside_obstacles()) return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
+    if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
+        return pad_.thickness_mm;
+    return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
+}
+
+const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> from_mm,
+                                                         std::span<const Vec3> to_mm) const {
+    return cover_.along(from_mm, to_mm,
+                        [&](int patch, int other) { return overlaps_.left_out(patch, other); });
+}
+
+// Against an obstacle the vertices of the body bear with all their share, and edges and vertices of
+// the obstacle as far as they stick out. In a flat face they never come nearer than a vertex of the
+// body, and would be ridges to what slides across.
+double SurfacePairs::area_of(const FeaturePair& pair) const {
+    if (!features_.beside_obstacles())
+        return pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
+                                       features_.area_of_edge_mm2(pair.second))
+                             : 0.5 * features_.area_of_node_mm2(pair.first);
+    if (pair.of_edges) {
+        const bool first = of_obstacle(pair.nodes[0]);
+        return 0.5 * features_.sharpness_of_edge(first ? pair.first : pair.second) *
+               features_.area_of_edge_mm2(first ? pair.second : pair.first);
+    }
+    if (!of_obstacle(pair.first)) return features_.area_of_node_mm2(pair.first);
+    double share = 0.0;
+    for (int a = 1; a < 4; ++a) share += features_.area_of_node_mm2(pair.nodes[a]) / 3.0;
+    return 0.5 * features_.sharpness_of_node(pair.first) * share;
+}
+
+std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
+                                                       std::span<const Vec3> x) const {
+    const double most = pad_.thickness_mm;
+    if (squared_gap_of_boxes_mm2(pair, x) >= most * most) return std::nullopt;
+    SurfaceContact contact{.of = pair, .at = nearest(pair, x)};
+    const Vec3 apart = contact.at.between(x);
+    contact.gap_mm = apart.norm();
+    if (!(contact.gap_mm < most)) return std::nullopt;
+    const double pad = pad_of(pair);
+    if (!(contact.gap_mm < pad)) return std::nullopt;
+    const double area = area_of(pair);
+    if (area == 0.0) return std::nullopt;
+    const double strength = area * pad_.pressure_pa;
+    const PadBarrier barrier = pad_barrier(contact.gap_mm, pad, strength);
+    contact.normal = contact.gap_mm > 0.0 ? Vec3(apart / contact.gap_mm) : Vec3(Vec3::UnitZ());
+    contact.energy_nj = barrier.energy_nj;
+    contact.force_un = barrier.force_un;
+    contact.stiffness_un_per_mm = barrier.stiffness_un_per_mm;
+    if (pair.of_edges) fade(contact, x);
+    return contact;
+}
+
+void SurfacePairs::fade(SurfaceContact& contact, std::span<const Vec3> x) const {
+    const auto& n = contact.of.nodes;
+    const auto rest = rest_mm_;
+    const Vec3 e = x[n[1]] - x[n[0]], f = x[n[3]] - x[n[2]];
+    const double full = nearly_parallel * (rest[n[1]] - rest[n[0]]).squaredNorm() *
+                        (rest[n[3]] - rest[n[2]]).squaredNorm();
+    const double c = e.cross(f).squaredNorm() / full;
+    if (c >= 1.0) return;
+    const double share = c * (2.0 - c);
+    // -energy times the gradient of `share` with respect to the edges e and f.
+    const double slope = -contact.energy_nj * 2.0 * (1.0 - c) * 2.0 / full;
+    const Vec3 by_e = slope * (f.squaredNorm() * e - e.dot(f) * f);
+    const Vec3 by_f = slope * (e.squaredNorm() * f - e.dot(f) * e);
+    contact.turning_un = {-by_e, by_e, -by_f, by_f};
+    contact.energy_nj *= share;
+    contact.force_un *= share;
+    contact.stiffness_un_per_mm *= share;
+}
+
+const std::vector<SurfaceContact>& SurfacePairs::contacts(
+    std::span<const Vec3> positions_mm) const {
+    if (std::ranges::equal(looked_at_mm_, positions_mm)) return contacts_;
+    const Stopwatch watch(spent_ms_);
+    const std::vector<FeaturePair>& near = candidates(positions_mm, positions_mm);
+    const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
+    std::vector<std::vector<SurfaceContact>> found(blocks);
+    parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            if (const auto contact = contact_of(near[k], positions_mm))
+                found[begin / pairs_per_block].push_back(*contact);
+    });
+    contacts_.clear();
+    for (const auto& some : found) contacts_.insert(contacts_.end(), some.begin(), some.end());
+    std::ranges::sort(contacts_, {}, [](const SurfaceContact& contact) {
+        return std::tuple(contact.of.of_edges, contact.of.first, contact.of.second);
+    });
+    looked_at_mm_.assign(positions_mm.begin(), positions_mm.end());
+    return contacts_;
+}
+
+SelfLoad load_of(const std::vector<SurfaceContact>& contacts) {
+    SelfLoad load;
+    for (const SurfaceContact& contact : contacts) {
+        ++load.contacts;
+        load.least_gap_mm = std::min(load.least_gap_mm, contact.gap_mm);
+    }
+    return load;
+}
+
+double SurfacePairs::least_share(
+    std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+    const std::function<double(double gap_mm, double pad_mm)>& kept) const {
+    const Stopwatch watch(spent_ms_);
+    const std::vector<FeaturePair>& near = candidates(from_mm, to_mm);
+    const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
+    std::vector<double> share(blocks, 1.0);
+    parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
+        double& least = share[begin / pairs_per_block];
+        for (std::size_t k = begin; k < end; ++k) {
+            const double approach = approach_mm(near[k], from_mm, to_mm);
+            // A pair that starts farther apart than this cannot come nearer than any kept gap.
+            const double far =
+                std::max(approach / (1.0 - least_part), approach + touched * pad_.thickness_mm);
+            if (squared_gap_of_boxes_mm2(near[k], from_mm) > far * far) continue;
+            const double gap = distance_mm(near[k], from_mm);
+            if (gap > far) continue;
+            const double keep = kept(gap, pad_of(near[k]));
+            if (keep < 0.0) continue;
+            const double tolerance = band * std::max(gap - keep, keep);
+            const auto time = time_to(near[k], from_mm, to_mm, keep, tolerance);
+            if (time) least = std::min(least, *time);
+        }
+    });
+    return share.empty() ? 1.0 : *std::ranges::min_element(share);
+}
+
+double SurfacePairs::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
+    return least_share(from_mm, to_mm,
+                       [](double gap, double pad) { return least_part * std::min(gap, pad); });
+}
+
+double SurfacePairs::share_until_touch(std::span<const Vec3> from_mm,
+                                       std::span<const Vec3> to_mm) const {
+    if (free_share(from_mm, to_mm) == 1.0) return 1.0;
+    return least_share(from_mm, to_mm,
+                       [](double gap, double pad) { return gap > pad ? touched * pad : -1.0; });
+}
+
+SelfCost SurfacePairs::take_cost() {
+    return {.bytes = features_.bytes() + cover_.bytes() + looked_at_mm_.capacity() * sizeof(Vec3) +
+                     contacts_.capacity() * sizeof(SurfaceContact),
+            .build_ms = build_ms_,
+            .step_ms = std::exchange(spent_ms_, 0.0)};
+}
+
+}  // namespace hepatica

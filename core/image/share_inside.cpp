@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/share_inside.h"
+
+#include <algorithm>
+
+#include "core/image/filters.h"
+
+namespace hepatica {
+
+FloatVolume share_inside(const Mask& part, double smoothing_mm, const Vec3& spacing_mm, Job& job) {
+    FloatVolume share(part.grid);
+    std::ranges::transform(part.voxels, share.voxels.begin(),
+                           [](std::uint8_t voxel) { return voxel != 0 ? 1.0f : 0.0f; });
+    gaussian_smooth(share, Vec3::Constant(smoothing_mm), job);
+    return resample(share, respaced(share.grid, spacing_mm), Interpolation::linear, job);
+}
+
+FloatVolume with_border(const FloatVolume& inner) {
+    Grid grid = inner.grid;
+    for (int& count : grid.dims) count += 2;
+    grid.origin_mm = inner.grid.to_mm(-1, -1, -1);
+    FloatVolume padded(grid);
+    for (int z = 0; z < inner.grid.dims[2]; ++z)
+        for (int y = 0; y < inner.grid.dims[1]; ++y)
+            std::copy_n(&inner.at(0, y, z), inner.grid.dims[0], &padded.at(1, y + 1, z + 1));
+    return padded;
+}
+
+}  // namespace hepatica
