@@ -7344,10 +7344,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>nicht nötig</translation>
     </message>
     <message>
-        <source>Stands in the results of attempts that end from now on, and in their reports. Leave it empty, and nobody is named.</source>
-        <translation>Steht in den Ergebnissen der Versuche, die von nun an enden, und in ihren Berichten. Bleibt es leer, wird niemand genannt.</translation>
-    </message>
-    <message>
         <source>Name or &amp;number</source>
         <translation>&amp;Name oder Nummer</translation>
     </message>
@@ -8015,7 +8011,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>A copy of the course is edited: where shall it lie?</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie liegen?</translation>
+    </message>
+    <message>
+        <source>Stands in the results of attempts that end from now on, in that of the one that has just ended if it names nobody, and in their reports. Leave it empty, and nobody is named.</source>
+        <translation>Steht in den Ergebnissen der Versuche, die von nun an enden, in dem des eben beendeten, wenn es niemanden nennt, und in ihren Berichten. Bleibt es leer, wird niemand genannt.</translation>
     </message>
 </context>
 </TS>

@@ -327,10 +327,12 @@ void LessonDock::show_figures() {
     keep_result();
 }
 
-// Who gives his name after the end means the attempt that has just ended.
+// Who gives his name after the end means the attempt that has just ended, unless that has one.
 void LessonDock::name_last_attempt() {
-    if (!watch_ || !result_kept_ || watch_->recording().parent_path() == tried()) return;
+    if (!watch_ || !result_kept_ || trainee_.empty()) return;
+    if (watch_->recording().parent_path() == tried()) return;
     try {
+        if (!name_beside(watch_->recording()).empty()) return;
         name_attempt(watch_->recording(), trainee_);
     } catch (...) {
         ways_.failed(Words::tr("Keep the result"), std::current_exception());

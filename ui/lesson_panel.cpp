@@ -113,9 +113,10 @@ QLayout* LessonPanel::make_name() {
     name_->setObjectName("lessonName");
     name_->setPlaceholderText(Words::tr("none needed"));
     name_->setMaxLength(100);
-    name_->setToolTip(
-        Words::tr("Stands in the results of attempts that end from now on, and in their reports. "
-                  "Leave it empty, and nobody is named."));
+    name_->setToolTip(Words::tr(
+        "Stands in the results of attempts that end from now on, in that of the one that has "
+        "just ended if it names nobody, and in their reports. Leave it empty, and nobody "
+        "is named."));
     auto* label = new QLabel(Words::tr("Name or &number"));
     label->setBuddy(name_);
     auto* row = new QHBoxLayout;

@@ -130,5 +130,54 @@ TEST(Attempts, OfADamagedFileAreRefusedByTheirPlace) {
     EXPECT_THAT(problem_of("\"Gentle pull\"", "\"\""), HasSubstr("lesson is \"\""));
 }
 
+// Of a lesson of two steps with one pass mark of its own, begun from a course that asks for 60 s.
+LessonStanding standing_of_course(bool own_kept, bool course_kept) {
+    LessonStanding standing;
+    standing.steps.resize(2);
+    standing.step = 2;
+    standing.pass = {{{Quantity::path_mm, -1, false, 100.0}, 50.0, own_kept},
+                     {{Quantity::time_s, -1, false, 60.0}, 129.0, course_kept}};
+    for (const BoundStanding& mark : standing.pass)
+        if (!mark.kept) standing.reasons.push_back(reason_of_pass_mark(mark, {}));
+    standing.outcome = own_kept && course_kept ? LessonOutcome::passed : LessonOutcome::failed;
+    return standing;
+}
+
+TEST(Attempts, KeepTheMarksOfTheCourseThatTheyWerePlayedUnder) {
+    const TemporaryFolder folder;
+    const fs::path recording = folder.path() / "a.hrec";
+    const std::vector<Predicate> marks{{Quantity::time_s, -1, false, 60.0}};
+    EXPECT_TRUE(course_pass_beside(recording).empty()) << "there is no result";
+    for (const auto& [own, course] : {std::pair(true, true), std::pair(true, false),
+                                      std::pair(false, true), std::pair(false, false)}) {
+        write_attempt(attempt_of(recording, "x", standing_of_course(own, course), "1", marks));
+        const Attempt kept = all_attempts(folder.path()).list.at(0);
+        EXPECT_EQ(kept.passed, own && course);
+        EXPECT_EQ(kept.passed_lesson, own) << "as another course judges it";
+        EXPECT_EQ(kept.course_pass, marks);
+        EXPECT_EQ(course_pass_beside(recording), marks);
+    }
+    // A limit that was broken, or an end that was not reached, is none of the course's.
+    LessonStanding broken = standing_of_course(true, false);
+    broken.reasons = {"limit broken"};
+    broken.step = 1;
+    EXPECT_FALSE(attempt_of(recording, "x", broken, "1", marks).passed_lesson);
+    broken = standing_of_course(true, false);
+    broken.reasons.push_back("limit broken");
+    EXPECT_FALSE(attempt_of(recording, "x", broken, "1", marks).passed_lesson);
+}
+
+TEST(Attempts, AreNamedAfterwards) {
+    const TemporaryFolder folder;
+    const fs::path recording = folder.path() / "a.hrec";
+    EXPECT_THROW(name_attempt(recording, "Anna"), InputError) << "there is no result";
+    write_attempt(attempt_at(recording, "1", 5.0));
+    name_attempt(recording, "Anna");
+    EXPECT_EQ(name_beside(recording), "Anna");
+    EXPECT_EQ(all_attempts(folder.path()).list.at(0).value(Quantity::time_s), 5.0);
+    name_attempt(recording, "");
+    EXPECT_EQ(name_beside(recording), "");
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -13,7 +13,7 @@ namespace {
 Attempt attempt_of_time(const std::string& lesson, bool passed, double time_s) {
     Attempt attempt;
     attempt.lesson = lesson;
-    attempt.passed = passed;
+    attempt.passed = attempt.passed_lesson = passed;
     attempt.metrics[static_cast<std::size_t>(Quantity::time_s)] = time_s;
     attempt.metrics[static_cast<std::size_t>(Quantity::dose_target_share)] =
         std::numeric_limits<double>::quiet_NaN();

@@ -56,23 +56,27 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     dialog.hide();
     type_name("  Nr.  7 ");
     EXPECT_EQ(settings_.trainee(), "Nr. 7");
+    EXPECT_EQ(kept().list[0].name, "Nr. 7") << "who has just ended says who he is";
+    type_name("Nr. 8");
+    EXPECT_EQ(kept().list[0].name, "Nr. 7") << "nobody takes another's attempt";
     window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
     ASSERT_TRUE(wait_for([&] { return kept().list.size() == 2; }));
-    EXPECT_EQ(kept().list[0].name, "") << "of before";
-    EXPECT_EQ(kept().list[1].name, "Nr. 7");
+    EXPECT_EQ(kept().list[0].name, "Nr. 7") << "of before";
+    EXPECT_EQ(kept().list[1].name, "Nr. 8");
     wait_for_figures();
     // His own first, and everybody's where they are asked for.
     window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
     auto& whose = *dialog.findChild<QComboBox*>("attemptsWhose");
     EXPECT_FALSE(whose.isHidden());
-    EXPECT_EQ(whose.currentText(), "of Nr. 7");
+    EXPECT_EQ(whose.currentText(), "of Nr. 8");
     EXPECT_EQ(dialog.attempts().size(), 1u);
-    EXPECT_EQ(dialog.findChild<QTableWidget*>("attempts")->item(0, 4)->text(), "Nr. 7");
+    EXPECT_EQ(dialog.findChild<QTableWidget*>("attempts")->item(0, 4)->text(), "Nr. 8");
     whose.setCurrentIndex(0);
     EXPECT_EQ(dialog.attempts().size(), 2u);
     dialog.hide();
     type_name("");
     EXPECT_EQ(settings_.trainee(), "");
+    EXPECT_EQ(kept().list[1].name, "Nr. 8");
 }
 
 TEST_F(LessonAttemptsTest, a_new_window_knows_the_name) {
