@@ -8017,5 +8017,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Stands in the results of attempts that end from now on, in that of the one that has just ended if it names nobody, and in their reports. Leave it empty, and nobody is named.</source>
         <translation>Steht in den Ergebnissen der Versuche, die von nun an enden, in dem des eben beendeten, wenn es niemanden nennt, und in ihren Berichten. Bleibt es leer, wird niemand genannt.</translation>
     </message>
+    <message>
+        <source>Give each stroke path_mm, radius_mm, erases and after_edits</source>
+        <translation>Geben Sie jedem Strich path_mm, radius_mm, erases und after_edits</translation>
+    </message>
 </context>
 </TS>
