@@ -196,6 +196,7 @@ bool LessonDock::read(const std::string& name) {
         return false;
     }
     name_ = name;
+    course_pass_.clear();
     return true;
 }
 

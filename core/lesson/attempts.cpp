@@ -54,7 +54,8 @@ namespace {
 // Whether only the last ones of the pass marks, so many, kept it from being passed.
 bool passed_but_for(std::size_t marks, const LessonStanding& standing) {
     if (standing.outcome == LessonOutcome::passed) return true;
-    const auto own_end = standing.pass.end() - static_cast<std::ptrdiff_t>(marks);
+    const auto own_end =
+        standing.pass.end() - static_cast<std::ptrdiff_t>(std::min(marks, standing.pass.size()));
     const auto missed = std::ranges::count(standing.pass, false, &BoundStanding::kept);
     const bool reached_the_end = standing.outcome == LessonOutcome::failed &&
                                  standing.step == standing.steps.size() &&
