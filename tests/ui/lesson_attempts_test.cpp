@@ -79,6 +79,19 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     EXPECT_EQ(kept().list[1].name, "Nr. 8");
 }
 
+TEST_F(LessonAttemptsTest, marks_of_a_course_belong_to_what_was_begun_from_it_alone) {
+    const std::string file = short_lesson("First");
+    const std::vector<Predicate> marks{{Quantity::path_mm, -1, false, 5.0}};
+    window_.lessons().start(file, marks);
+    ASSERT_TRUE(wait_for([&] { return kept().list.size() == 1; }));
+    EXPECT_EQ(kept().list[0].course_pass, marks);
+    // From the library, on a case.
+    window_.lessons().start_on(file, folder_.filePath("other.hep"));
+    ASSERT_TRUE(wait_for([&] { return kept().list.size() == 2; }));
+    EXPECT_TRUE(kept().list[1].course_pass.empty());
+    EXPECT_EQ(window_.lessons().standing().pass.size(), new_lesson().pass.size());
+}
+
 TEST_F(LessonAttemptsTest, a_new_window_knows_the_name) {
     settings_.set_trainee("A. B.");
     MainWindow other(settings_, {});
