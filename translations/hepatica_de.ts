@@ -7930,5 +7930,76 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>a piece went on without the step&apos;s forces: they would have made energy or taken its momentum</source>
         <translation>ein Stück bewegte sich ohne die Kräfte des Schritts weiter: Sie hätten Energie erzeugt oder ihm Impuls genommen</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 of %3 lessons passed by %4</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 von %3 Lektionen von %4 bestanden</translation>
+    </message>
+    <message>
+        <source>Edi&amp;t course…</source>
+        <translation>Ku&amp;rs bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Add a lesson</source>
+        <translation>Lektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save a copy of the course</source>
+        <translation>Kopie des Kurses speichern</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be read)</source>
+        <translation>%1 (nicht lesbar)</translation>
+    </message>
+    <message>
+        <source>Pass marks beside the lesson&apos;s own</source>
+        <translation>Bestehensgrenzen neben denen der Lektion</translation>
+    </message>
+    <message>
+        <source>Edit course</source>
+        <translation>Kurs bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>A lesson&apos;s file…</source>
+        <translation>Datei einer Lektion …</translation>
+    </message>
+    <message>
+        <source>Copy course</source>
+        <translation>Kurs kopieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n pass mark(s))</source>
+        <translation>
+            <numerusform>(%n Bestehensgrenze)</numerusform>
+            <numerusform>(%n Bestehensgrenzen)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each change is in the file at once: %1</source>
+        <translation>Jede Änderung steht sofort in der Datei: %1</translation>
+    </message>
+    <message>
+        <source>⚠ The last change is not in the file yet: %1</source>
+        <translation>⚠ Die letzte Änderung steht noch nicht in der Datei: %1</translation>
+    </message>
+    <message>
+        <source>Copy to another &amp;file…</source>
+        <translation>In andere &amp;Datei kopieren …</translation>
+    </message>
 </context>
 </TS>

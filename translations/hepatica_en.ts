@@ -80,5 +80,12 @@
             <numerusform>%n strokes at the vessels of %1 are not made into vessels yet.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>(%n pass mark(s))</source>
+        <translation>
+            <numerusform>(%n pass mark)</numerusform>
+            <numerusform>(%n pass marks)</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -73,13 +73,15 @@ CourseDialog::CourseDialog(Begin begin, QWidget* parent)
     column->addWidget(buttons);
 }
 
-void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines) {
+void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines,
+                               const std::string& whose) {
     lines_ = std::move(lines);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
-    title_->setText(Words::tr("<b>%1</b>: %2 of %3 lessons passed")
-                        .arg(translated(name).toHtmlEscaped())
-                        .arg(passed)
-                        .arg(lines_.size()));
+    const QString title = whose.empty() ? Words::tr("<b>%1</b>: %2 of %3 lessons passed")
+                                        : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4");
+    QString text = title.arg(translated(name).toHtmlEscaped()).arg(passed).arg(lines_.size());
+    if (!whose.empty()) text = text.arg(QString::fromStdString(whose).toHtmlEscaped());
+    title_->setText(text);
     table_->setRowCount(static_cast<int>(lines_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const CourseLine& line = lines_[static_cast<std::size_t>(row)];

@@ -21,8 +21,10 @@ class CourseDialog : public QDialog {
     using Begin = std::function<void(const CourseLine&)>;
     CourseDialog(Begin begin, QWidget* parent);
 
-    // The first lesson that is not passed yet is chosen.
-    void show_course(const std::string& name, std::vector<CourseLine> lines);
+    // The first lesson that is not passed yet is chosen. `whose`: the trainee whose attempts count;
+    // empty: everybody's.
+    void show_course(const std::string& name, std::vector<CourseLine> lines,
+                     const std::string& whose = {});
     const std::vector<CourseLine>& lines() const { return lines_; }
 
   private:

@@ -41,14 +41,50 @@ JournalBase base_from(const Json& json) {
     return base;
 }
 
+// The first so many stay, and these come behind them.
+template <class Item>
+void go_on_from(std::size_t keep, std::vector<Item> added, std::vector<Item>& items) {
+    if (keep > items.size()) throw InputError("keeps more than there is", "", "");
+    items.resize(keep);
+    std::ranges::move(added, std::back_inserter(items));
+}
+
 void read_change(const Json& json, Journalled& read) {
-    std::vector<TreeEdit> added = edits_from_json(json.at("add").dump(), "journal");
-    const auto keep = json.at("keep").get<std::size_t>();
     const auto change = json.at("change").get<std::uint64_t>();
-    if (keep > read.edits.size()) throw InputError("keeps more edits than there are", "", "");
-    read.edits.resize(keep);
-    std::ranges::move(added, std::back_inserter(read.edits));
+    go_on_from(json.at("keep").get<std::size_t>(),
+               edits_from_json(json.at("add").dump(), "journal"), read.edits);
     read.change = change;
+}
+
+void read_strokes(const Json& json, Journalled& read) {
+    go_on_from(json.at("keep_strokes").get<std::size_t>(),
+               strokes_from_json(json.at("add_strokes").dump(), "journal"), read.strokes);
+}
+
+template <class Item>
+std::size_t kept_of(const std::vector<Item>& before, const std::vector<Item>& now) {
+    return static_cast<std::size_t>(std::ranges::mismatch(before, now).in1 - before.begin());
+}
+
+// What of `now` does not stand among the first that are kept.
+template <class Item>
+std::vector<Item> added_to(std::size_t kept, const std::vector<Item>& now) {
+    return {now.begin() + static_cast<std::ptrdiff_t>(kept), now.end()};
+}
+
+std::string lines_from(const Journalled& before, const Journalled& now) {
+    std::string lines;
+    if (before.strokes != now.strokes) {
+        const std::size_t kept = kept_of(before.strokes, now.strokes);
+        const Json json{{"keep_strokes", kept},
+                        {"add_strokes", Json::parse(strokes_to_json(added_to(kept, now.strokes)))}};
+        lines += json.dump() + "\n";
+    }
+    const std::size_t kept = kept_of(before.edits, now.edits);
+    const Json json{{"change", now.change},
+                    {"keep", kept},
+                    {"add", Json::parse(edits_to_json(added_to(kept, now.edits)))}};
+    return lines + json.dump() + "\n";
 }
 
 bool write_whole(int file, const std::string& text) {
@@ -73,7 +109,7 @@ std::optional<Journalled> read_edit_journal(const fs::path& file) {
                 read.base = base_from(json);
                 has_base = true;
             } else {
-                read_change(json, read);
+                json.contains("add_strokes") ? read_strokes(json, read) : read_change(json, read);
             }
         }
     } catch (const Json::exception&) {
@@ -93,27 +129,27 @@ EditJournal::~EditJournal() {
         const std::scoped_lock lock(mutex_);
         closing_ = true;
     }
-    changed_.notify_one();
+    changed_.notify_all();
     thread_.join();
 }
 
-void EditJournal::append(const JournalBase& base, const std::vector<TreeEdit>& edits,
-                         std::uint64_t change) {
+void EditJournal::append(const Journalled& wanted) {
+    if (said_ == wanted) return;
+    const Journalled before = said_.value_or(Journalled{});
     std::string lines;
-    if (base_ != base) lines = line_of(base);
-    const auto same = std::ranges::mismatch(edits_, edits);
-    const std::vector<TreeEdit> added(same.in2, edits.end());
-    const Json json{{"change", change},
-                    {"keep", same.in1 - edits_.begin()},
-                    {"add", Json::parse(edits_to_json(added))}};
-    lines += json.dump() + "\n";
-    base_ = base;
-    edits_ = edits;
+    if (!said_ || before.base != wanted.base) lines = line_of(wanted.base);
+    lines += lines_from(before, wanted);
+    said_ = wanted;
     {
         const std::scoped_lock lock(mutex_);
         waiting_ += lines;
     }
-    changed_.notify_one();
+    changed_.notify_all();
+}
+
+void EditJournal::wait_until_written() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !writing_ && waiting_.empty(); });
 }
 
 void EditJournal::write_until_closed() {
@@ -124,10 +160,16 @@ void EditJournal::write_until_closed() {
             std::unique_lock lock(mutex_);
             changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
             lines.swap(waiting_);
+            writing_ = !lines.empty();
         }
         if (lines.empty()) break;
         if (file < 0) file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
         if (file < 0 || !write_whole(file, lines)) failed_ = true;
+        {
+            const std::scoped_lock lock(mutex_);
+            writing_ = false;
+        }
+        changed_.notify_all();
     }
     if (file >= 0) ::close(file);
 }

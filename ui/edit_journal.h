@@ -6,6 +6,8 @@
 //   {"format": "hepatica-edits", "version": 1, "title": "anton.hep", "case": "/data/anton.hep",
 //    "extracted": "0123456789abcdef"}
 //   {"change": 7, "keep": 2, "add": [{"kind": "cut_link", ...}]}
+// A third kind of line says which strokes at vessels wait for a remaking, in the same way:
+//   {"keep_strokes": 1, "add_strokes": [{"path_mm": ...}]}
 #pragma once
 
 #include <atomic>
@@ -18,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/patient/pending_stroke.h"
 #include "core/tree/editing/tree_edit.h"
 
 namespace hepatica {
@@ -34,8 +37,10 @@ struct JournalBase {
 // The newest that a journal says.
 struct Journalled {
     JournalBase base;
-    std::vector<TreeEdit> edits;  // all that were wanted
-    std::uint64_t change = 0;     // number of the newest change
+    std::vector<TreeEdit> edits;         // all that were wanted
+    std::vector<PendingStroke> strokes;  // that waited for a remaking
+    std::uint64_t change = 0;            // number of the newest change
+    bool operator==(const Journalled&) const = default;
 };
 
 // What stands in a journal up to its first damaged line, which a torn last one is. None where it
@@ -51,12 +56,11 @@ class EditJournal {
     EditJournal(const EditJournal&) = delete;
     EditJournal& operator=(const EditJournal&) = delete;
 
-    // What stands on disk is the same as this already.
-    bool says(const JournalBase& base, const std::vector<TreeEdit>& edits) const {
-        return base_ == base && edits_ == edits;
-    }
-    // All these corrections are wanted now, on this base.
-    void append(const JournalBase& base, const std::vector<TreeEdit>& edits, std::uint64_t change);
+    // Of the base all these corrections are wanted now, and all these strokes wait. Nothing is
+    // written where the journal says so already.
+    void append(const Journalled& wanted);
+    // Returns when all that was appended is on disk, or could not be written.
+    void wait_until_written();
     // Whether a line could not be written. Any thread.
     bool failed() const { return failed_; }
 
@@ -64,10 +68,10 @@ class EditJournal {
     void write_until_closed();
 
     std::filesystem::path file_;
-    std::optional<JournalBase> base_;
-    std::vector<TreeEdit> edits_;
-    std::mutex mutex_;  // guards waiting_ and closing_
+    std::optional<Journalled> said_;
+    std::mutex mutex_;  // guards waiting_, writing_ and closing_
     std::string waiting_;
+    bool writing_ = false;
     bool closing_ = false;
     std::condition_variable changed_;
     std::atomic<bool> failed_ = false;

@@ -2,6 +2,7 @@
 #include "ui/lesson_dock.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QMenu>
 #include <QScrollArea>
@@ -18,8 +19,10 @@
 #include "ui/attempts_dialog.h"
 #include "ui/core_words.h"
 #include "ui/course_dialog.h"
+#include "ui/lesson_editor/course_editor.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
+#include "ui/save_file_dialog.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -118,6 +121,8 @@ void LessonDock::fill(QMenu& menu) {
             [this] { ask_for_course(); });
     connect(menu.addAction(Words::tr("&Edit lessons…")), &QAction::triggered, this,
             [this] { ways_.edit(); });
+    connect(menu.addAction(Words::tr("Edi&t course…")), &QAction::triggered, this,
+            [this] { edit_course(); });
 }
 
 void LessonDock::ask_for_lesson() {
@@ -135,12 +140,41 @@ void LessonDock::ask_for_course() {
 void LessonDock::show_course(const fs::path& file) {
     try {
         const Course course = course_in(file);
-        course_->show_course(
-            course.name, standing_of(course, file.parent_path(), all_attempts(recordings_).list));
+        std::vector<Attempt> attempts = all_attempts(recordings_).list;
+        if (!trainee_.empty())
+            std::erase_if(attempts,
+                          [this](const Attempt& attempt) { return attempt.name != trainee_; });
+        course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
+                             trainee_);
         course_file_ = file;
     } catch (...) {
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
+}
+
+void LessonDock::edit_course() {
+    if (course_editor_ == nullptr) {
+        CourseEditor::Ways ways;
+        ways.which_lesson = [this]() -> std::optional<fs::path> {
+            const QString file = QFileDialog::getOpenFileName(
+                course_editor_, Words::tr("Add a lesson"), {}, Words::tr("Lessons (*.json)"));
+            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
+        };
+        ways.where_to_save = [this](const std::string& name) -> std::optional<fs::path> {
+            const QString file = ask_where_to_save_file(
+                *parentWidget(), Words::tr("Save a copy of the course"),
+                QString("%1/%2.json").arg(QDir::homePath(), translated(name)),
+                Words::tr("Courses (*.json)"));
+            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
+        };
+        ways.failed = ways_.failed;
+        ways.written = [this](const fs::path& file) {
+            course_file_ = file;
+            if (course_->isVisible()) show_course(file);
+        };
+        course_editor_ = new CourseEditor(std::move(ways), parentWidget());
+    }
+    course_editor_->edit(course_file_);
 }
 
 void LessonDock::find_next() {

@@ -22,6 +22,7 @@ namespace hepatica {
 
 class AttemptsDialog;
 class CourseDialog;
+class CourseEditor;
 class LessonPanel;
 
 class LessonDock : public QDockWidget {
@@ -62,6 +63,8 @@ class LessonDock : public QDockWidget {
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
     CourseDialog& course() { return *course_; }
+    // Edits the course shown last; of the program's own a copy, where the person wants it to lie.
+    void edit_course();
     // There is another patient now, who was opened from this place: a lesson that waited for him
     // begins, one that ran is over.
     void patient_shown(bool built_in, const std::filesystem::path& asked_for);
@@ -122,6 +125,7 @@ class LessonDock : public QDockWidget {
     bool on_screen_ = false;                 // likewise: it is its simulation that the window shows
     AttemptsDialog* attempts_;
     CourseDialog* course_;
+    CourseEditor* course_editor_ = nullptr;  // null until then
 };
 
 }  // namespace hepatica

@@ -141,7 +141,8 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
         // First: without them nothing of him would be worth keeping.
-        if (request.left_edits) workspace_.take_up(request.left_edits->edits);
+        if (request.left_edits)
+            workspace_.take_up(request.left_edits->edits, request.left_edits->strokes);
         screen_.show(std::move(*loaded), false);
         correct();
     };

@@ -6,20 +6,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
-#include "core/image/brush.h"
+#include "core/patient/pending_stroke.h"
 
 namespace hepatica {
-
-struct PendingStroke {
-    BrushStroke stroke;
-    std::size_t after_edits = 0;  // so many corrections were wanted when it was led
-};
 
 // `edits`: how many corrections are wanted now.
 class PendingStrokes {
   public:
+    PendingStrokes() = default;
+    explicit PendingStrokes(std::vector<PendingStroke> made) : made_(std::move(made)) {}
+
     const std::vector<PendingStroke>& made() const { return made_; }
     bool empty() const { return made_.empty(); }
 

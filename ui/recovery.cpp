@@ -81,15 +81,18 @@ fs::path base_of(const Journalled& left, const fs::path& journal) {
                                           : left.base.place;
 }
 
-// The journal of a program where it says more than the copy; else the copy; else empty.
+// The journal of a program where it says more than the copy, which holds no strokes that wait; else
+// the copy; else empty.
 fs::path newest_of(const fs::path& program) {
     const KeptCopy copy = newest_copy(program);
     const fs::path journal = program / journal_name;
     const std::optional<Journalled> left = read_edit_journal(journal);
     const bool needs_copy = left && left->base.place == copy_beside;
     const bool can_be_made = left && !(needs_copy && copy.place.empty());
-    if (can_be_made && (copy.place.empty() || left->change > copy.version)) return journal;
-    return copy.place;
+    if (!can_be_made) return copy.place;
+    const bool says_more =
+        left->change > copy.version || (left->change == copy.version && !left->strokes.empty());
+    return copy.place.empty() || says_more ? journal : copy.place;
 }
 
 }  // namespace
@@ -105,17 +108,19 @@ Recovery::~Recovery() = default;
 
 void Recovery::follow(const Workspace& workspace) {
     if (!write_) return;
-    if (!workspace.dirty()) {
-        delay_.stop();
-        wanted_ = {};
-        kept_version_ = 0;
-        needless_ = job_ != nullptr;
+    if (!workspace.dirty()) forget_copies();
+    if (!workspace.unsaved()) {
         forget_journal();
-        if (!job_) remove_own_copies();
-        remove_left(workspace.kept_copy());
-        return;
+        return remove_left(workspace.kept_copy());
     }
     note(wanted_of(workspace));
+    if (!workspace.dirty()) {  // strokes alone, on a case that lies on disk
+        if (journal_ && !workspace.kept_copy().empty()) {
+            journal_->wait_until_written();
+            if (!journal_->failed()) remove_left(workspace.kept_copy());
+        }
+        return;
+    }
     // Called again as soon as the correction has its body.
     if (workspace.awaits_body() || workspace.version() == kept_version_) return;
     wanted_ = {workspace.patient(),   workspace.made_edits(), workspace.title(), workspace.folder(),
@@ -127,10 +132,11 @@ void Recovery::follow(const Workspace& workspace) {
 Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
     const bool built_in =
         workspace.title() == built_in_title && workspace.folder().empty() && !workspace.remade();
-    return {workspace.edits(),
-            {workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient())},
+    return {{{workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient())},
+             workspace.edits(),
+             workspace.strokes(),
+             workspace.version()},
             workspace.base().empty() && !built_in,
-            workspace.version(),
             workspace.origin()};
 }
 
@@ -139,24 +145,34 @@ void Recovery::note(const Wanted& wanted) {
     const bool has_copy = copy_origin_ == wanted.origin;
     newest_ = wanted;
     if (wanted.needs_copy && !has_copy) return;  // written() notes it
-    JournalBase base = wanted.base;
-    if (has_copy) base.place = copy_beside;
-    if (journal_ && journal_->says(base, wanted.edits)) return;
+    Journalled noted = wanted.noted;
+    if (has_copy) noted.base.place = copy_beside;
     try {
         make_own_folder();
     } catch (...) {
         return;  // the copy that follows says so
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
-    journal_->append(base, wanted.edits, wanted.version);
+    journal_->append(noted);
     if (journal_->failed() && !std::exchange(told_of_journal_, true))
         failed_({Words::id("corrections cannot be noted at once"), own_.string(),
                  Words::id("make room on the disk; save the case")});
 }
 
+// What they hold lies in a case on disk.
+void Recovery::forget_copies() {
+    delay_.stop();
+    wanted_ = {};
+    kept_version_ = 0;
+    needless_ = job_ != nullptr;
+    if (job_)
+        copy_origin_ = 0;
+    else
+        remove_own_copies();
+}
+
 void Recovery::forget_journal() {
     newest_.reset();
-    copy_origin_ = 0;
     if (!std::exchange(journal_, nullptr)) return;
     std::error_code ignored;
     fs::remove(own_ / journal_name, ignored);
@@ -187,7 +203,9 @@ void Recovery::write() {
             const PatientCase whole = whole_case(*copy.patient, copy.voxels, copy.edits, job);
             fs::create_directories(place.parent_path());
             write(place, whole);
-            return [this, copy, place] { written(copy, place); };
+            return [this, copy, place] {
+                if (!needless_) written(copy, place);
+            };
         },
         std::move(callbacks));
 }
@@ -226,6 +244,7 @@ void Recovery::end() {
     wanted_ = {};
     job_.reset();
     forget_journal();
+    copy_origin_ = 0;
     if (own_.empty()) return;
     lock_.reset();
     std::error_code ignored;
@@ -266,7 +285,7 @@ UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     work.request.reconstruct.ct = base_of(*noted, left);
     work.request.built_in = work.request.reconstruct.ct.empty();
     work.request.unsaved_copy = noted->base.place == copy_beside;
-    work.request.left_edits = LeftEdits{noted->edits, noted->base.extracted, left};
+    work.request.left_edits = LeftEdits{noted->edits, noted->strokes, noted->base.extracted, left};
     return work;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is not saved yet, kept on disk all the same among the user's data, and removed when all is
-// saved or let go: each correction at once, in a journal, and half a second after a reconstruction
-// or a correction's body a copy of the whole case. What a program has left that ended without that,
-// by a crash or a power cut, is offered at the next start.
+// saved or let go: each correction and each stroke at the vessels at once, in a journal, and half a
+// second after a reconstruction or a correction's body a copy of the whole case. What a program has
+// left that ended without that, by a crash or a power cut, is offered at the next start.
 #pragma once
 
 #include <QTimer>
@@ -60,16 +60,16 @@ class Recovery {
         std::uint64_t version = 0, origin = 0;  // of the workspace
     };
 
-    // The corrections that are wanted, of which patient.
+    // The corrections and strokes that are wanted, of which patient.
     struct Wanted {
-        Workspace::Edits edits;
-        JournalBase base;         // as far as it can be said without the copy
+        Journalled noted;         // its base as far as it can be said without the copy
         bool needs_copy = false;  // they can be made again on a copy alone
-        std::uint64_t version = 0, origin = 0;
+        std::uint64_t origin = 0;
     };
 
     static Wanted wanted_of(const Workspace& workspace);
     void note(const Wanted& wanted);
+    void forget_copies();
     void forget_journal();
     void write();
     void written(const Copy& copy, const std::filesystem::path& place);

@@ -25,6 +25,12 @@ void Workspace::open(const OpenedPatient& opened) {
     want(saved_edits_);
 }
 
+void Workspace::take_up(const Edits& edits, std::vector<PendingStroke> strokes) {
+    strokes_ = PendingStrokes(std::move(strokes));
+    ++strokes_version_;
+    want(edits);
+}
+
 void Workspace::want(Edits edits) {
     edits_ = std::move(edits);
     ++version_;

@@ -52,8 +52,8 @@ class Workspace {
     bool can_undo() const { return !edits_.empty() || !remade_.empty() || !strokes_.empty(); }
     bool can_redo() const { return !undone_.empty() || strokes_.can_redo(); }
     void add(const TreeEdit& edit);
-    // In place of all others, as a program left them.
-    void take_up(const Edits& edits) { want(edits); }
+    // In place of all others, as a program left them, and the strokes that waited.
+    void take_up(const Edits& edits, std::vector<PendingStroke> strokes);
     // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
     // changes the tree.
     bool undo();

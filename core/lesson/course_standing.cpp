@@ -7,15 +7,24 @@ namespace hepatica {
 
 namespace {
 
-// The id of a lesson that comes with the program, or a file beside the course.
-std::string name_of(const std::string& entry, const std::filesystem::path& folder) {
+bool is_built_in(const std::string& lesson) {
     const auto lessons = built_in_lessons();
-    const bool built_in = std::ranges::any_of(
-        lessons, [&](const BuiltInLesson& lesson) { return entry == lesson.id; });
-    return built_in ? entry : (folder / entry).string();
+    return std::ranges::any_of(lessons, [&](const BuiltInLesson& one) { return lesson == one.id; });
 }
 
 }  // namespace
+
+std::string lesson_named_by(const std::string& entry, const std::filesystem::path& folder) {
+    return is_built_in(entry) ? entry : (folder / entry).lexically_normal().string();
+}
+
+std::string entry_naming(const std::string& lesson, const std::filesystem::path& folder) {
+    if (is_built_in(lesson)) return lesson;
+    return std::filesystem::path(lesson)
+        .lexically_normal()
+        .lexically_proximate(folder.lexically_normal())
+        .string();
+}
 
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks) {
     return attempt.passed && std::ranges::all_of(marks, [&](const Predicate& mark) {
@@ -28,7 +37,7 @@ std::vector<CourseLine> standing_of(const Course& course, const std::filesystem:
                                     const std::vector<Attempt>& attempts) {
     std::vector<CourseLine> lines;
     for (const CourseEntry& entry : course.lessons) {
-        CourseLine line{name_of(entry.lesson, folder), "", entry.pass, 0, false};
+        CourseLine line{lesson_named_by(entry.lesson, folder), "", entry.pass, 0, false};
         line.title = find_lesson(line.lesson).name;
         for (const Attempt& attempt : attempts) {
             if (attempt.lesson != line.title) continue;

@@ -20,6 +20,12 @@ struct CourseLine {
     bool passed = false;
 };
 
+// What an entry of a course in this folder names, as find_lesson() takes it: the id of a lesson
+// that comes with the program, or a file relative to the folder.
+std::string lesson_named_by(const std::string& entry, const std::filesystem::path& folder);
+// Back again: how a course in this folder names a lesson.
+std::string entry_naming(const std::string& lesson, const std::filesystem::path& folder);
+
 // An attempt that passed the lesson and meets these marks. A quantity that is not known meets none.
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks);
 

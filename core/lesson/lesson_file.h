@@ -29,10 +29,12 @@ Lesson unfinished_lesson_of(const std::string& text, const std::string& place);
 struct CourseEntry {
     std::string lesson;  // a file, relative to the course's; or the name of a built-in one
     std::vector<Predicate> pass;
+    bool operator==(const CourseEntry&) const = default;
 };
 struct Course {
     std::string name;
     std::vector<CourseEntry> lessons;  // in this order; not empty
+    bool operator==(const Course&) const = default;
 };
 
 //   {"format": "hepatica-course", "version": 1, "name": ..., "lessons": [

@@ -6,7 +6,6 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
-#include "core/lesson/lesson_file.h"
 
 namespace hepatica {
 
@@ -72,6 +71,23 @@ void write_lesson(const std::filesystem::path& file, const Lesson& lesson) {
                          "Give each mark a name of its own");
     const std::string text = text_of(lesson);
     lesson_of(text, file.string());
+    write_text_atomically(file, text);
+}
+
+std::string text_of(const Course& course) {
+    Json json{{"format", "hepatica-course"}, {"version", 1}, {"name", course.name}};
+    json["lessons"] = Json::array();
+    for (const CourseEntry& entry : course.lessons) {
+        Json lesson{{"lesson", entry.lesson}};
+        if (!entry.pass.empty()) lesson["pass"] = bounds_json(entry.pass, {});
+        json["lessons"].push_back(std::move(lesson));
+    }
+    return json.dump(2) + "\n";
+}
+
+void write_course(const std::filesystem::path& file, const Course& course) {
+    const std::string text = text_of(course);
+    course_of(text, file.string());
     write_text_atomically(file, text);
 }
 

@@ -13,15 +13,17 @@
 #include "core/image/volume_reader.h"
 #include "core/opening/built_in_cache.h"
 #include "core/patient/patient_case.h"
+#include "core/patient/pending_stroke.h"
 #include "core/reconstruction/reconstruct.h"
 
 namespace hepatica {
 
 // Corrections that a program left without having saved them, see ui/edit_journal.h.
 struct LeftEdits {
-    std::vector<TreeEdit> edits;   // all that are wanted, in place of those of the case
-    std::uint64_t extracted = 0;   // hash_of_extracted() of whom they were made on
-    std::filesystem::path file{};  // where they are kept
+    std::vector<TreeEdit> edits;         // all that are wanted, in place of those of the case
+    std::vector<PendingStroke> strokes;  // at his vessels, that waited for a remaking
+    std::uint64_t extracted = 0;         // hash_of_extracted() of whom they were made on
+    std::filesystem::path file{};        // where they are kept
 };
 
 struct OpenRequest {

@@ -59,5 +59,14 @@ TEST(CourseStanding, OfTheProgramsOwnCourseHasALineForEachLesson) {
     EXPECT_EQ(lines.size(), built_in_lessons().size());
 }
 
+TEST(CourseEntries, NameALessonFromWhereverTheCourseLies) {
+    EXPECT_EQ(lesson_named_by("gentle_pull", "/a/b"), "gentle_pull");
+    EXPECT_EQ(entry_naming("gentle_pull", "/a/b"), "gentle_pull");
+    for (const char* lesson : {"/a/b/one.json", "/a/c/one.json", "/one.json", "/a/b/c/one.json"})
+        for (const char* folder : {"/a/b", "/a/b/", "/", "/z/y/x"})
+            EXPECT_EQ(lesson_named_by(entry_naming(lesson, folder), folder), lesson) << folder;
+    EXPECT_EQ(entry_naming("/a/b/one.json", "/a/b"), "one.json") << "they can be moved together";
+}
+
 }  // namespace
 }  // namespace hepatica

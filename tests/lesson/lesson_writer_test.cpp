@@ -110,5 +110,20 @@ TEST(LessonWriter, WritesAFileThatCanBeReadOrNone) {
     }
 }
 
+TEST(CourseWriter, WritesWhatReadsAsTheSameCourse) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "course.json";
+    const Course course{
+        "Two \"steps\"",
+        {{"gentle_pull",
+          {{Quantity::path_mm, -1, false, 100.5}, {Quantity::time_s, -1, true, 1.0}}},
+         {"../a lesson.json", {}}}};
+    write_course(file, course);
+    EXPECT_EQ(read_course(file), course);
+    EXPECT_THROW(write_course(file, {"none", {}}), InputError);
+    EXPECT_THROW(write_course(file, {"", course.lessons}), InputError);
+    EXPECT_EQ(read_course(file), course) << "nothing that cannot be read takes its place";
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -132,6 +132,7 @@ TEST_F(LessonEditorTest, makes_a_lesson_that_its_file_holds) {
     EXPECT_FALSE(editor_.document().dirty());
     const Lesson made = read_lesson(*file_);
     EXPECT_EQ(made.name, "Probe it free");
+    EXPECT_EQ(made.scene.name, made.name) << "recordings of two lessons are told apart by it";
     EXPECT_EQ(made.about, "With a rod.");
     EXPECT_TRUE(made.scene.contact && made.scene.contact->tools && !made.scene.contact->self);
     EXPECT_EQ(made.tools, std::vector{LessonTool::capsule});

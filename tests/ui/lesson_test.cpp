@@ -154,7 +154,7 @@ TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
             for (const QAction* action : menu->menu()->actions()) names << action->objectName();
     for (const BuiltInLesson& lesson : built_in_lessons())
         EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
-    EXPECT_EQ(names.size(), 12) << "with a line, a course, two others to open, and the editor";
+    EXPECT_EQ(names.size(), 13) << "with a line, a course, two others to open, and two editors";
 }
 
 TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {
@@ -243,6 +243,17 @@ TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_i
     EXPECT_FALSE(dialog.lines()[1].passed);
     EXPECT_EQ(dialog.findChild<QTableWidget*>("course")->currentRow(), 1) << "the next one";
     EXPECT_TRUE(dialog.findChild<QLabel*>("courseTitle")->text().contains("1 of 2"));
+    // Somebody else's pass counts for nobody who gives his own name.
+    window_.lessons().set_trainee("Berta");
+    window_.lessons().show_course(course);
+    EXPECT_FALSE(dialog.lines()[0].passed);
+    EXPECT_TRUE(dialog.findChild<QLabel*>("courseTitle")
+                    ->text()
+                    .contains("0 of 2 lessons passed by Berta"));
+    attempt.name = "Berta";
+    write_attempt(attempt);
+    window_.lessons().show_course(course);
+    EXPECT_TRUE(dialog.lines()[0].passed);
     dialog.findChild<QPushButton*>("courseBegin")->click();
     ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
     ASSERT_EQ(window_.lessons().standing().pass.size(), 1u);

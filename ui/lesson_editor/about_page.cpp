@@ -51,7 +51,11 @@ AboutPage::AboutPage(Changes changes, std::function<QString()> shown_patient)
     form->addRow(Words::tr("&Name"), name_);
     name_->setObjectName("lessonName");
     connect(name_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        change_value("name", [&](Lesson& lesson) { lesson.name = text.toStdString(); });
+        change_value("name", [&](Lesson& lesson) {
+            lesson.name = text.toStdString();
+            // By which recordings of two lessons are told apart.
+            if (!lesson.name.empty()) lesson.scene.name = lesson.name;
+        });
     });
     form->addRow(Words::tr("What &for"), about_);
     about_->setObjectName("lessonAbout");

@@ -84,6 +84,7 @@ BoundsTable::BoundsTable(const QString& title, const QString& name, const Predic
     head->addWidget(new QLabel("<b>" + title + "</b>"), 1);
     auto* add = new QPushButton(Words::tr("Add"));
     add->setObjectName(name + "Add");
+    add->setAutoDefault(false);  // Enter in a field is none of its
     add->setAccessibleName(Words::tr("Add: %1").arg(title));
     connect(add, &QPushButton::clicked, this, [this] {
         bounds_.push_back(first_);
@@ -168,6 +169,7 @@ QWidget* BoundsTable::make_row(std::size_t index) {
     });
     auto* remove =
         add(new QPushButton(Words::tr("Remove")), "remove", Words::tr("Remove this bound"));
+    remove->setAutoDefault(false);
     connect(remove, &QPushButton::clicked, this, [this, index] {
         bounds_.erase(bounds_.begin() + static_cast<std::ptrdiff_t>(index));
         fill();

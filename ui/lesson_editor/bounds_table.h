@@ -24,6 +24,7 @@ class BoundsTable : public QWidget {
     BoundsTable(const QString& title, const QString& name, const Predicate& first, Changed changed);
 
     void show_bounds(const std::vector<Predicate>& bounds, const std::vector<std::string>& marks);
+    const std::vector<Predicate>& bounds() const { return bounds_; }
 
   private:
     QWidget* make_row(std::size_t index);

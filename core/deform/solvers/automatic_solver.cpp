@@ -29,7 +29,7 @@ void AutomaticSolver::choose(const BlockMatrix& pattern) {
 void AutomaticSolver::update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                              std::span<const int> changed_rows) {
     choose(matrix);
-    chosen_->heed(stop());
+    hand_on_to(*chosen_);
     chosen_->update(matrix, positions_mm, changed_rows);
 }
 

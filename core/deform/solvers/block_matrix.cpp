@@ -42,9 +42,11 @@ void multiply(const BlockMatrix& matrix, const std::vector<Vec3>& x, std::vector
     y.resize(x.size());
     parallel_blocks(x.size(), product_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            const bool alone = !matrix.alone.empty() && matrix.alone[i] != 0;
+            const int first = alone ? matrix.diagonal[i] : matrix.row_begin[i];
+            const int last = alone ? first + 1 : matrix.row_begin[i + 1];
             Wide sum{};
-            for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k)
-                sum += times(matrix.block[k], x[matrix.column[k]]);
+            for (int k = first; k < last; ++k) sum += times(matrix.block[k], x[matrix.column[k]]);
             y[i] = Vec3(sum[0], sum[1], sum[2]);
         }
     });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -18,6 +19,9 @@ struct BlockMatrix {
     std::vector<int> column;
     std::vector<Mat3> block;
     std::vector<int> diagonal;  // position of the diagonal block of each row
+    // 1: all blocks of this row beside the diagonal are zero, so that products pass over them.
+    // Empty: it is not known of any.
+    std::vector<std::uint8_t> alone;
 
     int rows() const { return static_cast<int>(row_begin.size()) - 1; }
     // Position of block (i, j), or -1 where it is not in the pattern. O(log blocks in the row).

@@ -50,6 +50,8 @@ class CholeskySolver final : public LinearSolver {
     template <class T>
     SolveReport solve_by(TreeFactor<T>& factor, std::span<const Vec3> rhs, std::span<Vec3> x,
                          const SolveLimits& limits);
+    template <class T>
+    double energy_error(TreeFactor<T>& factor, double energy, const SolveLimits& limits);
     SolveReport polish(SolveReport direct, const ConjugateGradient::Preconditioner& precondition,
                        std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 

@@ -2,12 +2,14 @@
 #include "core/deform/solvers/linear_solver.h"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "core/base/error.h"
 #include "core/deform/solvers/automatic_solver.h"
 #include "core/deform/solvers/block_jacobi.h"
 #include "core/deform/solvers/cholesky_solver.h"
+#include "core/deform/solvers/node_loops.h"
 #include "core/deform/solvers/skeleton_preconditioner.h"
 
 namespace hepatica {
@@ -42,6 +44,12 @@ void LinearSolver::prepare(const BlockMatrix& matrix, std::span<const Vec3> posi
     std::vector<int> all(static_cast<std::size_t>(matrix.rows()));
     std::iota(all.begin(), all.end(), 0);
     update(matrix, positions_mm, all);
+}
+
+double LinearSolver::most_inverse_form(std::span<const Vec3> r) const {
+    if (least_.size() != r.size()) return INFINITY;
+    return sum_over_nodes(r.size(), [&](std::size_t i) { return r[i].squaredNorm() / least_[i]; }) /
+           share_;
 }
 
 void require_memory(bool condition) {

@@ -46,6 +46,15 @@ class LinearSolver {
     // called next, which hears no stop.
     void heed(const std::stop_token& stop) { stop_ = stop; }
 
+    // The matrices to come are share * least[i] times the unit block at each vertex i, and what is
+    // positive semidefinite beside: |r|_A^-1 is then at most |r| in the inverse of that, by which a
+    // solver may tell that it is done without another substitution. Kept by reference; empty: no
+    // such bound is known.
+    void bound_below(std::span<const double> least, double share) {
+        least_ = least;
+        share_ = share;
+    }
+
     // Takes a matrix and the current position of each vertex. The matrix is kept by reference and
     // must stay unchanged and alive until the next call. `changed_rows` must name every row with a
     // block that differs from the last matrix.
@@ -87,9 +96,19 @@ class LinearSolver {
 
   protected:
     const std::stop_token& stop() const { return stop_; }
+    // The same for another solver, which does this one's work.
+    void hand_on_to(LinearSolver& other) const {
+        other.stop_ = stop_;
+        other.least_ = least_;
+        other.share_ = share_;
+    }
+    // At least r . A^-1 r; infinite where no bound is known.
+    double most_inverse_form(std::span<const Vec3> r) const;
 
   private:
     std::stop_token stop_;
+    std::span<const double> least_;
+    double share_ = 1.0;
 };
 
 enum class LinearSolverKind { block_jacobi, skeleton, cholesky, automatic };

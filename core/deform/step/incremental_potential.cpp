@@ -18,8 +18,11 @@ IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tang
       elastic_force_(body.node_count(), Vec3::Zero()),
       force_(body.node_count(), Vec3::Zero()) {
     const AssemblyPlan& plan = assembly_.plan();
-    matrix_ = {plan.row_begin, plan.column, std::vector<Mat3>(plan.column.size(), Mat3::Zero()),
-               plan.diagonal};
+    matrix_ = {plan.row_begin,
+               plan.column,
+               std::vector<Mat3>(plan.column.size(), Mat3::Zero()),
+               plan.diagonal,
+               {}};
     find_cut_blocks();
 }
 
@@ -131,6 +134,7 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     cut_held(matrix_);
     for (int i = 0; i < matrix_.rows(); ++i)
         if (held(i)) matrix_.block[matrix_.diagonal[i]] = Mat3::Identity();
+    matrix_.alone = live_.held();
     assembled_rows_.assign(live_.changed_rows().begin(), live_.changed_rows().end());
     live_.written();
     tension_added_ = false;
@@ -165,6 +169,7 @@ void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<cons
                                         const BlockMatrix* beside) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     if (damping_.block.size() != matrix_.block.size()) damping_ = matrix_;
+    damping_.alone.clear();  // rows that are held keep what they had when they were live
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
     for_each_live_row([&](int i) {
         for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k) {

@@ -87,6 +87,9 @@ void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
 
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     const bool coupled = step.potentials.coupled(step.positions);
+    const double inertia = 1.0 + step.dt_s * body_.damping.alpha_per_s;
+    solver_->bound_below(body_.mass_g,
+                         velocity_error_.any() ? VelocityError::least_share : inertia);
     solver_->update(potential_.matrix(), step.positions, potential_.assembled_rows());
     // The first system is solved for the change of velocity, whose relative error means something
     // for a body in flight, too.

@@ -8,7 +8,7 @@ namespace {
 
 RayleighDamping bounded_below(const RayleighDamping& error, const RayleighDamping& damping,
                               double dt_s) {
-    constexpr double least = 0.1;
+    constexpr double least = VelocityError::least_share;
     return {std::max(error.alpha_per_s, (least - 1.0) / dt_s - damping.alpha_per_s),
             std::max(error.beta_s, (least - 1.0) * dt_s - damping.beta_s)};
 }

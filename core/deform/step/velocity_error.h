@@ -12,14 +12,17 @@ namespace hepatica {
 
 class VelocityError {
   public:
+    // Of inertia and of stiffness, that remains whatever E is.
+    static constexpr double least_share = 0.1;
+
     void set(const RayleighDamping& error) {
         error_ = error;
         matrix_ = {};
     }
     bool any() const { return error_.alpha_per_s != 0.0 || error_.beta_s != 0.0; }
 
-    // Adds dt E to the potential's matrix. A negative E is limited so that a tenth of inertia and
-    // of stiffness remains in the matrix.
+    // Adds dt E to the potential's matrix. A negative E is limited so that the least share of
+    // inertia and of stiffness remains in the matrix.
     void add_to(IncrementalPotential& potential, const Body& body, double dt_s);
 
     // dt E of the last step.

@@ -50,6 +50,33 @@ TEST(CholeskySolver, SolvesDirectlyAndReportsItsError) {
     EXPECT_NEAR(report.energy_error, error, 0.1 * error);
 }
 
+// The matrix is at least the body's mass. Where that is too weak a bound the error is estimated.
+TEST(CholeskySolver, TellsByABoundThatTheErrorIsSmallEnough) {
+    const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    const auto solved = [&](std::span<const double> least, double tolerance, std::vector<Vec3>& x) {
+        CholeskySolver solver;
+        solver.bound_below(least, 1.0);
+        solver.prepare(matrix, positions);
+        x.assign(load.size(), Vec3::Zero());
+        return solver.solve(load, x, {.energy_tolerance = tolerance});
+    };
+    std::vector<Vec3> x, same;
+    const double estimate = solved({}, 1e-2, x).energy_error;
+    const double error = test::energy_error(matrix, x, test::solve_exactly(matrix, load));
+    const SolveReport bounded = solved(motion.body.mass_g, 1e-2, same);
+    EXPECT_EQ(same, x);
+    EXPECT_TRUE(bounded.converged);
+    EXPECT_GT(bounded.energy_error, 2.0 * error) << "not the estimate";
+    EXPECT_LE(bounded.energy_error, 1e-2);
+    const double between = std::sqrt(bounded.energy_error * error);
+    const SolveReport estimated = solved(motion.body.mass_g, between, same);
+    EXPECT_EQ(estimated.energy_error, estimate);
+    EXPECT_EQ(estimated.iterations, 0);
+}
+
 // Residuals are taken in double: iterations with the factor reach what its precision does not.
 TEST(CholeskySolver, PolishesToAnyTolerance) {
     const Motion motion;

@@ -440,13 +440,20 @@ TEST_F(Keeper, paths_are_made_absolute) {
 TEST_F(Keeper, makes_the_edits_again_that_another_program_left) {
     OpenRequest request;
     request.reconstruct.ct = FakeWard::path_of("a.hep");
-    request.left_edits = LeftEdits{{edit(1), edit(2)}, 0, "edits.jsonl"};
+    request.left_edits =
+        LeftEdits{{edit(1), edit(2)}, {{{{Vec3::Zero()}, 2.0, false}, 1}}, 0, "edits.jsonl"};
     ward.keeper().open(request);
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.shown.back(), "+");
     EXPECT_EQ(edits(), (std::vector<int>{1, 2}));
     EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), edits());
     EXPECT_TRUE(ward.workspace().dirty());
+    // The stroke came before the second of them.
+    EXPECT_EQ(ward.workspace().strokes(), request.left_edits->strokes);
+    EXPECT_FALSE(ward.workspace().undo_is_of_stroke());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.workspace().undo_is_of_stroke());
 }
 
 }  // namespace

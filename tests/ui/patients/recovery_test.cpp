@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -266,6 +267,27 @@ class Journal : public Unsaved {
         workspace_.add(testing::edit(number));
         recovery.follow(workspace_);
     }
+    // Strokes at the vessels, each with how many corrections came before it: "2 after 1".
+    bool leaves_strokes(const std::vector<std::string>& strokes) {
+        return QTest::qWaitFor(
+            [&] {
+                const auto works = left_if_killed_now();
+                return works.size() == 1 && works[0].request.left_edits &&
+                       texts_of(works[0].request.left_edits->strokes) == strokes;
+            },
+            recovery_patience_ms);
+    }
+    static std::vector<std::string> texts_of(const std::vector<PendingStroke>& strokes) {
+        std::vector<std::string> texts;
+        for (const PendingStroke& one : strokes)
+            texts.push_back(std::to_string(std::lround(one.stroke.path_mm.front().x())) +
+                            " after " + std::to_string(one.after_edits));
+        return texts;
+    }
+    void paint(int number, Recovery& recovery) {
+        workspace_.add_stroke({{Vec3(number, 0, 0), Vec3(number, 1, 0)}, 2.0, false});
+        recovery.follow(workspace_);
+    }
     void show_body() {
         auto corrected = std::make_shared<PatientCase>(*workspace_.patient());
         corrected->corrections.extracted = test::small_patient()->tree;
@@ -301,7 +323,7 @@ TEST_F(Journal, HoldsAnEditWhoseBodyIsStillBeingMade) {
     EXPECT_EQ(next.left_behind().size(), 1u);
     Workspace taken_up;
     taken_up.open(opened);
-    taken_up.take_up(work.request.left_edits->edits);
+    taken_up.take_up(work.request.left_edits->edits, {});
     taken_up.saved(case_, taken_up.edits());
     next.follow(taken_up);
     EXPECT_TRUE(next.left_behind().empty());
@@ -390,6 +412,78 @@ TEST_F(Journal, IsNotOpenedOnAnotherPatient) {
     write_case(case_, other);
     Job job;
     EXPECT_THROW(open_patient(work.request, job), InputError);
+}
+
+// No case holds them, so that the case itself needs no copy.
+TEST_F(Journal, HoldsStrokesThatWaitForARemaking) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    paint(1, *program);
+    paint(2, *program);
+    ASSERT_TRUE(leaves_strokes({"1 after 0", "2 after 0"}));
+    EXPECT_TRUE(program->resting());
+    const UnsavedWork work = left_if_killed_now().at(0);
+    EXPECT_EQ(work.title, "anton.hep");
+    EXPECT_EQ(work.request.reconstruct.ct, case_);
+    EXPECT_EQ(work.request.left_edits->strokes, workspace_.strokes());
+
+    workspace_.undo_stroke();
+    program->follow(workspace_);
+    EXPECT_TRUE(leaves_strokes({"1 after 0"}));
+    add(1, *program);
+    paint(3, *program);
+    EXPECT_TRUE(leaves_strokes({"1 after 0", "3 after 1"}));
+    EXPECT_TRUE(leaves({1}));
+    show_body();
+    workspace_.saved(case_, workspace_.edits());
+    program->follow(workspace_);
+    EXPECT_TRUE(leaves_strokes({"1 after 0", "3 after 1"})) << "the saved case has none of them";
+    workspace_.undo_stroke();
+    workspace_.undo_stroke();
+    program->follow(workspace_);
+    EXPECT_TRUE(left_if_killed_now().empty());
+}
+
+// The copy of the same version is whole but for the strokes.
+TEST_F(Journal, SaysMoreThanACopyWhereStrokesWait) {
+    auto program = this->program();
+    workspace_.open(reconstructed());
+    paint(1, *program);
+    ASSERT_TRUE(leaves_strokes({"1 after 0"}));
+    ASSERT_TRUE(rest(*program));
+    EXPECT_TRUE(leaves_strokes({"1 after 0"}));
+    const UnsavedWork work = left_if_killed_now().at(0);
+    EXPECT_TRUE(work.request.unsaved_copy);
+    workspace_.undo_stroke();
+    program->follow(workspace_);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+            const auto works = left_if_killed_now();
+            return works.size() == 1 && !works[0].request.left_edits;
+        },
+        recovery_patience_ms))
+        << "the copy holds as much";
+}
+
+// What the program before has left is let go only when this one's own journal is on disk.
+TEST_F(Journal, OfStrokesIsTakenUpByTheNextProgram) {
+    auto crashed = program();
+    workspace_.open(from_disk());
+    paint(1, *crashed);
+    ASSERT_TRUE(leaves_strokes({"1 after 0"}));
+    crashed.reset();
+    auto next = program();
+    ASSERT_EQ(next->left_behind().size(), 1u);
+    const UnsavedWork work = Recovery::unsaved_work(next->left_behind().front());
+    Job job;
+    Workspace taken_up;
+    taken_up.open(open_patient(work.request, job));
+    taken_up.take_up(work.request.left_edits->edits, work.request.left_edits->strokes);
+    next->follow(taken_up);
+    EXPECT_TRUE(next->left_behind().empty());
+    EXPECT_TRUE(leaves_strokes({"1 after 0"})) << "by the program that has taken it up";
+    EXPECT_TRUE(taken_up.unsaved());
+    EXPECT_TRUE(taken_up.undo_is_of_stroke());
 }
 
 }  // namespace
