@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "core/base/error.h"
@@ -346,8 +347,8 @@ void HydraulicSolver::solve_graph(const HydraulicCircuit& circuit, const Linear&
 void HydraulicSolver::balance_graph(const HydraulicCircuit& circuit, HydraulicState& next) const {
     const Incidence incidence = incidence_of(circuit);
     std::vector<int> falling = order_;
-    std::ranges::stable_sort(
-        falling, [&](int a, int b) { return next.pressure_pa[a] > next.pressure_pa[b]; });
+    std::ranges::stable_sort(falling, std::ranges::greater{},
+                             [&](int node) { return next.pressure_pa[node]; });
     std::vector<int> rank(circuit.node_count, circuit.node_count);  // fixed nodes come last
     for (std::size_t i = 0; i < falling.size(); ++i) rank[falling[i]] = static_cast<int>(i);
     for (const int node : falling) {

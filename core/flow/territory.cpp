@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace hepatica {
@@ -13,9 +14,8 @@ namespace {
 std::vector<int> downstream_order(const FlowNetwork& network, const FlowSolution& solution) {
     std::vector<int> falling(network.node_count);
     std::iota(falling.begin(), falling.end(), 0);
-    std::ranges::stable_sort(falling, [&](int a, int b) {
-        return solution.total_pressure_pa[a] > solution.total_pressure_pa[b];
-    });
+    std::ranges::stable_sort(falling, std::ranges::greater{},
+                             [&](int node) { return solution.total_pressure_pa[node]; });
     return falling;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "core/base/disjoint_sets.h"
@@ -106,7 +107,7 @@ Components connected_components(const Mask& mask, Connectivity connectivity, con
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < sizes.size(); ++i)
         if (sizes[i] > 0) order.push_back(i);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return sizes[a] > sizes[b]; });
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](auto set) { return sizes[set]; });
 
     Components components;
     components.labels = filled_image(mask.grid, std::uint32_t{0}, job);

@@ -331,7 +331,8 @@ bool is_dicom_file(const fs::path& file) {
     if (in.gcount() == 132 && std::string_view(head.data() + 128, 4) == "DICM") return true;
     // Without a preamble a file begins with a short element of group 0002 or 0008.
     const bool tag = (head[0] == 2 || head[0] == 8) && head[1] == 0 && head[3] == 0;
-    const bool vr = head[4] >= 'A' && head[4] <= 'Z' && head[5] >= 'A' && head[5] <= 'Z';
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    const bool vr = is_capital(head[4]) && is_capital(head[5]);
     const bool short_length = head[5] == 0 && head[6] == 0 && head[7] == 0;
     return in.gcount() == 132 && tag && (vr || short_length);
 }

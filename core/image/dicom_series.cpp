@@ -138,9 +138,8 @@ void require_one_shape(const std::vector<DicomSlice>& slices) {
 OrderedSeries order_slices(std::vector<DicomSlice> series) {
     require_one_shape(series);
     const Vec3 normal = series.front().normal();
-    std::ranges::stable_sort(series, [&](const DicomSlice& a, const DicomSlice& b) {
-        return a.position_mm.dot(normal) < b.position_mm.dot(normal);
-    });
+    std::ranges::stable_sort(
+        series, {}, [&](const DicomSlice& slice) { return slice.position_mm.dot(normal); });
     OrderedSeries ordered;
     for (DicomSlice& slice : series) {
         const bool repeats =

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <compare>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -199,8 +200,7 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
     }
     for (Series& series : all)
         series.covers = series.hides_extent() || series.extent_mm >= enough_of_longest * longest_mm;
-    std::ranges::stable_sort(
-        all, [](const Series& a, const Series& b) { return rank_of(a) > rank_of(b); });
+    std::ranges::stable_sort(all, std::ranges::greater{}, rank_of);
     return all;
 }
 

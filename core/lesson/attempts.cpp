@@ -148,8 +148,8 @@ Attempts all_attempts(const fs::path& folder) {
             found.passed_over.push_back(error.place() + " " + error.problem());
         }
     }
-    std::ranges::sort(found.list, [](const Attempt& a, const Attempt& b) {
-        return std::pair(a.ended_at, a.recording) < std::pair(b.ended_at, b.recording);
+    std::ranges::sort(found.list, {}, [](const Attempt& attempt) {
+        return std::pair(attempt.ended_at, attempt.recording);
     });
     std::ranges::sort(found.passed_over);
     return found;

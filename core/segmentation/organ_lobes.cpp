@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -126,9 +127,7 @@ Lobes Flood::result() {
 void hang(const std::vector<Neck>& necks, std::vector<Lobe>& lobes) {
     if (lobes.empty()) return;
     std::vector<char> hangs(lobes.size(), 0);
-    const auto deepest =
-        std::max_element(lobes.begin(), lobes.end(),
-                         [](const Lobe& a, const Lobe& b) { return a.depth_mm < b.depth_mm; });
+    const auto deepest = std::ranges::max_element(lobes, {}, &Lobe::depth_mm);
     hangs[static_cast<std::size_t>(deepest - lobes.begin())] = 1;
     const auto joins = [&](const Neck& neck) { return hangs[neck.a] != hangs[neck.b]; };
     for (auto neck = std::find_if(necks.begin(), necks.end(), joins); neck != necks.end();
@@ -152,9 +151,8 @@ Lobes lobes_of(const Mask& region, Job& job) {
     FloatVolume depth = distance_to(outside, job);
     for (float& mm : depth.voxels) mm = std::min(mm, bottomless_mm);
     job.throw_if_cancelled();
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return depth.voxels[a] > depth.voxels[b];
-    });
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&](std::size_t voxel) { return depth.voxels[voxel]; });
     Flood flood(depth);
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (k % voxels_a_check == 0) job.throw_if_cancelled();

@@ -48,7 +48,7 @@ void judge_rest(const BeamSpec& spec, const Discretisation& d, double tip, Trial
                       "the tip does not rest where a beam can");
 }
 
-ExtremeRow run_beam(const BeamRow& what, const std::stop_token& stop) {
+ExtremeRow run_beam(const BeamRow& what, const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(what.element);
     const BeamSpec spec = spec_of(what, d);
@@ -57,7 +57,7 @@ ExtremeRow run_beam(const BeamRow& what, const std::stop_token& stop) {
         body,
         {.model = d.model, .order = d.order, .newton_iterations = what.newton, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     const double period = first_period_s(spec), dt = what.dt_s;
     const int steps = static_cast<int>(std::clamp(5.0 * period / dt, 30.0, 60.0));
     if (!trial.run(steps, dt)) return row;
@@ -82,8 +82,7 @@ void add(std::vector<ExtremeCase>& cases, const BeamRow& row) {
     name << "beam " << row.element << " E=" << row.young_pa << " dt=" << row.dt_s
          << " nu=" << row.nu;
     if (row.newton > 1) name << " newton=" << row.newton;
-    cases.push_back(
-        {name.str(), [row](const std::stop_token& stop) { return run_beam(row, stop); }});
+    cases.push_back({name.str(), [row](const ExtremeRun& how) { return run_beam(row, how); }});
 }
 
 }  // namespace

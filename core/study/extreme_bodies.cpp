@@ -47,16 +47,16 @@ Vec3 angular_momentum(const Stepper& stepper, std::span<const double> mass) {
     return sum;
 }
 
-ExtremeRow rest_for_long(double dt, const std::stop_token& stop) {
+ExtremeRow rest_for_long(double dt, const ExtremeRun& how) {
     ExtremeRow row;
     BodyDescription body = small_body();
     const auto stepper = make_cpu_stepper(body, awake());
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (trial.run(long_run, dt)) trial.require_back_at(body.mesh.vertices_mm, 1e-9);
     return row;
 }
 
-ExtremeRow fly_for_long(double dt, const std::stop_token& stop) {
+ExtremeRow fly_for_long(double dt, const ExtremeRun& how) {
     ExtremeRow row;
     const BodyDescription body = small_body();
     const std::vector<double> mass =
@@ -65,7 +65,7 @@ ExtremeRow fly_for_long(double dt, const std::stop_token& stop) {
     const std::vector<Vec3> velocities(mass.size(), Vec3(300, -200, 100));
     stepper->set_state(body.mesh.vertices_mm, velocities);
     const Vec3 before = momentum(*stepper, mass);
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (!trial.run(long_run, dt)) return row;
     const double drift = (momentum(*stepper, mass) - before).norm() / before.norm();
     trial.require_close(1.0 + drift, 1.0, 1e-9, "conservation of momentum");
@@ -73,7 +73,7 @@ ExtremeRow fly_for_long(double dt, const std::stop_token& stop) {
 }
 
 // Backward Euler brakes a spin by its own law, d omega/dt = -dt omega^3, and nothing else may.
-ExtremeRow spin_for_long(double dt, double omega, const std::stop_token& stop) {
+ExtremeRow spin_for_long(double dt, double omega, const ExtremeRun& how) {
     ExtremeRow row;
     const BodyDescription body = small_body();
     const std::vector<double> mass =
@@ -91,7 +91,7 @@ ExtremeRow spin_for_long(double dt, double omega, const std::stop_token& stop) {
         velocities.push_back(Vec3(0, 0, omega).cross(Vec3(x - centre)));
     stepper->set_state(body.mesh.vertices_mm, velocities);
     const double before = angular_momentum(*stepper, mass).norm();
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (!trial.run(long_run, dt)) return row;
     const double left = angular_momentum(*stepper, mass).norm() / before;
     const double expected = 1.0 / std::sqrt(1.0 + 2.0 * omega * omega * dt * dt * long_run);
@@ -99,12 +99,12 @@ ExtremeRow spin_for_long(double dt, double omega, const std::stop_token& stop) {
     return row;
 }
 
-ExtremeRow fall(const BodyDescription& body, std::size_t first_free, const std::stop_token& stop) {
+ExtremeRow fall(const BodyDescription& body, std::size_t first_free, const ExtremeRun& how) {
     ExtremeRow row;
     const auto stepper =
         make_cpu_stepper(body, {.linear = {.energy_tolerance = 1e-10}, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -9810));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (!trial.run(60, 1.0 / 60.0)) return row;
     const double expected = 9810.0 * 60.0 * 61.0 / 2.0 / 3600.0;
     for (std::size_t v = first_free; v < body.mesh.vertices_mm.size(); ++v)
@@ -136,19 +136,19 @@ BodyDescription two_bodies() {
     return body;
 }
 
-ExtremeRow everything_fixed(const std::stop_token& stop) {
+ExtremeRow everything_fixed(const ExtremeRun& how) {
     ExtremeRow row;
     BodyDescription body = small_body();
     body.fixed.assign(body.mesh.vertices_mm.size(), 1);
     const auto stepper = make_cpu_stepper(body, {.audit = true});
     stepper->set_gravity(Vec3(0, 0, -9810));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (trial.run(100, 1.0 / 60.0)) trial.require_back_at(body.mesh.vertices_mm, 0.0);
     return row;
 }
 
 // Finite, but so large that forces and energies overflow.
-ExtremeRow overflow(double size_mm, double speed_mm_s, const std::stop_token& stop) {
+ExtremeRow overflow(double size_mm, double speed_mm_s, const ExtremeRun& how) {
     ExtremeRow row;
     const BodyDescription body = small_body();
     const auto stepper = make_cpu_stepper(body, {});
@@ -159,19 +159,19 @@ ExtremeRow overflow(double size_mm, double speed_mm_s, const std::stop_token& st
     }
     stepper->set_state(x, v);
     for (int i = 0; i < 5; ++i) {
-        stepper->step(1.0 / 60.0, stop);
+        stepper->step(1.0 / 60.0, how.stop);
         for (const Vec3& p : stepper->positions_mm())
             if (!p.allFinite()) row.note = "a position is not finite";
     }
     stepper->set_state(body.mesh.vertices_mm, std::vector<Vec3>(v.size(), Vec3::Zero()));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (trial.run(10, 1.0 / 60.0)) trial.require_back_at(body.mesh.vertices_mm, 1e-9);
     return row;
 }
 
 // Passes only where `attempt` throws InputError.
 ExtremeCase refusal(const std::string& name, const std::function<void()>& attempt) {
-    return {"refuse " + name, [attempt](const std::stop_token&) {
+    return {"refuse " + name, [attempt](const ExtremeRun&) {
                 ExtremeRow row;
                 try {
                     attempt();
@@ -223,27 +223,26 @@ void refuse_grab(std::vector<ExtremeCase>& cases, const std::string& name,
 
 void add_long_runs(std::vector<ExtremeCase>& cases) {
     cases.push_back({"100000 steps at rest dt=1/60",
-                     [](const std::stop_token& stop) { return rest_for_long(1.0 / 60.0, stop); }});
+                     [](const ExtremeRun& how) { return rest_for_long(1.0 / 60.0, how); }});
     cases.push_back({"100000 steps in flight dt=1e-3",
-                     [](const std::stop_token& stop) { return fly_for_long(1e-3, stop); }});
+                     [](const ExtremeRun& how) { return fly_for_long(1e-3, how); }});
     cases.push_back({"100000 steps spinning dt=1e-4 1 rad/s",
-                     [](const std::stop_token& stop) { return spin_for_long(1e-4, 1, stop); }});
-    cases.push_back({"one element falls",
-                     [](const std::stop_token& stop) { return fall(one_element(), 0, stop); }});
-    cases.push_back({"nothing fixed falls",
-                     [](const std::stop_token& stop) { return fall(small_body(), 0, stop); }});
+                     [](const ExtremeRun& how) { return spin_for_long(1e-4, 1, how); }});
     cases.push_back(
-        {"two disconnected bodies, one clamped, one falls", [](const std::stop_token& stop) {
-             const BodyDescription body = two_bodies();
-             return fall(body, body.mesh.vertices_mm.size() / 2, stop);
-         }});
+        {"one element falls", [](const ExtremeRun& how) { return fall(one_element(), 0, how); }});
+    cases.push_back(
+        {"nothing fixed falls", [](const ExtremeRun& how) { return fall(small_body(), 0, how); }});
+    cases.push_back({"two disconnected bodies, one clamped, one falls", [](const ExtremeRun& how) {
+                         const BodyDescription body = two_bodies();
+                         return fall(body, body.mesh.vertices_mm.size() / 2, how);
+                     }});
     cases.push_back({"everything fixed", everything_fixed});
-    cases.push_back({"overflow of positions",
-                     [](const std::stop_token& stop) { return overflow(1e200, 0.0, stop); }});
+    cases.push_back(
+        {"overflow of positions", [](const ExtremeRun& how) { return overflow(1e200, 0.0, how); }});
     cases.push_back({"overflow of velocities",
-                     [](const std::stop_token& stop) { return overflow(1.0, 1e200, stop); }});
-    cases.push_back({"overflow of both",
-                     [](const std::stop_token& stop) { return overflow(1e150, 1e300, stop); }});
+                     [](const ExtremeRun& how) { return overflow(1.0, 1e200, how); }});
+    cases.push_back(
+        {"overflow of both", [](const ExtremeRun& how) { return overflow(1e150, 1e300, how); }});
 }
 
 namespace {

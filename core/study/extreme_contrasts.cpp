@@ -51,7 +51,7 @@ double middle_of(const BodyDescription& body, std::size_t element) {
 
 ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, double dt,
                         const AlongBeam& stiffness, const AlongBeam& weight,
-                        const std::stop_token& stop) {
+                        const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(element);
     BeamSpec spec;
@@ -71,7 +71,7 @@ ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, dou
     // Rounding errors of a stiff tip's forces do work in proportion to the motion that a soft clamp
     // allows; the energies fall with its square.
     const bool stiff_tip = stiffness(spec.length_mm) > 1e3 * stiffness(0.0);
-    Trial trial(*stepper, row, stop, stiff_tip ? 1.0 : 0.0);
+    Trial trial(*stepper, row, how, stiff_tip ? 1.0 : 0.0);
     if (!trial.run(static_cast<int>(std::max(150.0, 20.0 / dt)), dt)) return row;
     trial.require_close(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()),
                         beam_tip_mm(spec, stiffness, weight), 0.06, "Timoshenko, piecewise");
@@ -103,16 +103,16 @@ void add_contrasts(std::vector<ExtremeCase>& cases) {
                     std::ostringstream name;
                     name << "contrast " << kind.name << ' ' << element << ' ' << name_of(solver)
                          << " dt=" << dt;
-                    cases.push_back({name.str(), [=](const std::stop_token& stop) {
+                    cases.push_back({name.str(), [=](const ExtremeRun& how) {
                                          return run_contrast(element, solver, dt, kind.stiffness,
-                                                             kind.weight, stop);
+                                                             kind.weight, how);
                                      }});
                 }
 }
 
 // One layer of cells squeezed until its tetrahedra have dihedral angles of the given size.
 ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt,
-                      const std::stop_token& stop) {
+                      const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(element);
     BeamSpec spec;
@@ -127,7 +127,7 @@ ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt,
     const auto stepper =
         make_cpu_stepper(body, {.model = d.model, .order = d.order, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (!trial.run(150, dt)) return row;
     const double tip = tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
     if (d.order == ElementOrder::quadratic || d.hexahedra)
@@ -150,7 +150,7 @@ double random_between(std::mt19937_64& random, double low, double high) {
 
 // Starts bent out of all shape and must find back to rest by itself.
 ExtremeRow run_broken_start(const std::string& element, double dt, const Deform& deform,
-                            const std::stop_token& stop) {
+                            const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(element);
     BeamSpec spec;
@@ -165,7 +165,7 @@ ExtremeRow run_broken_start(const std::string& element, double dt, const Deform&
     for (std::size_t v = 0; v < start.size(); ++v)
         if (!body.fixed[v]) start[v] = deform(start[v], random);
     stepper->set_state(start, std::vector<Vec3>(start.size(), Vec3::Zero()));
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (trial.run(300, dt) && trial.run(100, std::max(dt, 0.05))) {
         trial.require_positive_volumes(body, d.model, d.order);
         trial.require_back_at(body.mesh.vertices_mm, 2e-3 * spec.length_mm);
@@ -179,8 +179,8 @@ void add_shapes(std::vector<ExtremeCase>& cases) {
             for (const double dt : {1.0 / 60.0, 1.0}) {
                 std::ostringstream name;
                 name << "sliver " << element << " angle=" << angle << " dt=" << dt;
-                cases.push_back({name.str(), [=](const std::stop_token& stop) {
-                                     return run_sliver(element, angle, dt, stop);
+                cases.push_back({name.str(), [=](const ExtremeRun& how) {
+                                     return run_sliver(element, angle, dt, how);
                                  }});
             }
     struct Start {
@@ -203,8 +203,8 @@ void add_shapes(std::vector<ExtremeCase>& cases) {
             for (const double dt : {1e-3, 1.0 / 60.0}) {
                 std::ostringstream name;
                 name << "start " << start.name << ' ' << element << " dt=" << dt;
-                cases.push_back({name.str(), [=](const std::stop_token& stop) {
-                                     return run_broken_start(element, dt, start.deform, stop);
+                cases.push_back({name.str(), [=](const ExtremeRun& how) {
+                                     return run_broken_start(element, dt, start.deform, how);
                                  }});
             }
 }

@@ -75,17 +75,17 @@ class TearTrial {
                volume_mm3(body_.mesh);
     }
 
-    ExtremeRow run(int steps, const std::stop_token& stop) {
+    ExtremeRow run(int steps, const ExtremeRun& how) {
         ExtremeRow row;
         stepper_ = make_cpu_stepper(body_, options_);
-        Trial trial(*stepper_, row, stop, 0.0, rounding_nj() / Trial::ledger_tolerance);
+        Trial trial(*stepper_, row, how, 0.0, rounding_nj() / Trial::ledger_tolerance);
         SplitCheck check(body_, options_);
         weaken_some();
         if (play_ == TearPlay::press) bring_tool();
         for (int k = 0; k < steps; ++k) {
             if (k % steps_a_goal == 0 && !begin_goal(trial, check)) break;
             lead();
-            const StepReport report = stepper_->step(frame_s, stop);
+            const StepReport report = stepper_->step(frame_s, how.stop);
             if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_, report.energy)))
                 break;
         }
@@ -207,8 +207,8 @@ std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
         char name[80];
         std::snprintf(name, sizeof name, "tear %d %s at %.3g mm/s, %d tetrahedra", t,
                       tear_plays[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps](const std::stop_token& stop) mutable {
-                             return TearTrial(play, speed, random, tetrahedra).run(steps, stop);
+        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) mutable {
+                             return TearTrial(play, speed, random, tetrahedra).run(steps, how);
                          }});
     }
     return cases;

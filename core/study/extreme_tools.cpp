@@ -20,14 +20,14 @@ BeamSpec short_beam(const Discretisation& d) {
 
 // The tip is held by a strong spring whose target jumps by a metre, there and back, then let go.
 ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un, int newton,
-                    const std::stop_token& stop) {
+                    const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(element);
     const BeamSpec spec = short_beam(d);
     const BodyDescription body = clamped_beam(spec, d);
     const auto stepper = make_cpu_stepper(
         body, {.model = d.model, .order = d.order, .newton_iterations = newton, .audit = true});
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     Grab grab;
     grab.vertices[0] = static_cast<int>(body.mesh.vertices_mm.size()) - 1;
     grab.stiffness_un_per_mm = 1e5;
@@ -48,7 +48,7 @@ ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un
 }
 
 ExtremeRow run_heavy(const std::string& element, double dt, const Vec3& direction,
-                     const std::stop_token& stop) {
+                     const ExtremeRun& how) {
     ExtremeRow row;
     const Discretisation d = discretisation_of(element);
     const BeamSpec spec = short_beam(d);
@@ -56,7 +56,7 @@ ExtremeRow run_heavy(const std::string& element, double dt, const Vec3& directio
     const auto stepper =
         make_cpu_stepper(body, {.model = d.model, .order = d.order, .audit = true});
     stepper->set_gravity(1000.0 * 9810.0 * direction);
-    Trial trial(*stepper, row, stop);
+    Trial trial(*stepper, row, how);
     if (!trial.run(60, dt)) return row;
     stepper->set_gravity(Vec3::Zero());
     if (trial.run(200, std::max(dt, 0.02))) {
@@ -74,27 +74,27 @@ void add_tool_cases(std::vector<ExtremeCase>& cases) {
             for (const double limit : {1e5, 1e9}) {
                 std::ostringstream name;
                 name << "grab jumps 1 m " << element << " dt=" << dt << " limit=" << limit;
-                cases.push_back({name.str(), [=](const std::stop_token& stop) {
-                                     return run_jump(element, dt, limit, 1, stop);
+                cases.push_back({name.str(), [=](const ExtremeRun& how) {
+                                     return run_jump(element, dt, limit, 1, how);
                                  }});
             }
             std::ostringstream name;
             name << "gravity x 1000 " << element << " dt=" << dt;
-            cases.push_back({name.str() + " down", [=](const std::stop_token& stop) {
-                                 return run_heavy(element, dt, Vec3(0, 0, -1), stop);
+            cases.push_back({name.str() + " down", [=](const ExtremeRun& how) {
+                                 return run_heavy(element, dt, Vec3(0, 0, -1), how);
                              }});
-            cases.push_back({name.str() + " along", [=](const std::stop_token& stop) {
-                                 return run_heavy(element, dt, Vec3(1, 0, 0), stop);
+            cases.push_back({name.str() + " along", [=](const ExtremeRun& how) {
+                                 return run_heavy(element, dt, Vec3(1, 0, 0), how);
                              }});
-            cases.push_back({name.str() + " into the clamp", [=](const std::stop_token& stop) {
-                                 return run_heavy(element, dt, Vec3(-1, 0, 0), stop);
+            cases.push_back({name.str() + " into the clamp", [=](const ExtremeRun& how) {
+                                 return run_heavy(element, dt, Vec3(-1, 0, 0), how);
                              }});
         }
     for (const double dt : {1e-3, 1.0 / 60.0, 1.0}) {
         std::ostringstream name;
         name << "grab jumps 1 m neohookean-10 dt=" << dt << " limit=1e+06 newton=20";
-        cases.push_back({name.str(), [=](const std::stop_token& stop) {
-                             return run_jump("neohookean-10", dt, 1e6, 20, stop);
+        cases.push_back({name.str(), [=](const ExtremeRun& how) {
+                             return run_jump("neohookean-10", dt, 1e6, 20, how);
                          }});
     }
 }

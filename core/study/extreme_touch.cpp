@@ -55,13 +55,13 @@ class TouchTrial {
             reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
     }
 
-    ExtremeRow run(int steps, const std::stop_token& stop) {
+    ExtremeRow run(int steps, const ExtremeRun& how) {
         ExtremeRow row;
         // A mesh of branches that pass close by may cross itself before anything has moved.
         if (!crossing_triangles(surface_, body_.mesh.vertices_mm).empty())
             throw InputError("crosses itself at rest", "the mesh of the tree", "Take another seed");
         stepper_ = make_cpu_stepper(body_, {});
-        Trial trial(*stepper_, row, stop);
+        Trial trial(*stepper_, row, how);
         begin();
         for (int k = 0; k < steps; ++k) {
             if (k % steps_to_a_goal == 0) choose_goal();
@@ -174,8 +174,8 @@ std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign) {
         char name[80];
         std::snprintf(name, sizeof name, "touch %d %s at %.3g mm/s, %d tetrahedra", t,
                       names[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps](const std::stop_token& stop) mutable {
-                             return TouchTrial(play, speed, random, tetrahedra).run(steps, stop);
+        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) mutable {
+                             return TouchTrial(play, speed, random, tetrahedra).run(steps, how);
                          }});
     }
     return cases;

@@ -10,11 +10,23 @@
 #include <limits>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/job.h"
 
 namespace hepatica {
+
+// How a row is run: it throws Cancelled soon after a stop was asked for. Where it may not step as
+// often at a time as it wants to, all that it does to its body still happens, but what it expects
+// of rest and return need not hold.
+struct ExtremeRun {
+    std::stop_token stop;
+    int most_steps = std::numeric_limits<int>::max();
+
+    ExtremeRun() = default;
+    ExtremeRun(std::stop_token asked) : stop(std::move(asked)) {}  // NOLINT: a stop is how
+};
 
 struct ExtremeRow {
     std::string name;  // "beam corotated-10 E=1e6 dt=0.1 nu=0.3"
@@ -22,6 +34,7 @@ struct ExtremeRow {
     bool refused = false;      // by name, and rightly
     std::string note;          // what went wrong, or the words of the refusal
     double energy_made = 0.0;  // largest of any step, relative to what it handled
+    double path_mm = 0.0;      // of a vertex, the mean of them, over all steps
     int touched_steps = 0;     // steps after which surfaces or a tool touch
     int splits = 0;            // transactions in which a body that tears was split;
     int inverted_splits = 0;   // after how many of them a tetrahedron was inside out,
@@ -38,8 +51,7 @@ struct ExtremeRow {
 
 struct ExtremeCase {
     std::string name;
-    // Throws Cancelled soon after a stop was asked for.
-    std::function<ExtremeRow(const std::stop_token& stop)> run;
+    std::function<ExtremeRow(const ExtremeRun& how)> run;
 };
 
 // All of them, more than 200, in a fixed order.

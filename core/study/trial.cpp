@@ -21,14 +21,18 @@ bool Trial::require(bool good, const std::string& what) {
 }
 
 bool Trial::run(int steps, double dt_s) {
-    for (int i = 0; i < steps; ++i)
-        if (!judge(stepper_.step(dt_s, stop_))) return false;
+    for (int left = std::min(steps, how_.most_steps); left > 0; --left)
+        if (!judge(stepper_.step(dt_s, how_.stop))) return false;
     return true;
 }
 
 bool Trial::judge(const StepReport& report) {
     for (const Vec3& x : stepper_.positions_mm())
         if (!require(x.allFinite(), "a position is not finite")) return false;
+    double speed_mm_per_s = 0.0;
+    for (const Vec3& v : stepper_.velocities_mm_per_s()) speed_mm_per_s += v.norm();
+    row_.path_mm +=
+        report.dt_s * speed_mm_per_s / static_cast<double>(stepper_.positions_mm().size());
     row_.degraded_steps += report.degraded;
     row_.touched_steps += report.tool.contacts > 0 || report.self.contacts > 0;
     return check_energy(report);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <span>
-#include <stop_token>
 #include <string>
+#include <utility>
 
 #include "core/deform/body/body.h"
 #include "core/deform/stepper/stepper.h"
@@ -16,17 +16,16 @@ class Trial {
   public:
     static constexpr double ledger_tolerance = 1e-9;
     // What the ledger leaves open is judged against what the step handled, but at least against
-    // this share of the most that any step has handled, and against `least_nj`. After a stop was
-    // asked for, run() throws Cancelled.
-    Trial(Stepper& stepper, ExtremeRow& row, const std::stop_token& stop, double ledger_share = 0.0,
+    // this share of the most that any step has handled, and against `least_nj`.
+    Trial(Stepper& stepper, ExtremeRow& row, ExtremeRun how, double ledger_share = 0.0,
           double least_nj = 0.0)
         : stepper_(stepper),
           row_(row),
-          stop_(stop),
+          how_(std::move(how)),
           ledger_share_(ledger_share),
           least_nj_(least_nj) {}
 
-    // Steps; false as soon as something is wrong, which the row then says.
+    // Steps, as often as it may; false as soon as something is wrong, which the row then says.
     bool run(int steps, double dt_s);
 
     // What run() asks of each step, of one that was just made.
@@ -53,7 +52,7 @@ class Trial {
 
     Stepper& stepper_;
     ExtremeRow& row_;
-    std::stop_token stop_;
+    ExtremeRun how_;
     double ledger_share_, least_nj_;
     double stored_ = 0.0;   // after the last step
     double handled_ = 0.0;  // the most in any step so far

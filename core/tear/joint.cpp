@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hepatica {
 namespace {
@@ -44,9 +45,8 @@ std::vector<Joint> joints_of(const TetMesh& mesh) {
             std::ranges::sort(face.vertices);
             faces.push_back(face);
         }
-    std::ranges::sort(faces, [](const Face& a, const Face& b) {
-        return a.vertices != b.vertices ? a.vertices < b.vertices : a.tetrahedron < b.tetrahedron;
-    });
+    std::ranges::sort(faces, {},
+                      [](const Face& face) { return std::pair(face.vertices, face.tetrahedron); });
     std::vector<Joint> joints;
     for (std::size_t i = 0; i + 1 < faces.size(); ++i)
         if (faces[i].vertices == faces[i + 1].vertices)

@@ -64,6 +64,31 @@ TEST(Nifti, ComesBackAsItWasWritten) {
         }
 }
 
+// Programs may read either form of the position: the rotation alone says the same as the map, of
+// grids that are turned by any angle, mirrored or not.
+TEST(Nifti, ItsRotationSaysWhatItsMapSays) {
+    const TemporaryFolder folder;
+    Job job;
+    for (const double angle : {0.0, 1.0, 2.5, 4.0, 6.0})
+        for (const double mirrored : {1.0, -1.0}) {
+            Grid grid = small_grid();
+            grid.direction =
+                Eigen::AngleAxisd(angle, Vec3(3.0, -1.0, 2.0).normalized()).toRotationMatrix();
+            grid.direction.col(2) *= mirrored;
+            write_nifti(folder / "turned.nii", patterned_volume(grid));
+            const Volume by_map = read_volume(folder / "turned.nii", job);
+            std::string bytes = bytes_of_file(folder / "turned.nii");
+            const std::int16_t no_map = 0;
+            std::memcpy(bytes.data() + 254, &no_map, sizeof no_map);
+            write_bytes(folder / "turned.nii", bytes);
+            const Volume by_rotation = read_volume(folder / "turned.nii", job);
+            const Grid &one = by_map.grid, &other = by_rotation.grid;
+            EXPECT_NEAR((other.direction - one.direction).norm(), 0.0, 1e-5) << angle;
+            EXPECT_NEAR((other.origin_mm - one.origin_mm).norm(), 0.0, 1e-4) << angle;
+            EXPECT_EQ(by_rotation.voxels, by_map.voxels) << angle;
+        }
+}
+
 TEST(Nifti, KeepsMasksLabelsAndFloats) {
     const TemporaryFolder folder;
     Job job;

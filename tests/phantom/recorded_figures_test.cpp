@@ -2,11 +2,13 @@
 // Figures of phantoms as they are today: bodies, vessels and scans.
 #include <gtest/gtest.h>
 
+#include "core/phantom/disturbances.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/phantom_body.h"
 #include "core/phantom/phantom_contacts.h"
 #include "core/phantom/phantom_growth.h"
 #include "core/phantom/phantom_scan.h"
+#include "core/phantom/random_patient.h"
 #include "tests/support/recorded_figures.h"
 
 namespace hepatica {
@@ -180,6 +182,96 @@ TEST(PhantomFigures, OfTreesThatGrowInABall) {
             .add("points" + std::to_string(i), numbers_in(points));
     }
     expect_recorded("phantom", "growth", figures);
+}
+
+// Each disturbance alone, in a ball of liver with a vessel through it.
+TEST(PhantomFigures, OfDisturbances) {
+    Grid grid;
+    grid.dims = {46, 40, 34};
+    grid.spacing_mm = {1.5, 1.6, 2.0};
+    Mask liver(grid);
+    Image<std::uint8_t> lumen(grid);
+    const Vec3 middle = grid.to_mm(22, 20, 17);
+    for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+        const Index3 at = grid.index_of(i);
+        const Vec3 off = grid.to_mm(at[0], at[1], at[2]) - middle;
+        liver.voxels[i] = off.norm() < 28.0;
+        lumen.voxels[i] = off.head<2>().norm() < 4.0 ? 64 : off.head<2>().norm() < 5.0 ? 20 : 0;
+    }
+    const std::vector<std::pair<const char*, Disturbances>> kinds{
+        {"perfusion", {.perfusion_hu = 7.0}},
+        {"mottle", {.mottle_hu = 5.0, .mottle_mm = 3.0}},
+        {"tumours", {.tumours = 4, .tumour_hu = -35.0}},
+        {"rims", {.tumours = 3, .tumour_hu = 20.0, .tumour_rim_hu = 40.0}},
+        {"fissures", {.fissures = 5}},
+        {"streaming", {.streaming_hu = 12.0}}};
+    Job job;
+    Figures figures;
+    const auto add = [&](const std::string& name, const FloatVolume& image) {
+        figures.add(name, std::vector<double>(image.voxels.begin(), image.voxels.end()));
+    };
+    for (const auto& [name, disturbances] : kinds) {
+        FloatVolume image(grid, 100.0f);
+        disturb_tissue(image, liver, lumen, disturbances, 100.0, 31, job);
+        add(name, image);
+    }
+    for (const double sharpness : {0.0, 0.6})
+        add(sharpness > 0.0 ? "sharp_noise" : "soft_noise",
+            correlated_noise(grid, {.noise_correlation_mm = 1.2, .noise_sharpness = sharpness}, 32,
+                             job));
+    FloatVolume streaked(grid, 0.0f);
+    add_streaks(streaked, {.streaks = 12, .streak_hu = 25.0}, 33);
+    add("streaks", streaked);
+    Mask sloppy = sloppy_liver(liver, 34, job);
+    expect_recorded("phantom", "disturbances", figures.add("sloppy", sloppy.voxels));
+}
+
+TEST(PhantomFigures, OfCompanions) {
+    Job job;
+    const VesselTree tree = make_phantom(coarse(), job).tree;
+    Figures figures;
+    add_tree(figures, "artery", companions(tree, 0.45, Vec3::UnitX(), VascularSystem::artery));
+    add_tree(figures, "duct", companions(tree, 0.3, -Vec3::UnitY(), VascularSystem::unknown));
+    expect_recorded("phantom", "companions", figures);
+}
+
+TEST(PhantomFigures, OfPatientsDrawnAtRandom) {
+    std::vector<double> numbers;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const PhantomOptions o = random_patient(seed);
+        const Disturbances& d = o.disturbances;
+        for (const double value : {double(o.generations),
+                                   double(o.systems),
+                                   o.root_radius_mm,
+                                   o.murray_exponent,
+                                   o.parenchyma_hu,
+                                   o.contrast_hu,
+                                   o.noise_hu,
+                                   o.point_spread_sigma_mm,
+                                   double(o.dims[0]),
+                                   double(o.dims[2]),
+                                   o.spacing_mm[0],
+                                   o.spacing_mm[2],
+                                   d.perfusion_hu,
+                                   d.mottle_hu,
+                                   d.mottle_mm,
+                                   double(d.tumours),
+                                   d.tumour_hu,
+                                   d.tumour_rim_hu,
+                                   double(d.fissures),
+                                   d.artery_share,
+                                   d.artery_hu,
+                                   d.duct_share,
+                                   d.duct_hu,
+                                   d.streaming_hu,
+                                   d.noise_correlation_mm,
+                                   d.noise_sharpness,
+                                   double(d.streaks),
+                                   d.streak_hu,
+                                   d.slice_spread_sigma_mm})
+            numbers.push_back(value);
+    }
+    expect_recorded("phantom", "random", Figures().add("numbers", numbers));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/scene/bleeding.h"
 #include "core/scene/branch_table.h"
+#include "core/scene/crossings.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/scene_spec.h"
@@ -120,14 +121,19 @@ class Handling {
             if (k % 4 == 0)
                 shapes_.insert(shapes_.end(), frame.positions_mm.begin(), frame.positions_mm.end());
             if (frame.tool) note_tool(*frame.tool);
+            if (frame.grab) note_hand(*frame.grab);
             if (frame.tear) note_tears(frame);
             note_drug(k, frame.drug);
+            if (k % 10 == 9) crossings_.push_back(crossing_pairs(body_));
             if (k == 26 || k == 50) go_back();
         }
         return Figures()
             .add("shapes", shapes_)
             .add("tools", tools_)
+            .add("hand", hand_)
             .add("tears", tears_)
+            .add("shown_tears", shown_tears_)
+            .add("crossings", crossings_)
             .add("drug", drug_)
             .add("checkpoints", text_of(checkpoints_))
             .add("mass_error", flow_.mass_error_relative() < 1e-9);
@@ -173,7 +179,31 @@ class Handling {
         for (const int vertex : tool.touched) tools_.push_back(vertex);
     }
 
+    void note_hand(const GrabView& hand) {
+        for (const Vec3& v : {hand.point_mm, hand.target_mm})
+            hand_.insert(hand_.end(), v.begin(), v.end());
+        hand_.push_back(1e-5 * hand.force_un);
+        hand_.push_back(hand.at_limit);
+    }
+
+    // What is painted of a tear.
+    void note_shown_tears(const TearView& tear) {
+        shown_tears_.push_back(static_cast<double>(tear.stopped_by.size()));
+        shown_tears_.push_back(tear.entropy_produced_nats);
+        if (tear.origins)
+            shown_tears_.insert(shown_tears_.end(), tear.origins->begin(), tear.origins->end());
+        if (tear.rims)
+            shown_tears_.insert(shown_tears_.end(), tear.rims->begin(), tear.rims->end());
+        if (tear.loads)
+            shown_tears_.insert(shown_tears_.end(), tear.loads->begin(), tear.loads->end());
+        if (!tear.weak_edges) return;
+        for (const auto& [a, b] : *tear.weak_edges)
+            shown_tears_.insert(shown_tears_.end(), {double(a), double(b)});
+    }
+
     void note_tears(const Frame& frame) {
+        note_shown_tears(*frame.tear);
+        shown_tears_.push_back(body_.mass_error_relative() < 1e-12);
         tears_.insert(tears_.end(),
                       {double(frame.tear->joints_broken), double(frame.tear->pieces),
                        frame.tear->entropy_nats, frame.tear->leak_g_s, frame.tear->leaked_g});
@@ -209,7 +239,7 @@ class Handling {
     const VesselTree& tree_ = small_patient()->tree;
     const Vec3 place_ = middle_of(tree_, 1), cut_ = middle_of(tree_, 0);
     Vec3 along_, across_;
-    std::vector<double> shapes_, tools_, tears_, drug_;
+    std::vector<double> shapes_, tools_, hand_, tears_, shown_tears_, crossings_, drug_;
     std::string checkpoints_;
 };
 
@@ -221,6 +251,69 @@ TEST(SceneFigures, OfEverythingThatCanBeDone) {
     spec.contact->self = false;
     spec.deform->wall_mm = 0.8;
     expect_recorded("scene", "handled_tearing", Handling(spec).figures());
+}
+
+// Each is a scene with one thing wrong; what is said about it is for the person who wrote it.
+TEST(SceneFigures, OfWhatIsSaidAboutWrongScenes) {
+    using Json = nlohmann::ordered_json;
+    std::string said;
+    for (const char* text : {R"([])",
+                             R"({"name": 3})",
+                             R"({"name": "x"})",
+                             R"({"flow": {}, "dt_s": 1.001})",
+                             R"({"flow": {}, "tear": {}})",
+                             R"({"flow": {}, "contact": {}})",
+                             R"({"flow": {"drug_speed": 0.9e-6}})",
+                             R"({"flow": {"drug_speed": 1.1e6}})",
+                             R"({"deform": {"tether_pa_per_mm2": -0.001}})",
+                             R"({"deform": {"tether_pa_per_mm2": 1.1e9}})",
+                             R"({"deform": {"material": 1}})",
+                             R"({"deform": {"gravity_mm_per_s2": [1, 2]}})",
+                             R"({"deform": {"velocity_error": [1]}})",
+                             R"({"deform": {"velocity_error": [0, 1e999]}})",
+                             R"({"deform": {"fixed": "root"}})",
+                             R"({"deform": {"quality": -0.1}})",
+                             R"({"deform": {"setting": {"substeps": 65}}})",
+                             R"({"deform": {"wall_mm": 0.001}})",
+                             R"({"deform": {"walls_mm": 1}})",
+                             R"({"deform": {}, "contact": {"obstacles": true}})",
+                             R"({"deform": {}, "contact": {"tool": true}})",
+                             R"({"deform": {}, "tear": {"tear_factor": 0.9e-6}})",
+                             R"({"deform": {}, "tear": {"tear_factor": 1.1e9}})",
+                             R"({"deform": {}, "tear": {"stop": "now"}})",
+                             R"({"deform": {}, "tear": {"entropy_budget": -1e-9}})",
+                             R"({"deform": {}, "tear": {"entropy_budget": 1.1e6}})",
+                             R"({"deform": {}, "tear": {"vertex_budget": -1}})",
+                             R"({"deform": {}, "tear": {"bare": true}})"}) {
+        try {
+            scene_from_json(Json::parse(text, nullptr, false));
+            ADD_FAILURE() << text << " was read";
+        } catch (const InputError& error) {
+            said += error.problem() + "|" + error.place() + "|" + error.remedy() + "\n";
+        }
+    }
+    expect_recorded("scene", "refusals", Figures().add("words", text_of(said)));
+}
+
+// What lies on its bounds is read, and written as it was.
+TEST(SceneFigures, OfScenesOnTheirBounds) {
+    using Json = nlohmann::ordered_json;
+    std::string text;
+    for (const char* scene :
+         {R"({"flow": {"drug_speed": 1e-6}})", R"({"flow": {"drug_speed": 1e6}})",
+          R"({"deform": {"tether_pa_per_mm2": 0, "wall_mm": 0.01, "fixed": "all"}})",
+          R"({"deform": {"tether_pa_per_mm2": 1e9, "wall_mm": 100, "fixed": "none",
+                         "velocity_error": [0, 0.001]}})",
+          R"({"deform": {"velocity_error": [0.5, 0], "setting": {"substeps": 64,
+                         "newton_iterations": 100, "max_iterations": 20000, "tension": false,
+                         "energy_tolerance": 0, "published": true}}})",
+          R"({"deform": {}, "contact": {"tools": true}, "tear": {"tear_factor": 1e-6,
+              "stop": "entropy", "entropy_budget": 0, "vertex_budget": 0}})",
+          R"({"deform": {}, "contact": {"self": true}, "tear": {"tear_factor": 1e9,
+              "stop": "vertices", "entropy_budget": 1e6, "bare_limit": true}})",
+          R"({"deform": {}, "contact": {}, "dt_s": 0.0001})"})
+        text += to_json(scene_from_json(Json::parse(scene))).dump() + "\n";
+    expect_recorded("scene", "bounds", Figures().add("text", text_of(text)));
 }
 
 // What a scene says without saying it, as its file has it.

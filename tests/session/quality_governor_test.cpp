@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace hepatica {
@@ -78,6 +79,23 @@ TEST(QualityGovernor, DoesNotSwingWhereTheForecastIsWrong) {
     }
     EXPECT_LE(turns, 24);
     EXPECT_LT(late, frames / 100);
+}
+
+// Shares of a budget of 10 ms: 8 keep the machine busy enough to stay, 7 leave room to go up.
+TEST(QualityGovernor, WhatJustFitsFits) {
+    const auto after = [](std::vector<double> front_ms, std::size_t at, double frame_ms) {
+        QualityGovernor governor(std::move(front_ms));
+        for (int i = 0; i < 80; ++i)
+            if (const std::size_t next = governor.next(at, frame_ms, 10.0); next != at) return next;
+        return at;
+    };
+    EXPECT_EQ(QualityGovernor({1.0, 8.0}).start(10.0), 1u);
+    EXPECT_EQ(QualityGovernor({1.0, 8.1}).start(10.0), 0u);
+    EXPECT_EQ(after({1.0, 2.0}, 0, 3.5), 1u);
+    EXPECT_EQ(after({1.0, 2.0}, 0, 3.6), 0u);
+    EXPECT_EQ(after({1.0, 2.0, 4.0}, 2, 10.0), 2u) << "all of the budget, and no more";
+    EXPECT_EQ(after({1.0, 2.0, 4.0}, 2, 16.0), 1u);
+    EXPECT_EQ(after({1.0, 2.0, 4.0}, 2, 16.1), 0u);
 }
 
 TEST(QualityGovernor, HasNothingToChooseOnADialOfOneSetting) {

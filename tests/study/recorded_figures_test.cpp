@@ -3,8 +3,12 @@
 // bodies that studies are made of, and what the small ones of them measure.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <random>
 
+#include "core/base/error.h"
 #include "core/study/extremes.h"
 #include "core/study/hand_motion.h"
 #include "core/study/iteration_study.h"
@@ -86,6 +90,43 @@ TEST(StudyFigures, OfExtremes) {
     add_rows(figures, "touch", run_extremes(touch_cases(campaign), "", job));
     add_rows(figures, "tear", run_extremes(tear_cases(campaign), "", job));
     expect_recorded("study", "extremes", figures);
+}
+
+// Of every row the first step after each thing that it does: no place, speed, force or mesh of it
+// changes unseen. Most rows then say that they were not given time, in words with figures.
+TEST(StudyFigures, OfTheBeginningsOfEveryExtreme) {
+    std::vector<ExtremeCase> cases = extreme_cases();
+    const Campaign campaign{.seed = 9, .trials = 6, .steps = 33, .most_tetrahedra = 300};
+    for (const auto& more : {touch_cases(campaign), tear_cases(campaign)})
+        cases.insert(cases.end(), more.begin(), more.end());
+    ExtremeRun how;
+    how.most_steps = 1;
+    std::vector<double> paths, errors, steps;
+    std::string words;
+    for (const ExtremeCase& one : cases) {
+        ExtremeRow row;
+        try {
+            row = one.run(how);
+        } catch (const Error& refusal) {
+            row.note = refusal.what();
+        }
+        // Rows move between a billionth of a millimetre and kilometres in a step.
+        const bool moves = row.path_mm > 1e-13 && std::isfinite(row.path_mm);
+        paths.push_back(moves ? std::log(row.path_mm) : 0.0);
+        errors.push_back(std::isfinite(row.error) ? std::min(row.error, 2.0) : -1.0);
+        steps.push_back(row.degraded_steps);
+        steps.push_back(row.touched_steps);
+        words += row.reference + "|";
+        for (const char letter : row.note)
+            if (std::isalpha(static_cast<unsigned char>(letter)) && letter != 'e') words += letter;
+        words += "\n";
+    }
+    expect_recorded("study", "beginnings",
+                    Figures()
+                        .add("paths", paths)
+                        .add("errors", errors)
+                        .add("steps", steps)
+                        .add("words", letters(words)));
 }
 
 TEST(StudyFigures, OfBodies) {

@@ -3,6 +3,7 @@
 // arrays, no allocation, no exceptions, templated on the scalar (float or double).
 #pragma once
 
+#include <cassert>
 #include <cmath>
 
 #ifdef __CUDACC__
@@ -16,17 +17,31 @@ namespace hepatica::small {
 template <class T>
 struct Vector3 {
     T v[3];
-    HEPATICA_HOST_DEVICE T& operator[](int i) { return v[i]; }
-    HEPATICA_HOST_DEVICE const T& operator[](int i) const { return v[i]; }
+    HEPATICA_HOST_DEVICE T& operator[](int i) {
+        assert(i >= 0 && i < 3);
+        return v[i];
+    }
+    HEPATICA_HOST_DEVICE const T& operator[](int i) const {
+        assert(i >= 0 && i < 3);
+        return v[i];
+    }
 };
+static_assert(sizeof(Vector3<double>) == 3 * sizeof(double));
 
 // Row-major: m[row][column].
 template <class T>
 struct Matrix3 {
     T m[3][3];
-    HEPATICA_HOST_DEVICE T& operator()(int i, int j) { return m[i][j]; }
-    HEPATICA_HOST_DEVICE const T& operator()(int i, int j) const { return m[i][j]; }
+    HEPATICA_HOST_DEVICE T& operator()(int i, int j) {
+        assert(i >= 0 && i < 3 && j >= 0 && j < 3);
+        return m[i][j];
+    }
+    HEPATICA_HOST_DEVICE const T& operator()(int i, int j) const {
+        assert(i >= 0 && i < 3 && j >= 0 && j < 3);
+        return m[i][j];
+    }
 };
+static_assert(sizeof(Matrix3<double>) == 9 * sizeof(double));
 
 template <class T>
 HEPATICA_HOST_DEVICE Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b) {

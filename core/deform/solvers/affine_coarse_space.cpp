@@ -105,11 +105,11 @@ void AffineCoarseSpace::set_shape(std::span<const Vec3> positions_mm, std::span<
 
 void AffineCoarseSpace::restrict_to_nodes(std::span<const Vec3> fine,
                                           std::vector<Vec3>& coarse) const {
-    std::vector<std::array<Eigen::Matrix<double, 4, 3>, 2>> sums(groups_.size());
+    using Sum = Eigen::Matrix<double, 4, 3>;
+    std::vector<std::array<Sum, 2>> sums(groups_.size());
     parallel_blocks(groups_.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            sums[g][0].setZero();
-            sums[g][1].setZero();
+            sums[g].fill(Sum::Zero());
             for (const int v : groups_[g].vertices) {
                 for (int a = 0; a < 3; ++a) {
                     sums[g][0].col(a) += fine[v][a] * modes_[v][0];

@@ -4,6 +4,7 @@
 #include <map>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "core/tree/extraction/vessel_graph.h"
 
@@ -122,9 +123,8 @@ class Director {
             const int node = static_cast<int>(n);
             if (!c.wished && (c.root < 0 || root_merit(node) > root_merit(c.root))) c.root = node;
         }
-        std::ranges::stable_sort(components, [](const Component& a, const Component& b) {
-            return std::tuple(a.system, -a.length_mm) < std::tuple(b.system, -b.length_mm);
-        });
+        std::ranges::stable_sort(
+            components, {}, [](const Component& c) { return std::pair(c.system, -c.length_mm); });
         std::vector<int> found;
         for (const Component& c : components)
             if (c.root >= 0 && !at_node_[c.root].empty()) found.push_back(c.root);

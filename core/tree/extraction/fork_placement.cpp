@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <utility>
 
 #include "core/tree/extraction/centreline.h"
 
@@ -43,9 +44,8 @@ class Placer {
             all.insert(all.end(), exits.begin(), exits.end());
         }
         // Only now: a link's other end still needs the points that it had.
-        std::ranges::stable_sort(all, [](const Exit& a, const Exit& b) {
-            return a.link != b.link ? a.link < b.link : a.at_from < b.at_from;
-        });
+        std::ranges::stable_sort(
+            all, {}, [](const Exit& exit) { return std::pair(exit.link, exit.at_from); });
         for (const Exit& exit : all) lay(exit);
         for (VesselLink& link : graph_.links) {
             link.points_mm.front() = graph_.nodes[link.from].position_mm;

@@ -43,8 +43,8 @@ void InscribedRadius::look_further() {
                 const double d = Vec3(x, y, z).cwiseProduct(mask_.grid.spacing_mm).norm();
                 if (d <= reach_mm_) offsets_.push_back({d, x, y, z});
             }
-    std::ranges::sort(offsets_, [](const Offset& a, const Offset& b) {
-        return std::tie(a.distance_mm, a.z, a.y, a.x) < std::tie(b.distance_mm, b.z, b.y, b.x);
+    std::ranges::sort(offsets_, {}, [](const Offset& offset) {
+        return std::tuple(offset.distance_mm, offset.z, offset.y, offset.x);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -164,7 +165,8 @@ int end_of_portal_trunk(const VesselTree& tree) {
     const double least_mm = notable_share * beyond_mm[at];
     while (true) {
         std::vector<int>& next = below[at];
-        std::ranges::stable_sort(next, [&](int a, int b) { return beyond_mm[a] > beyond_mm[b]; });
+        std::ranges::stable_sort(next, std::ranges::greater{},
+                                 [&](int branch) { return beyond_mm[branch]; });
         if (next.empty() || (next.size() > 1 && beyond_mm[next[1]] >= least_mm)) return at;
         at = next.front();
     }

@@ -2,7 +2,9 @@
 #include "core/tree/territories/feeders.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <span>
 
 #include "core/tree/territories/nearest_branch.h"
 
@@ -22,8 +24,8 @@ void add_feeders(const Image<std::int32_t>& branch, const Mask& tumours, std::ui
     const std::size_t first = feeders.size();
     for (const auto& [segment, count] : voxels)
         feeders.push_back({segment, system, static_cast<double>(count) / static_cast<double>(all)});
-    std::stable_sort(feeders.begin() + static_cast<std::ptrdiff_t>(first), feeders.end(),
-                     [](const Feeder& a, const Feeder& b) { return a.share > b.share; });
+    std::ranges::stable_sort(std::span(feeders).subspan(first), std::ranges::greater{},
+                             &Feeder::share);
 }
 
 }  // namespace

@@ -76,11 +76,16 @@ TEST_P(StepperInput, RefusesOptionsOutOfRangeEvenAsleep) {
         [](StepperOptions& o) { o.linear.energy_tolerance = -1e-3; },
         [](StepperOptions& o) { o.linear.energy_tolerance = HUGE_VAL; },
         [](StepperOptions& o) { o.linear.residual_tolerance = nan; },
+        [](StepperOptions& o) { o.linear.residual_tolerance = -1e-9; },
+        [](StepperOptions& o) { o.linear.residual_tolerance = HUGE_VAL; },
         [](StepperOptions& o) { o.linear.max_iterations = 0; },
         [](StepperOptions& o) { o.newton_iterations = 0; },
         [](StepperOptions& o) { o.newton_tolerance = nan; },
+        [](StepperOptions& o) { o.newton_tolerance = 0.0; },
+        [](StepperOptions& o) { o.newton_tolerance = HUGE_VAL; },
         [](StepperOptions& o) { o.substeps = 0; },
         [](StepperOptions& o) { o.velocity_error.alpha_per_s = nan; },
+        [](StepperOptions& o) { o.velocity_error.beta_s = HUGE_VAL; },
     };
     const auto stepper = asleep();
     for (std::size_t f = 0; f < std::size(faults); ++f) {
@@ -90,6 +95,14 @@ TEST_P(StepperInput, RefusesOptionsOutOfRangeEvenAsleep) {
         EXPECT_THROW(stepper->set_options(options), InputError) << "fault " << f;
     }
     EXPECT_TRUE(stepper->step(frame_s).asleep);
+}
+
+TEST_P(StepperInput, TakesOptionsOnTheirBounds) {
+    StepperOptions options;
+    options.linear = {.energy_tolerance = 0.0, .residual_tolerance = 0.0, .max_iterations = 1};
+    options.newton_tolerance = 1e-300;
+    options.velocity_error = {.alpha_per_s = -1e9, .beta_s = -1e9};
+    EXPECT_NO_THROW(make(options));
 }
 
 TEST_P(StepperInput, RefusesAClockThatDoesNotAdvanceEvenAsleep) {
