@@ -200,6 +200,7 @@ class WindowBench {
         std::printf("  %zu slices; each with all that follows it: median %.1f ms, p95 %.1f ms\n",
                     times_ms.size(), quantile(times_ms, 0.5), quantile(times_ms, 0.95));
         paint(views);
+        std::printf("memory in use with patient, CT and slices: %.0f MB\n", memory_in_use_mb());
         views.set_slices_visible(false);
         return true;
     }

@@ -204,16 +204,8 @@
         <translation>Das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen; noch einmal entfernt die Messungen</translation>
     </message>
     <message>
-        <source>&amp;Undo the last edit</source>
-        <translation>Letzte Korrektur &amp;rückgängig machen</translation>
-    </message>
-    <message>
         <source>Take back the last correction of the tree</source>
         <translation>Die letzte Korrektur des Gefäßbaums zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Red&amp;o the edit</source>
-        <translation>K&amp;orrektur wiederholen</translation>
     </message>
     <message>
         <source>Do again what was taken back</source>
@@ -8020,6 +8012,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Give each stroke path_mm, radius_mm, erases and after_edits</source>
         <translation>Geben Sie jedem Strich path_mm, radius_mm, erases und after_edits</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Red&amp;o: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Vessels rebuilt</source>
+        <translation>Gefäße neu erzeugt</translation>
     </message>
 </context>
 </TS>

@@ -91,9 +91,9 @@ constexpr std::array table{
     ActionSpec{choose_threshold, Words::id("&Play"), Words::id("More or fewer &vessels…"), "F4",
                Words::id("Try another threshold in the slices, and make the vessels anew of it"),
                false, true},
-    ActionSpec{undo_edit, Words::id("&Play"), Words::id("&Undo the last edit"), "Ctrl+Z",
+    ActionSpec{undo_edit, Words::id("&Play"), Words::id("&Undo"), "Ctrl+Z",
                Words::id("Take back the last correction of the tree"), false, true},
-    ActionSpec{redo_edit, Words::id("&Play"), Words::id("Red&o the edit"), "Ctrl+Shift+Z",
+    ActionSpec{redo_edit, Words::id("&Play"), Words::id("Red&o"), "Ctrl+Shift+Z",
                Words::id("Do again what was taken back"), false, true},
     ActionSpec{play_pause, Words::id("&Play"), Words::id("Run the &drug"), "Space",
                Words::id("Start and stop the drug's front"), false, true},
@@ -299,6 +299,16 @@ void Actions::set_patient_shown(bool shown) {
         if (spec.needs_patient) enable(spec);
 }
 
+void Actions::show_history(const QString& undo, const QString& redo) {
+    history_ = {{ActionId::undo_edit, undo}, {ActionId::redo_edit, redo}};
+    (*this)[ActionId::undo_edit].setText(
+        undo.isEmpty() ? Words::tr("&Undo") : Words::tr("&Undo: %1").arg(undo));
+    (*this)[ActionId::redo_edit].setText(redo.isEmpty() ? Words::tr("Red&o")
+                                                        : Words::tr("Red&o: %1").arg(redo));
+    for (const ActionSpec& spec : table)
+        if (history_.contains(spec.id)) enable(spec);
+}
+
 void Actions::forbid(std::set<ActionId> forbidden) {
     const std::set<ActionId> before = std::exchange(forbidden_, std::move(forbidden));
     for (const ActionSpec& spec : table)
@@ -308,7 +318,9 @@ void Actions::forbid(std::set<ActionId> forbidden) {
 void Actions::enable(const ActionSpec& spec) {
     QAction& action = *actions_.at(spec.id);
     const bool forbidden = forbidden_.contains(spec.id);
-    action.setEnabled(!forbidden && (patient_shown_ || !spec.needs_patient));
+    const auto history = history_.find(spec.id);
+    const bool nothing_to_do = history != history_.end() && history->second.isEmpty();
+    action.setEnabled(!forbidden && !nothing_to_do && (patient_shown_ || !spec.needs_patient));
     const QString tip = Words::tr(spec.tip);
     tell(action, forbidden ? Words::tr("The lesson does not allow this: %1").arg(tip) : tip);
 }

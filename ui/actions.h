@@ -110,6 +110,8 @@ class Actions {
     QAction& operator[](ActionId id) const { return *actions_.at(id); }
     void on(ActionId id, std::function<void()> run);
     void set_patient_shown(bool shown);
+    // What undo and redo would take back and do again; empty: nothing, and they are disabled.
+    void show_history(const QString& undo, const QString& redo);
     // Disabled until they are no more among these, with a tip that the lesson does not allow them.
     void forbid(std::set<ActionId> forbidden);
 
@@ -121,6 +123,7 @@ class Actions {
 
     std::map<ActionId, QAction*> actions_;
     std::set<ActionId> forbidden_;
+    std::map<ActionId, QString> history_;
     bool patient_shown_ = false;
 };
 

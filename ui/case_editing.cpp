@@ -56,6 +56,11 @@ QString text_of(const BrushStroke& stroke) {
              translated(place_text(stroke.path_mm.front())));
 }
 
+QString text_of(const Workspace::Step& step) {
+    if (step.stroke) return text_of(*step.stroke);
+    return step.edit ? text_of(*step.edit) : Words::tr("Vessels rebuilt");
+}
+
 QString text_of(const Bridge& bridge) {
     return Words::tr("%L1 %, gap of %L2 mm")
         .arg(100.0 * bridge.confidence, 0, 'f', 0)
@@ -127,7 +132,9 @@ void CaseEditing::update_panel() {
         edits << text_of(workspace_.edits()[i]);
     }
     add_strokes(std::numeric_limits<std::size_t>::max());
-    panel_.show_edits(edits, workspace_.can_undo(), workspace_.can_redo());
+    const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();
+    panel_.show_edits(edits, undo.has_value(), redo.has_value());
+    callbacks_.show_history(undo ? text_of(*undo) : QString(), redo ? text_of(*redo) : QString());
     QStringList state;
     if (workspace_.awaits_body())
         state << Words::tr(

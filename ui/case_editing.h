@@ -25,6 +25,8 @@ class CaseEditing {
         std::function<void(const TreeEdit&)> add;
         std::function<void()> undo;
         std::function<void()> redo;
+        // What they would take back and do again; empty: nothing.
+        std::function<void(const QString& undo, const QString& redo)> show_history;
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;

@@ -99,6 +99,9 @@ void MainWindow::build_editing() {
                 keeper_->add(edit);
             },
             [this] { keeper_->undo(); }, [this] { keeper_->redo(); },
+            [this](const QString& undo, const QString& redo) {
+                actions_->show_history(undo, redo);
+            },
             [this](std::vector<BridgeView> bridges) {
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();

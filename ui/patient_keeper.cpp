@@ -164,9 +164,10 @@ bool PatientKeeper::waits_for_remaking() const {
 }
 
 void PatientKeeper::undo() {
-    if (!workspace_.can_undo() || waits_for_remaking()) return;
-    if (workspace_.undo_is_of_stroke()) return take_strokes_back(1);
-    if (workspace_.before_remaking() != nullptr) return take_back_remaking();
+    const std::optional<Workspace::Step> step = workspace_.next_undo();
+    if (!step || waits_for_remaking()) return;
+    if (step->stroke) return take_strokes_back(1);
+    if (!step->edit) return take_back_remaking();
     workspace_.undo() ? correct() : screen_.changed();
 }
 
@@ -190,8 +191,9 @@ void PatientKeeper::undo_tumour_stroke() {
 }
 
 void PatientKeeper::redo() {
-    if (!workspace_.can_redo() || waits_for_remaking()) return;
-    if (workspace_.redo_is_of_stroke()) {
+    const std::optional<Workspace::Step> step = workspace_.next_redo();
+    if (!step || waits_for_remaking()) return;
+    if (step->stroke) {
         workspace_.redo_stroke();
         return screen_.changed();
     }

@@ -36,7 +36,8 @@ class PendingStrokes {
     // The last stroke; nothing where there is none.
     void undo() { move_last(made_, undone_); }
     void redo() { move_last(undone_, made_); }
-    bool can_redo() const { return !undone_.empty(); }
+    // What redo would lead again; there must be one.
+    const BrushStroke& next_again() const { return undone_.back().stroke; }
     void forget_undone() { undone_.clear(); }
 
     // The first so many are in the vessels now; the others come after these corrections. Returns

@@ -60,6 +60,19 @@ void Workspace::redo_stroke() {
     ++strokes_version_;
 }
 
+std::optional<Workspace::Step> Workspace::next_undo() const {
+    if (undo_is_of_stroke()) return Step{strokes_.made().back().stroke, std::nullopt};
+    if (before_remaking() != nullptr) return Step{};
+    if (edits_.empty()) return std::nullopt;
+    return Step{std::nullopt, edits_.back()};
+}
+
+std::optional<Workspace::Step> Workspace::next_redo() const {
+    if (redo_is_of_stroke()) return Step{strokes_.next_again(), std::nullopt};
+    if (undone_.empty()) return std::nullopt;
+    return Step{std::nullopt, undone_.back()};
+}
+
 bool Workspace::undo() {
     if (edits_.empty() || before_remaking() != nullptr) return false;
     Edits edits = edits_;

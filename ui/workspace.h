@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ namespace hepatica {
 class Workspace {
   public:
     using Edits = std::vector<TreeEdit>;
+    // What undo or redo would do next: a stroke, a correction, or neither, which is a remaking.
+    struct Step {
+        std::optional<BrushStroke> stroke;
+        std::optional<TreeEdit> edit;
+    };
 
     // Forgets the patient that was open before.
     void open(const OpenedPatient& opened);
@@ -49,8 +55,10 @@ class Workspace {
     bool awaits_body() const;
     // Those that the body has, and the strokes at tumours that are wanted: what can be written.
     Edits made_edits() const;
-    bool can_undo() const { return !edits_.empty() || !remade_.empty() || !strokes_.empty(); }
-    bool can_redo() const { return !undone_.empty() || strokes_.can_redo(); }
+    std::optional<Step> next_undo() const;
+    std::optional<Step> next_redo() const;
+    bool can_undo() const { return next_undo().has_value(); }
+    bool can_redo() const { return next_redo().has_value(); }
     void add(const TreeEdit& edit);
     // In place of all others, as a program left them, and the strokes that waited.
     void take_up(const Edits& edits, std::vector<PendingStroke> strokes);

@@ -126,8 +126,16 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     EXPECT_EQ(saved_.corrections.edits.size(), 1u);
     EXPECT_FALSE(window_.isWindowModified());  // it has just been saved
 
-    window_.actions()[ActionId::undo_edit].trigger();
+    QAction& undo = window_.actions()[ActionId::undo_edit];
+    QAction& redo = window_.actions()[ActionId::redo_edit];
+    EXPECT_TRUE(undo.text().startsWith("&Undo: Gap bridged at")) << undo.text().toStdString();
+    EXPECT_EQ(redo.text(), "Red&o");
+    EXPECT_FALSE(redo.isEnabled());
+    undo.trigger();
     wait();
+    EXPECT_EQ(undo.text(), "&Undo");
+    EXPECT_FALSE(undo.isEnabled());
+    EXPECT_TRUE(redo.text().startsWith("Red&o: Gap bridged at")) << redo.text().toStdString();
     EXPECT_TRUE(window_.isWindowModified());
     EXPECT_EQ(roots(saved().tree).size(), 2u);
     EXPECT_TRUE(saved_.corrections.edits.empty());
