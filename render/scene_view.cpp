@@ -16,7 +16,10 @@
 #include <utility>
 
 #include "render/annotations.h"
+#include "render/bleeding_actor.h"
 #include "render/crosshair_actor.h"
+#include "render/depth_stem.h"
+#include "render/figure_label.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
 #include "render/orientation_marker.h"
@@ -95,6 +98,10 @@ struct SceneView::Parts {
     WeakLineActor weak_lines;
     CrosshairActor crosshair;
     ToolActor tool{*renderer};
+    DepthStem stem{*renderer};
+    FigureLabel pull_force{*renderer, palette::grab_line};
+    BleedingActor bleeding{*renderer};
+    PictureWords words;
     BridgeActor bridges{*renderer};
     MarkActors marks{*renderer};
     MeasureMarks measures{*renderer};
@@ -154,6 +161,11 @@ bool SceneView::show(const Frame& frame) {
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
     const bool lines_changed = parts_->weak_lines.update(frame);
+    const bool stem_changed = parts_->stem.update(frame.tool, frame.positions_mm);
+    const bool force_changed = parts_->pull_force.show(
+        frame.grab ? said(parts_->words, force_text(frame.grab->force_un)) : std::string(),
+        frame.grab ? frame.grab->target_mm : Vec3(Vec3::Zero()));
+    const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
         parts_->drug = frame.drug;
@@ -163,7 +175,8 @@ bool SceneView::show(const Frame& frame) {
     if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
         look_from(ViewDirection::anterior);
     }
-    return tree_changed || pull_changed || tool_changed || lines_changed;
+    return tree_changed || pull_changed || tool_changed || lines_changed || stem_changed ||
+           force_changed || blood_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -184,6 +197,8 @@ void SceneView::render(double pixel_ratio) {
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
+        parts_->stem.place(pixel_ratio);
+        parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()), pixel_ratio);
         parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
@@ -312,6 +327,8 @@ void SceneView::set_words(const PictureWords& words) {
     parts_->annotations.set_words(words);
     parts_->bridges.set_words(words);
     parts_->tool.set_words(words);
+    parts_->stem.set_words(words);
+    parts_->words = words;
 }
 
 bool SceneView::set_caption(const std::string& text) {
