@@ -109,6 +109,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     tool_panel_->begin_play(free);
     back_to_pulling();
     allow_tools();
+    follow(frame());
     follow_simulation();
 }
 
