@@ -162,9 +162,9 @@ bool SceneView::show(const Frame& frame) {
     const bool tool_changed = parts_->tool.update(frame.tool);
     const bool lines_changed = parts_->weak_lines.update(frame);
     const bool stem_changed = parts_->stem.update(frame.tool, frame.positions_mm);
-    const bool force_changed = parts_->pull_force.show(
-        frame.grab ? said(parts_->words, force_text(frame.grab->force_un)) : std::string(),
-        frame.grab ? frame.grab->target_mm : Vec3(Vec3::Zero()));
+    const GrabView pull = frame.grab.value_or(GrabView{});
+    const std::string pull_force = said(parts_->words, force_text(pull.force_un));
+    const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);
     const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
@@ -172,9 +172,8 @@ bool SceneView::show(const Frame& frame) {
         parts_->find_colours_shown();
     }
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
-    if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
+    if (!parts_->looked && !parts_->tree.surface().triangles().empty())
         look_from(ViewDirection::anterior);
-    }
     return tree_changed || pull_changed || tool_changed || lines_changed || stem_changed ||
            force_changed || blood_changed;
 }
@@ -289,7 +288,6 @@ void SceneView::set_tumours(const TriangleMesh& surface) {
     parts_->legend.tumours = !surface.triangles.empty();
     parts_->tumours.set_surface(surface);
 }
-
 void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
     parts_->volume.show(std::move(ct));
 }
