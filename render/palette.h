@@ -21,12 +21,14 @@ inline constexpr Colour distance{0.055, 0.066, 0.085};
 inline constexpr Colour liver{0.62, 0.36, 0.31};
 inline constexpr Colour tumour{0.55, 0.89, 0.50};  // no vessel, mark or drug is as green
 inline constexpr Colour grab_line{0.30, 0.95, 0.85};
+inline constexpr Colour outline{0.13, 0.15, 0.18};  // of what is bright, on paper
 inline constexpr Colour tool{0.74, 0.77, 0.80};
 inline constexpr Colour torn{0.62, 0.10, 0.12};  // the rim of a tear
 inline constexpr Colour touch = grab_line;       // what a tool touches, and what it feels
 inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour measure{1.0, 0.84, 0.35};       // what was measured
 inline constexpr Colour bent_axis{0.95, 0.16, 0.14};    // the red line of the paper's Fig. 3
+inline constexpr Colour bleeding{0.72, 0.05, 0.07};     // blood out of torn vessels
 inline constexpr Colour torn_circle{1.00, 0.87, 0.10};  // its yellow circle
 inline constexpr Colour reached{0.10, 0.72, 0.42};      // a mark that is done with
 inline constexpr Colour text{0.88, 0.90, 0.92};

@@ -16,7 +16,10 @@
 #include <utility>
 
 #include "render/annotations.h"
+#include "render/bleeding_actor.h"
 #include "render/crosshair_actor.h"
+#include "render/depth_stem.h"
+#include "render/figure_label.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
 #include "render/orientation_marker.h"
@@ -95,6 +98,10 @@ struct SceneView::Parts {
     WeakLineActor weak_lines;
     CrosshairActor crosshair;
     ToolActor tool{*renderer};
+    DepthStem stem{*renderer};
+    FigureLabel pull_force{*renderer, palette::grab_line};
+    BleedingActor bleeding{*renderer};
+    PictureWords words;
     BridgeActor bridges{*renderer};
     MarkActors marks{*renderer};
     MeasureMarks measures{*renderer};
@@ -154,16 +161,21 @@ bool SceneView::show(const Frame& frame) {
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
     const bool lines_changed = parts_->weak_lines.update(frame);
+    const bool stem_changed = parts_->stem.update(frame.tool, frame.positions_mm);
+    const GrabView pull = frame.grab.value_or(GrabView{});
+    const std::string pull_force = said(parts_->words, force_text(pull.force_un));
+    const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);
+    const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
         parts_->drug = frame.drug;
         parts_->find_colours_shown();
     }
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
-    if (!parts_->looked && !parts_->tree.surface().triangles().empty()) {
+    if (!parts_->looked && !parts_->tree.surface().triangles().empty())
         look_from(ViewDirection::anterior);
-    }
-    return tree_changed || pull_changed || tool_changed || lines_changed;
+    return tree_changed || pull_changed || tool_changed || lines_changed || stem_changed ||
+           force_changed || blood_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -184,6 +196,8 @@ void SceneView::render(double pixel_ratio) {
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
+        parts_->stem.place(pixel_ratio);
+        parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()), pixel_ratio);
         parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
@@ -274,7 +288,6 @@ void SceneView::set_tumours(const TriangleMesh& surface) {
     parts_->legend.tumours = !surface.triangles.empty();
     parts_->tumours.set_surface(surface);
 }
-
 void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
     parts_->volume.show(std::move(ct));
 }
@@ -312,6 +325,8 @@ void SceneView::set_words(const PictureWords& words) {
     parts_->annotations.set_words(words);
     parts_->bridges.set_words(words);
     parts_->tool.set_words(words);
+    parts_->stem.set_words(words);
+    parts_->words = words;
 }
 
 bool SceneView::set_caption(const std::string& text) {

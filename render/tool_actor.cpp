@@ -4,7 +4,6 @@
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
@@ -13,27 +12,28 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
+#include <vtkShaderProperty.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "render/palette.h"
-#include "render/text_style.h"
 
 namespace hepatica {
 namespace {
 
 constexpr int around = 32;
 constexpr int bands = 8;  // of each end, from its pole
-constexpr int text_size = 13;
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
-constexpr double edge_pixels = 4.0;  // that stay free beside the label
+constexpr double seen_through = 0.3;  // opacity of what vessels hide of the tool
+
+// In front of all vessels, its own parts in their order.
+const char* const before_vessels = R"(//VTK::PositionVC::Impl
+  gl_Position.z = mix(-gl_Position.w, gl_Position.z, 0.01);
+)";
 
 vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     const Vec3 along = part.to_mm - part.from_mm;
@@ -89,7 +89,7 @@ std::string force_text(double force_un) {
 ToolActor::ToolActor(vtkRenderer& renderer)
     : renderer_(renderer),
       arrow_(vtkSmartPointer<vtkActor>::New()),
-      label_(vtkSmartPointer<vtkTextActor>::New()) {
+      label_(renderer, palette::touch) {
     vtkNew<vtkArrowSource> source;  // from the origin to (1, 0, 0)
     source->SetTipResolution(24);
     source->SetShaftResolution(24);
@@ -101,77 +101,61 @@ ToolActor::ToolActor(vtkRenderer& renderer)
     arrow_->SetMapper(mapper);
     arrow_->GetProperty()->SetLighting(false);
     give_colour(*arrow_, palette::touch);
-    label_->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
-    for (vtkProp* prop : {static_cast<vtkProp*>(arrow_), static_cast<vtkProp*>(label_)}) {
-        prop->SetVisibility(false);
-        renderer_.AddActor(prop);
-    }
+    arrow_->SetVisibility(false);
+    renderer_.AddActor(arrow_);
 }
 
 ToolActor::~ToolActor() {
-    for (const auto& part : parts_) renderer_.RemoveActor(part);
+    while (!parts_.empty()) remove_part();
     renderer_.RemoveActor(arrow_);
-    renderer_.RemoveActor(label_);
+}
+
+void ToolActor::add_part() {
+    Part part{vtkSmartPointer<vtkActor>::New(), vtkSmartPointer<vtkActor>::New()};
+    for (vtkActor* actor : {part.solid.Get(), part.ghost.Get()}) {
+        vtkNew<vtkPolyDataMapper> mapper;
+        actor->SetMapper(mapper);
+        give_colour(*actor, palette::tool);
+        renderer_.AddActor(actor);
+    }
+    part.solid->GetProperty()->SetSpecular(0.5);
+    part.solid->GetProperty()->SetSpecularPower(40.0);
+    part.ghost->GetProperty()->SetOpacity(seen_through);
+    part.ghost->GetProperty()->SetLighting(false);
+    part.ghost->GetProperty()->BackfaceCullingOn();  // or it would be blended twice
+    part.ghost->SetPickable(false);
+    part.ghost->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+                                                                before_vessels, false);
+    parts_.push_back(part);
+}
+
+void ToolActor::remove_part() {
+    renderer_.RemoveActor(parts_.back().solid);
+    renderer_.RemoveActor(parts_.back().ghost);
+    parts_.pop_back();
 }
 
 bool ToolActor::update(const std::optional<ToolView>& tool) {
     if (tool == shown_) return false;
     shown_ = tool;
     const std::size_t count = tool ? tool->parts.size() : 0;
-    while (parts_.size() > count) {
-        renderer_.RemoveActor(parts_.back());
-        parts_.pop_back();
+    while (parts_.size() > count) remove_part();
+    while (parts_.size() < count) add_part();
+    for (std::size_t p = 0; p < count; ++p) {
+        const vtkSmartPointer<vtkPolyData> shape = capsule(tool->parts[p]);
+        for (vtkActor* actor : {parts_[p].solid.Get(), parts_[p].ghost.Get()})
+            static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(shape);
     }
-    while (parts_.size() < count) {
-        auto actor = vtkSmartPointer<vtkActor>::New();
-        vtkNew<vtkPolyDataMapper> mapper;
-        actor->SetMapper(mapper);
-        give_colour(*actor, palette::tool);
-        actor->GetProperty()->SetSpecular(0.5);
-        actor->GetProperty()->SetSpecularPower(40.0);
-        renderer_.AddActor(actor);
-        parts_.push_back(actor);
-    }
-    for (std::size_t p = 0; p < count; ++p)
-        static_cast<vtkPolyDataMapper*>(parts_[p]->GetMapper())
-            ->SetInputData(capsule(tool->parts[p]));
     place_arrow();
     return true;
 }
 
 void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
-    style_text(*label_->GetTextProperty(), static_cast<int>(std::lround(text_size * pixel_ratio)),
-               palette::touch);
     if (mm_per_point != mm_per_point_) {
         mm_per_point_ = mm_per_point;
         place_arrow();
     }
-    place_label();
-}
-
-// Beside the arrow's head, but never beyond the picture's edge.
-void ToolActor::place_label() {
-    if (!label_->GetVisibility()) return;
-    vtkNew<vtkCoordinate> head;
-    head->SetCoordinateSystemToWorld();
-    head->SetValue(head_mm_.x(), head_mm_.y(), head_mm_.z());
-    const double* at = head->GetComputedDoubleDisplayValue(&renderer_);
-    std::array<double, 2> size{};
-    label_->GetSize(&renderer_, size.data());
-    const int* picture = renderer_.GetSize();
-    std::array<double, 2> place{at[0], at[1]};
-    for (int axis = 0; axis < 2; ++axis)
-        place[axis] = std::clamp(place[axis], edge_pixels,
-                                 std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
-    label_->GetPositionCoordinate()->SetValue(place[0], place[1]);
-}
-
-std::optional<PictureBox> ToolActor::label_box() const {
-    if (!label_->GetVisibility()) return std::nullopt;
-    std::array<double, 2> size{};
-    label_->GetSize(&renderer_, size.data());
-    const double* place = label_->GetPosition();
-    return PictureBox{place[0], place[1], place[0] + size[0], place[1] + size[1]};
+    label_.place(pixel_ratio);
 }
 
 // From the tool's other side, away from what presses it.
@@ -180,13 +164,14 @@ void ToolActor::place_arrow() {
     const std::string force = force_text(force_un);
     const std::string grip = shown_ ? force_text(shown_->grip_un) : std::string();
     arrow_->SetVisibility(!force.empty());
-    label_->SetVisibility(!force.empty() || !grip.empty());
-    if (force.empty() && grip.empty()) return;
+    if (force.empty() && grip.empty()) {
+        label_.show({}, {});
+        return;
+    }
     const std::string text =
         force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
-    label_->SetInput((" " + said(words_, text)).c_str());  // beside the arrow's head
     if (force.empty()) {
-        head_mm_ = shown_->tip_mm;
+        label_.show(said(words_, text), shown_->tip_mm);
         return;
     }
     const Vec3 along = shown_->force_un / force_un;
@@ -201,7 +186,7 @@ void ToolActor::place_arrow() {
         place->SetElement(row, 3, from[row]);
     }
     arrow_->SetUserMatrix(place);
-    head_mm_ = from + length * along;
+    label_.show(said(words_, text), from + length * along);  // beside the arrow's head
 }
 
 }  // namespace hepatica

@@ -16,8 +16,8 @@
 
 class vtkActor;
 class vtkRenderer;
-class vtkTextActor;
 
+#include "render/figure_label.h"
 #include "render/legend_rows.h"
 #include "render/picture_words.h"
 
@@ -41,19 +41,23 @@ class ToolActor {
     // Size of one point of the screen at the focal plane, and its pixels.
     void set_scale(double mm_per_point, double pixel_ratio);
     // Where the number stands in the picture, in its pixels; none: it is not shown.
-    std::optional<PictureBox> label_box() const;
+    std::optional<PictureBox> label_box() const { return label_.box(); }
 
   private:
+    // A capsule where it is seen, and faintly where vessels hide it.
+    struct Part {
+        vtkSmartPointer<vtkActor> solid, ghost;
+    };
+    void add_part();
+    void remove_part();
     void place_arrow();
-    void place_label();
 
     vtkRenderer& renderer_;
     PictureWords words_;
     std::optional<ToolView> shown_;
-    std::vector<vtkSmartPointer<vtkActor>> parts_;
+    std::vector<Part> parts_;
     vtkSmartPointer<vtkActor> arrow_;
-    vtkSmartPointer<vtkTextActor> label_;  // in front of all
-    Vec3 head_mm_ = Vec3::Zero();          // of the arrow, beside which the label stands
+    FigureLabel label_;  // beside the arrow's head
     double mm_per_point_ = 1.0;
 };
 

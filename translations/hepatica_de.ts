@@ -8025,5 +8025,52 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Vessels rebuilt</source>
         <translation>Gefäße neu erzeugt</translation>
     </message>
+    <message>
+        <source>&amp;Results of all…</source>
+        <translation>Ergebnisse &amp;aller …</translation>
+    </message>
+    <message>
+        <source>Results of all</source>
+        <translation>Ergebnisse aller</translation>
+    </message>
+    <message>
+        <source>The clock stands: it runs from the first thing you do.</source>
+        <translation>Die Uhr steht: Sie läuft, sobald Sie etwas tun.</translation>
+    </message>
+    <message>
+        <source>The lesson begins as soon as the report is written.</source>
+        <translation>Die Lektion beginnt, sobald der Bericht geschrieben ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ %1 s, %2</source>
+        <translation>✓ %1 s, %2</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: who passed what by the marks of the course, in how many attempts. The time is the shortest of those that passed.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: wer was nach den Bestehensgrenzen des Kurses bestanden hat, und in wie vielen Versuchen. Die Zeit ist die kürzeste der bestandenen.</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Name oder Nummer</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>A lesson…</source>
+        <translation>Eine Lektion …</translation>
+    </message>
+    <message>
+        <source>The course, from the first lesson on, on the built-in patient</source>
+        <translation>Der Kurs von der ersten Lektion an, am eingebauten Patienten</translation>
+    </message>
 </context>
 </TS>

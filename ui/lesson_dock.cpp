@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/lesson/allowed_commands.h"
 #include "core/lesson/attempts.h"
+#include "core/lesson/course_results.h"
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
@@ -20,9 +22,11 @@
 #include "ui/core_words.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_editor/course_editor.h"
+#include "ui/lesson_marks.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
 #include "ui/questions.h"
+#include "ui/results_dialog.h"
 #include "ui/save_file_dialog.h"
 #include "ui/words.h"
 
@@ -35,18 +39,6 @@ namespace {
 // Empty: the one that comes with the program.
 Course course_in(const fs::path& file) {
     return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
-}
-
-// Whether no step from this one on asks for the mark any more, and one before it did.
-bool is_done_with(const Lesson& lesson, std::size_t mark, std::size_t step) {
-    const auto names = [&](const LessonStep& one) {
-        return std::ranges::any_of(one.goal, [&](const Predicate& goal) {
-            return goal.mark >= 0 && static_cast<std::size_t>(goal.mark) == mark;
-        });
-    };
-    const auto now = lesson.steps.begin() + static_cast<std::ptrdiff_t>(step);
-    return std::any_of(lesson.steps.begin(), now, names) &&
-           std::none_of(now, lesson.steps.end(), names);
 }
 
 // None too where the course has gone since it was shown.
@@ -85,7 +77,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                               }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
-           [this](const std::string& csv) { ways_.save_attempts(csv); },
+           [this](const std::string& csv) { ways_.save_table("attempts", csv); },
            [this](const std::exception_ptr& error) {
                ways_.failed(Words::tr("Mark an attempt"), error);
            }},
@@ -117,6 +109,8 @@ void LessonDock::fill(QMenu& menu) {
     menu.addSeparator();
     connect(menu.addAction(Words::tr("&Course…")), &QAction::triggered, this,
             [this] { show_course(course_file_); });
+    connect(menu.addAction(Words::tr("&Results of all…")), &QAction::triggered, this,
+            [this] { show_results(); });
     connect(menu.addAction(Words::tr("&Open lesson…")), &QAction::triggered, this,
             [this] { ask_for_lesson(); });
     connect(menu.addAction(Words::tr("Open co&urse…")), &QAction::triggered, this,
@@ -151,6 +145,21 @@ void LessonDock::show_course(const fs::path& file) {
         course_file_ = file;
     } catch (...) {
         ways_.failed(Words::tr("Open course"), std::current_exception());
+    }
+}
+
+void LessonDock::show_results() {
+    try {
+        const Course course = course_in(course_file_);
+        CourseResults results =
+            results_of(course, course_file_.parent_path(), all_attempts(recordings_).list);
+        if (results_ == nullptr)
+            results_ = new ResultsDialog(
+                [this](const std::string& csv) { ways_.save_table("results", csv); },
+                parentWidget());
+        results_->show_results(course.name, std::move(results));
+    } catch (...) {
+        ways_.failed(Words::tr("Results of all"), std::current_exception());
     }
 }
 
@@ -285,6 +294,7 @@ void LessonDock::begin() {
         watched_name_ = name_;
         watched_course_pass_ = course_pass_;
         result_kept_ = false;
+        read_first_ = true;
         on_screen_ = true;
         ways_.use(std::move(play.simulation));
     } catch (...) {
@@ -307,6 +317,14 @@ void LessonDock::leave() {
     ways_.left();
 }
 
+bool LessonDock::begins_with(const Command& command) {
+    if (!read_first_ || running() == nullptr) return false;
+    const bool lets_it_run = std::holds_alternative<SetPaused>(command);
+    const bool does_something = !objection_to(command, Lesson{}).empty();
+    if (lets_it_run || does_something) read_first_ = false;
+    return does_something;
+}
+
 const Lesson* LessonDock::running() const {
     const bool runs = watch_ && watch_->standing().outcome == LessonOutcome::running;
     return runs ? &watch_->lesson() : nullptr;
@@ -324,7 +342,7 @@ void LessonDock::set_trainee(const QString& name) {
 
 void LessonDock::show_figures() {
     if (!watch_) return;
-    panel_->show_standing(watch_->standing());
+    panel_->show_standing(watch_->standing(), read_first_);
     keep_result();
 }
 
@@ -365,12 +383,7 @@ void LessonDock::show_attempts() {
 std::vector<MarkView> LessonDock::marks_in(const Frame& frame) const {
     if (!watch_ || !on_screen_) return {};
     const std::vector<Vec3> places = watch_->marks_in(frame);
-    const std::size_t step = watch_->standing().step;
-    std::vector<MarkView> marks;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        marks.push_back({places[i], places.size() > 1 ? std::to_string(i + 1) : std::string(),
-                         is_done_with(watch_->lesson(), i, step)});
-    return marks;
+    return views_of_marks(watch_->lesson(), places, watch_->standing().step);
 }
 
 }  // namespace hepatica

@@ -24,6 +24,7 @@ class AttemptsDialog;
 class CourseDialog;
 class CourseEditor;
 class LessonPanel;
+class ResultsDialog;
 
 class LessonDock : public QDockWidget {
   public:
@@ -41,9 +42,10 @@ class LessonDock : public QDockWidget {
         // Shows a recording.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             look_back;
-        std::function<void(const std::string& csv)> save_attempts;  // asks where to
-        std::function<void()> edit;                                 // shows the editor of lessons
-        std::function<void()> left;                                 // a lesson, for free play
+        // Asks where to; `called`: what the file is called at first.
+        std::function<void(const char* called, const std::string& csv)> save_table;
+        std::function<void()> edit;                      // shows the editor of lessons
+        std::function<void()> left;                      // a lesson, for free play
         std::function<void(const QString& name)> named;  // the trainee, or nobody any more
     };
 
@@ -62,6 +64,8 @@ class LessonDock : public QDockWidget {
     bool try_out(const Lesson& lesson);
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
+    // Who passed what of the course shown last, of all whose attempts are kept.
+    void show_results();
     CourseDialog& course() { return *course_; }
     // Edits the course shown last; of the program's own a copy, where the person wants it to lie.
     void edit_course();
@@ -80,6 +84,9 @@ class LessonDock : public QDockWidget {
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
+    // The clock stands while the task is read: whether this is the first thing that is done, with
+    // which it begins to run.
+    bool begins_with(const Command& command);
     // Of attempts that end from now on; empty: nobody is named.
     void set_trainee(const QString& name);
     // At every figure's turn: how the lesson stands.
@@ -125,9 +132,11 @@ class LessonDock : public QDockWidget {
     std::shared_ptr<LessonWatch> watch_;
     std::unique_ptr<RecordingGuard> guard_;  // of watch_'s recording, while it grows
     bool result_kept_ = false;               // of watch_
+    bool read_first_ = false;                // likewise: nothing was done yet
     bool on_screen_ = false;                 // likewise: it is its simulation that the window shows
     AttemptsDialog* attempts_;
     CourseDialog* course_;
+    ResultsDialog* results_ = nullptr;       // null until then
     CourseEditor* course_editor_ = nullptr;  // null until then
 };
 

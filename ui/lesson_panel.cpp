@@ -63,6 +63,8 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     title_ = add_label(*column, "lessonTitle");
     about_ = add_label(*column, "quiet");
     doubts_ = add_label(*column, "lessonPlaceDoubts");
+    clock_ = add_label(*column, "lessonClock");
+    clock_->setText(Words::tr("The clock stands: it runs from the first thing you do."));
     step_ = add_label(*column, "lessonStep");
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
@@ -147,8 +149,9 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     about_->setVisible(!lesson.about.empty());
 }
 
-void LessonPanel::show_standing(const LessonStanding& standing) {
+void LessonPanel::show_standing(const LessonStanding& standing, bool read_first) {
     const bool running = standing.outcome == LessonOutcome::running;
+    clock_->setVisible(running && read_first);
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
     end_->setVisible(!running);

@@ -37,7 +37,8 @@ class LessonPanel : public QWidget {
     void set_name(const QString& name);
     // For what is shown from the next standing on.
     void set_units(FlowUnits units) { units_ = units; }
-    void show_standing(const LessonStanding& standing);
+    // `read_first`: nothing was done yet, and the clock stands.
+    void show_standing(const LessonStanding& standing, bool read_first = false);
 
   private:
     QLayout* make_name();
@@ -51,6 +52,7 @@ class LessonPanel : public QWidget {
     QLabel* title_;
     QLabel* about_;
     QLabel* doubts_;
+    QLabel* clock_;
     QLabel* step_;
     QLabel* goal_;
     QProgressBar* hold_;

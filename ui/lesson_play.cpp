@@ -50,6 +50,9 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     });
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});
+    session->step(job);
+    // Who still reads the task has begun nothing: time stands until he does something.
+    session->post(SetPaused{true});
     play.simulation = std::make_unique<SimulationThread>(std::move(session));
     return play;
 }

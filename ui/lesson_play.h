@@ -49,8 +49,9 @@ struct LessonPlay {
     std::shared_ptr<LessonWatch> watch;
     std::unique_ptr<Simulation> simulation;  // running
 
-    // Builds the scene and begins. The recording is written to this file as the play goes, and is
-    // whole up to the last step once the simulation is gone. Throws InputError, Cancelled.
+    // Builds the scene, does the setup, and holds the clock there. The recording is written to this
+    // file as the play goes, and is whole up to the last step once the simulation is gone. Throws
+    // InputError, Cancelled.
     static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
                             const std::filesystem::path& recording, Job& job);
 };

@@ -204,7 +204,8 @@ void MainWindow::build_view() {
     row->addWidget(second_view_, 1);
     column->addLayout(row, 1);
     setCentralWidget(centre);
-    welcome_ = new Welcome(*actions_, view_);
+    welcome_ = new Welcome(
+        *actions_, [this] { lessons_->show_course({}); }, view_);
     log_ = new MessageLog(this);
 }
 

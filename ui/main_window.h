@@ -144,6 +144,7 @@ class MainWindow : public QMainWindow {
     void build_lesson_editor();
     // Opens a lesson's own patient; whoever was shown before can be had back when it is left.
     void open_for_lesson(const OpenRequest& request);
+    void show_whole_from_the_front();
     // Who is shown, where he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();

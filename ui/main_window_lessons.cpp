@@ -18,6 +18,7 @@
 #include "ui/lesson_tools.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/paths.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
@@ -54,7 +55,9 @@ void MainWindow::build_lessons() {
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         review_->end();
         take_report_message_away();
+        const bool begins = simulation != nullptr;
         use(std::move(simulation));
+        if (begins) show_whole_from_the_front();
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
@@ -65,7 +68,9 @@ void MainWindow::build_lessons() {
     ways.look_back = [this](const std::filesystem::path& recording, const std::string& lesson) {
         review_->open(recording, lesson);
     };
-    ways.save_attempts = [this](const std::string& csv) { save_table("attempts", csv); };
+    ways.save_table = [this](const char* called, const std::string& csv) {
+        save_table(called, csv);
+    };
     ways.edit = [this] { lesson_editor().show_editor(); };
     ways.left = [this] {
         if (lesson_editor_) lesson_editor_->back_from_trying();
@@ -79,6 +84,14 @@ void MainWindow::build_lessons() {
     auto* menu = new QMenu(Words::tr("&Lesson"), menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+// Whatever was looked at before, nothing that a lesson speaks of is out of sight.
+void MainWindow::show_whole_from_the_front() {
+    if (QAction& cut_open = (*actions_)[ActionId::toggle_clip]; cut_open.isChecked())
+        cut_open.trigger();
+    view_->scene().look_from(ViewDirection::anterior);
+    view_->draw_again();
 }
 
 std::optional<OpenRequest> MainWindow::patient_from_where() const {
@@ -96,6 +109,9 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
     if (patient_ && !lessons_->playing()) before = patient_from_where();
     open(request);
     before_lesson_ = before;
+    if (!keeper_->jobs().holds(JobKind::report)) return;
+    messages_->show_notice(Words::tr("The lesson begins as soon as the report is written."));
+    report_message_ = messages_->text();
 }
 
 void MainWindow::offer_patient_from_before() {
@@ -130,9 +146,11 @@ void MainWindow::offer_unsaved_lesson() {
 
 void MainWindow::allow_tools() {
     const Lesson* lesson = lessons_->running();
-    const auto tools = lesson != nullptr ? std::optional(lesson->tools) : std::nullopt;
-    if (tools == allowed_tools_) return;
-    allowed_tools_ = tools;
+    const bool all = lesson == nullptr;
+    if (all ? !allowed_tools_ : allowed_tools_ == lesson->tools) return;
+    allowed_tools_.reset();
+    if (!all) allowed_tools_.emplace(lesson->tools);
+    const std::optional<std::vector<LessonTool>>& tools = allowed_tools_;
     actions_->forbid(tools ? forbidden_actions(*tools) : std::set<ActionId>());
     view_->mouse().set_may_pull(!tools || allows(*tools, LessonTool::pull));
     const bool settings = !tools || allows(*tools, LessonTool::settings);

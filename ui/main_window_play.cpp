@@ -101,6 +101,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     curves_->clear();
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
+    show_marks();  // no other frame may come for a while
     view_->show_frame(frame());
     if (free) quality_->post_choices();  // a lesson has settings of its own
     inject_->begin_play(free);
@@ -108,6 +109,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     tool_panel_->begin_play(free);
     back_to_pulling();
     allow_tools();
+    follow(frame());
     follow_simulation();
 }
 
@@ -182,9 +184,11 @@ void MainWindow::show_newest_frame() {
 
 bool MainWindow::show_marks() {
     std::vector<MarkView> marks;
-    if (lessons_->playing() && !review_->reviewing())
+    if (review_->reviewing())
+        marks = review_->marks_in(frame());
+    else if (lessons_->playing())
         marks = lessons_->marks_in(frame());
-    else if (lesson_editor_ && !review_->reviewing())
+    else if (lesson_editor_)
         for (const Vec3& place : lesson_editor_->places()) marks.push_back({place, "", false});
     return view_->scene().set_marks(std::move(marks));
 }
@@ -290,6 +294,7 @@ void MainWindow::post(Command command) {
     if (const Lesson* lesson = lessons_->running())
         if (const std::string objection = objection_to(command, *lesson); !objection.empty())
             return statusBar()->showMessage(translated(objection), 6000);
+    if (lessons_->begins_with(command)) patient_->simulation->post(SetPaused{false});
     patient_->simulation->post(std::move(command));
 }
 

@@ -22,6 +22,7 @@
 #include "core/opening/recorded_case.h"
 #include "core/session/recording_file.h"
 #include "ui/core_words.h"
+#include "ui/lesson_marks.h"
 #include "ui/paths.h"
 #include "ui/recording_dialog.h"
 #include "ui/review_list.h"
@@ -251,6 +252,9 @@ void ReviewDock::begin() {
              file_.string(), Words::id("Open the case that was played on first")});
     }
     patient_ = patient;
+    places_.reset();
+    if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))
+        places_ = std::make_unique<const PlayMeter>(*lesson_, patient);
     tape_ = std::make_shared<ReviewTape>();
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
@@ -307,6 +311,15 @@ void ReviewDock::compare(const fs::path& other) {
 
 double ReviewDock::end_s() const {
     return std::max(tape_->end_s(), comparing() ? other_tape_->end_s() : 0.0);
+}
+
+std::vector<MarkView> ReviewDock::marks_in(const Frame& frame) const {
+    if (!reviewing() || places_ == nullptr) return {};
+    const std::vector<PlayEvent> events = tape_->events();
+    const auto steps = std::ranges::count_if(events, [this](const PlayEvent& event) {
+        return event.kind == PlayEventKind::lesson && event.at_s <= at_s_;
+    });
+    return views_of_marks(*lesson_, places_->marks_in(frame), static_cast<std::size_t>(steps));
 }
 
 void ReviewDock::show_other() {
@@ -438,6 +451,7 @@ void ReviewDock::forget() {
     tape_.reset();
     patient_.reset();
     recording_.reset();
+    places_.reset();
     lesson_.reset();
     notes_.clear();
     waits_ = false;

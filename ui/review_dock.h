@@ -13,10 +13,12 @@
 #include <string>
 
 #include "core/lesson/lesson.h"
+#include "core/lesson/play_meter.h"
 #include "core/lesson/play_notes.h"
 #include "core/lesson/review_tape.h"
 #include "core/opening/open_patient.h"
 #include "core/session/recording.h"
+#include "render/mark_actors.h"
 #include "ui/background_job.h"
 #include "ui/simulation.h"
 
@@ -77,6 +79,9 @@ class ReviewDock : public QDockWidget {
 
     // A recording is being read, waits for its patient or is gone through.
     bool busy() const { return waits_ || (job_ != nullptr && !complete()); }
+    // The lesson's marks in a frame of it, as they stood at the moment that is shown; none where it
+    // is of no lesson.
+    std::vector<MarkView> marks_in(const Frame& frame) const;
     double at_s() const { return at_s_; }
     bool playing() const { return clock_.isActive(); }
 
@@ -107,7 +112,8 @@ class ReviewDock : public QDockWidget {
     QString name_, other_name_;  // of both recordings, for the user
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
-    bool waits_ = false;                          // for its patient
+    std::unique_ptr<const PlayMeter> places_;  // of its marks; null: it has none on these vessels
+    bool waits_ = false;                       // for its patient
     std::shared_ptr<const PatientCase> patient_;  // on whom it was begun
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;

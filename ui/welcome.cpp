@@ -5,12 +5,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/words.h"
 
 namespace hepatica {
 
-Welcome::Welcome(const Actions& actions, QWidget* parent) : QFrame(parent) {
+Welcome::Welcome(const Actions& actions, std::function<void()> lessons, QWidget* parent)
+    : QFrame(parent) {
     setObjectName("welcome");
     auto* title = new QLabel("Hepatica", this);
     title->setObjectName("welcomeTitle");
@@ -33,6 +35,11 @@ Welcome::Welcome(const Actions& actions, QWidget* parent) : QFrame(parent) {
         return button;
     };
     add(Words::tr("The built-in patient"), ActionId::built_in)->setDefault(true);
+    auto* learn = new QPushButton(Words::tr("A lesson…"), this);
+    learn->setObjectName("welcomeLessons");
+    learn->setToolTip(Words::tr("The course, from the first lesson on, on the built-in patient"));
+    connect(learn, &QPushButton::clicked, this, std::move(lessons));
+    column->addWidget(learn);
     add(Words::tr("A CT folder (DICOM)…"), ActionId::open_ct_folder);
     add(Words::tr("A CT file (NIfTI, MetaImage, NRRD)…"), ActionId::open_ct_file);
     add(Words::tr("A case that was reconstructed before…"), ActionId::open_case);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the empty view: three ways to begin.
+// What stands in the empty view: the ways to begin.
 #pragma once
 
 #include <QFrame>
+#include <functional>
 
 #include "ui/actions.h"
 
@@ -10,7 +11,8 @@ namespace hepatica {
 
 class Welcome : public QFrame {
   public:
-    explicit Welcome(const Actions& actions, QWidget* parent);
+    // `lessons`: shows the list of lessons.
+    Welcome(const Actions& actions, std::function<void()> lessons, QWidget* parent);
 
   protected:
     // Keeps itself in the middle of its parent.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "render/palette.h"
 
@@ -84,13 +85,16 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
 }
 
 void paint_hand(QPainter& painter, const Frame& frame, const FrontView& view) {
-    if (frame.tool)
+    // Twice: on paper a bright tool needs an outline.
+    const auto draw_tool = [&](const QColor& colour, double around_px) {
         for (const ToolView::Part& part : frame.tool->parts) {
-            painter.setPen(QPen(to_qt(palette::tool), 2.0 * view.px(part.radius_mm), Qt::SolidLine,
-                                Qt::RoundCap));
-            const QPointF from = view(part.from_mm);
-            painter.drawLine(from, view(part.to_mm) + QPointF(0.01, 0.0));
+            const double width = 2.0 * (view.px(part.radius_mm) + around_px);
+            painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(view(part.from_mm), view(part.to_mm) + QPointF(0.01, 0.0));
         }
+    };
+    if (frame.tool) draw_tool(to_qt(palette::outline), 1.5);
+    if (frame.tool) draw_tool(to_qt(palette::tool), 0.0);
     if (!frame.grab) return;
     painter.setPen(QPen(to_qt(palette::grab_line), 3.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(view(frame.grab->point_mm), view(frame.grab->target_mm));
@@ -111,7 +115,7 @@ std::array<Vec3, 2> box_of(const Frame& frame) {
 
 QImage paint(const Frame& frame, const FramePainting& how) {
     QImage image(how.width, how.height, QImage::Format_RGB32);
-    image.fill(to_qt(palette::background_top));
+    image.fill(Qt::white);  // paper
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     const FrontView view(how);
@@ -119,8 +123,11 @@ QImage paint(const Frame& frame, const FramePainting& how) {
     painter.setBrush(Qt::NoBrush);
     paint_hand(painter, frame, view);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(to_qt(palette::torn_circle), 2.5));
-    for (const Vec3& mark : how.marks_mm) painter.drawEllipse(view(mark), 14.0, 14.0);
+    for (const auto& [colour, width] :
+         {std::pair(palette::outline, 5.0), std::pair(palette::torn_circle, 2.5)}) {
+        painter.setPen(QPen(to_qt(colour), width));
+        for (const Vec3& mark : how.marks_mm) painter.drawEllipse(view(mark), 14.0, 14.0);
+    }
     return image;
 }
 

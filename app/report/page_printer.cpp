@@ -64,6 +64,19 @@ void fit_pictures(QTextDocument& document, const fs::path& folder) {
     }
 }
 
+bool holds_picture(const QTextBlock& block) {
+    for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+        if (piece.fragment().charFormat().isImageFormat()) return true;
+    return false;
+}
+
+// What a heading is to stand beside: the block after it, or the picture that a line of text between
+// them is about.
+QTextBlock what_follows(const QTextBlock& heading) {
+    const QTextBlock next = heading.next(), after = next.next();
+    return after.isValid() && !holds_picture(next) && holds_picture(after) ? after : next;
+}
+
 // The first heading that ends its page, laid out as QTextDocument::print() does it; -1: none.
 int lonely_heading(const QTextDocument& document, QPdfWriter& writer) {
     constexpr double margin_inch = 2.0 / 2.54;
@@ -81,7 +94,7 @@ int lonely_heading(const QTextDocument& document, QPdfWriter& writer) {
         return static_cast<int>((top + first_line) / page);
     };
     for (QTextBlock block = laid_out->begin(); block.isValid(); block = block.next()) {
-        const QTextBlock next = block.next();
+        const QTextBlock next = what_follows(block);
         if (block.blockFormat().headingLevel() > 0 && next.isValid() &&
             page_of(block) != page_of(next))
             return block.blockNumber();

@@ -82,7 +82,7 @@ int report_main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     std::setlocale(LC_NUMERIC, "C");
-    apply_theme(application);
+    apply_theme(application, theme_named("light"));  // for paper
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addOption({"json", "Print one JSON object."});

@@ -2,13 +2,13 @@
 #include "core/lesson/attempts.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "core/base/atomic_write.h"
+#include "core/base/csv_cell.h"
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/lesson/lesson_fields.h"
@@ -33,18 +33,6 @@ bool truth_from(const LessonFields& field) {
     if (!field.json().is_boolean())
         field.refuse("is " + field.dump() + ", not true or false", result_remedy);
     return field.json().get<bool>();
-}
-
-std::string digits(double value) {
-    char text[40];
-    return std::isfinite(value) ? std::string(text, std::to_chars(text, text + 40, value).ptr) : "";
-}
-
-// As a cell of a table, whatever is in it.
-std::string in_quotes(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    return quoted + "\"";
 }
 
 }  // namespace
@@ -222,8 +210,8 @@ std::string to_csv(const std::vector<Attempt>& attempts) {
         const Attempt& attempt = attempts[row];
         text += std::to_string(row + 1) + "," + attempt.ended_at + "," +
                 (attempt.passed ? "yes" : "no") + "," + (attempt.reference ? "yes" : "no");
-        for (const double value : attempt.metrics) text += "," + digits(value);
-        if (named) text += "," + in_quotes(attempt.name);
+        for (const double value : attempt.metrics) text += "," + csv_cell(value);
+        if (named) text += "," + csv_cell(attempt.name);
         text += "\n";
     }
     return text;

@@ -45,6 +45,13 @@ Vec3 middle_of(const std::vector<int>& vertices, const PlaceOf& place) {
     return sum / static_cast<double>(vertices.size());
 }
 
+// `vertices`: ascending, of the whole body.
+bool is_touched(const Frame& frame, const std::vector<int>& vertices) {
+    return std::ranges::any_of(frame.tool->touched, [&](int touched) {
+        return std::ranges::binary_search(vertices, frame.origin_of(touched));
+    });
+}
+
 double share_reached(const std::vector<float>& arrivals, double time_s) {
     if (arrivals.empty()) return 0.0;
     const auto reached = std::ranges::upper_bound(arrivals, static_cast<float>(time_s));
@@ -166,6 +173,8 @@ void PlayMeter::see_marks(const Frame& frame) {
         mark.distance_mm = frame.tool   ? (frame.tool->tip_mm - place).norm()
                            : frame.grab ? (frame.grab->point_mm - place).norm()
                                         : far;
+        // Who touches the vessel there is near, however thick it is and whatever touches it.
+        if (touches && is_touched(frame, marks_[i])) mark.distance_mm = 0.0;
         mark.touch_mm = touches      ? (frame.tool->at_mm - place).norm()
                         : frame.grab ? (frame.grab->point_mm - place).norm()
                                      : far;

@@ -57,6 +57,7 @@ void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     if (tears == tears_) return;
     tears_ = tears;
     leak_g_s_ = 0.0;
+    leaks_g_s_.assign(tears.size(), 0.0);
     if (tears.empty()) return;
     FlowNetwork network = network_of(tree_);
     const std::vector<int> outlets = network.outlet_nodes;
@@ -88,14 +89,19 @@ void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
                                          conditions.resident});
         }
     }
+    std::vector<std::size_t> tear_of_stump;
     for (const ThroughTear& torn : tears) {
         const std::size_t before = network.torn_nodes.size();
         tear(network, torn.at);
         conditions.torn_areas_mm2.resize(
             conditions.torn_areas_mm2.size() + network.torn_nodes.size() - before, torn.area_mm2);
+        tear_of_stump.resize(network.torn_nodes.size(),
+                             static_cast<std::size_t>(&torn - tears.data()));
     }
     const FlowSolution solution = solve_flow(network, conditions);
     for (const double flow : solution.torn_flow_mm3_s) leak_g_s_ += flow * density;
+    for (std::size_t i = 0; i < tear_of_stump.size(); ++i)
+        leaks_g_s_[tear_of_stump[i]] += solution.torn_flow_mm3_s[i] * density;
 }
 
 }  // namespace hepatica

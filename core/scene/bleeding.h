@@ -34,6 +34,9 @@ class Bleeding {
     void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
 
     double leak_g_s() const { return leak_g_s_; }
+    // What bleeds at each of the tears that were set; together leak_g_s().
+    const std::vector<ThroughTear>& tears() const { return tears_; }
+    const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }
     void set_leaked_g(double leaked_g) { leaked_g_ = leaked_g; }
 
@@ -41,6 +44,7 @@ class Bleeding {
     VesselTree tree_;
     RestingFlow rest_;
     std::vector<ThroughTear> tears_;
+    std::vector<double> leaks_g_s_;
     double leak_g_s_ = 0.0;
     double leaked_g_ = 0.0;
 };

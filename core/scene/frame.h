@@ -61,6 +61,12 @@ struct DrugView {
     bool computing = false;  // another injection is being computed and will take this one's place
 };
 
+// Where a torn vessel bleeds, and its share of all that is lost.
+struct LeakView {
+    Vec3 at_mm = Vec3::Zero();
+    double share = 0.0;
+};
+
 // How the vessels are torn.
 struct TearView {
     int joints_broken = 0;
@@ -69,6 +75,7 @@ struct TearView {
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps
     double leaked_g = 0.0;
+    std::vector<LeakView> leaks;
     std::string stopped_by;  // "entropy" or "vertices"; empty: it goes on
     // Of each vertex the one of the whole body that it comes from.
     std::shared_ptr<const std::vector<int>> origins;

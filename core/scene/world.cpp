@@ -14,6 +14,7 @@
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/heap_use.h"
+#include "core/scene/leak_places.h"
 #include "core/scene/obstacles_of_organs.h"
 #include "core/scene/world_checkpoint.h"
 
@@ -156,7 +157,11 @@ void World::follow_tear() {
     if (version == torn_version_) return;
     torn_version_ = version;
     tear_view_ = {};
+    leaking_.clear();
     if (torn != nullptr) mark_rims(*torn, tear_view_);
+    if (torn != nullptr && bleeding_)
+        leaking_ = leaking_vertices(patient_->tree, bleeding_->tears(), tear_view_,
+                                    patient_->mesh.vertices_mm, torn->surface());
     if (torn != nullptr)
         topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
     else {
@@ -195,6 +200,15 @@ TreePoint World::place_near(const Vec3& point_mm) const {
     return flow_->place_of(nearest);
 }
 
+void World::show_leaks(TearView& tear, const std::vector<float>& positions_mm) const {
+    for (std::size_t i = 0; i < leaking_.size(); ++i) {
+        if (leaking_[i] < 0 || bleeding_->leaks_g_s()[i] <= 0.0) continue;
+        const float* at = &positions_mm[3 * static_cast<std::size_t>(leaking_[i])];
+        tear.leaks.push_back(
+            {Vec3(at[0], at[1], at[2]), bleeding_->leaks_g_s()[i] / bleeding_->leak_g_s()});
+    }
+}
+
 void World::fill(Frame& frame) const {
     frame.time_s = time_s_;
     frame.topology_version = topology_->version();
@@ -213,6 +227,7 @@ void World::fill(Frame& frame) const {
         if (bleeding_) {
             frame.tear->leak_g_s = bleeding_->leak_g_s();
             frame.tear->leaked_g = bleeding_->leaked_g();
+            show_leaks(*frame.tear, frame.positions_mm);
         }
     }
     frame.drug = flow_ ? flow_->drug() : DrugView{};

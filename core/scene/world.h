@@ -94,6 +94,7 @@ class World {
     PartCost* part(const std::string& name);
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     void bleed();
+    void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
 
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
@@ -103,6 +104,7 @@ class World {
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
     std::unique_ptr<Bleeding> bleeding_;  // where it can tear
+    std::vector<int> leaking_;            // a vertex at each of its tears, or -1
     int pieces_ = 0;                      // as it was when torn vessels were last looked for
     std::vector<PartCost> parts_;
     PartCost surfaces_of_obstacles_;  // beside what finding contacts with them costs

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <regex>
 
+#include "core/lesson/attempts.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -120,6 +121,28 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
     for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+// What a course asks for beside the lesson lies with the attempt, and the report judges by it.
+TEST_F(LessonVerb, AReportJudgesByThePassMarksOfTheCourse) {
+    play(3.0);
+    const auto judged = [&](double most_mm) {
+        Attempt attempt;
+        attempt.recording = path("play.hrec");
+        attempt.lesson = "Pull <gently>";
+        attempt.ended_at = "2026";
+        attempt.course_pass = {{Quantity::path_mm, -1, false, most_mm}};
+        write_attempt(attempt);
+        const Outcome run = report({"--report", path("play.hrec"), "--out", path("judged"),
+                                    "--lesson", path("lesson.json"), "--json"});
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        return Json::parse(run.output)["passed"].get<bool>();
+    };
+    EXPECT_TRUE(judged(1e6));
+    EXPECT_FALSE(judged(0.5));
+    const std::string page = contents_of(path("judged/report.html"));
+    EXPECT_NE(page.find("NOT PASSED"), std::string::npos);
+    EXPECT_NE(page.find("path of the tip at most 0.5"), std::string::npos) << page;
 }
 
 // The lesson asks for the blood, so that none is a result; everything is said in German.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/lesson/frames.h"
@@ -115,6 +117,30 @@ TEST(PlayMeter, TearsCountFromTheBeginningOn) {
     EXPECT_DOUBLE_EQ(meter.metrics().blood_lost_g, 1.5);
     meter.see(before);
     EXPECT_EQ(meter.metrics().joints_broken, 5) << "what was torn stays torn in the score";
+}
+
+// A wide vessel's middle is farther from its surface than what counts as near.
+TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
+    Lesson lesson = plain_lesson();
+    lesson.marks = {{"there", {std::nullopt, 0.5}}};
+    PlayMeter meter(lesson, small_patient());
+    meter.begin(rest_frame());
+    const Vec3 mark = meter.marks_mm().at(0);
+    Frame frame = with_tip(mark + Vec3(40, 0, 0));
+    int nearest = 0;
+    double least = 1e9;
+    for (const std::array<int, 3>& t : *frame.surface)
+        for (const int v : t) {
+            const double distance = (small_patient()->mesh.vertices_mm[v] - mark).norm();
+            if (distance < least) nearest = v;
+            least = std::min(least, distance);
+        }
+    frame.tool->at_mm = frame.tool->tip_mm;
+    meter.see(frame);
+    EXPECT_NEAR(meter.moment().marks.at(0).distance_mm, 40.0, 1e-3);
+    frame.tool->touched = {nearest};
+    meter.see(frame);
+    EXPECT_EQ(meter.moment().marks.at(0).distance_mm, 0.0);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/bleeding_actor.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
 #include "render/tool_actor.h"
@@ -100,6 +101,57 @@ TEST_F(SceneElements, a_tool_its_arrow_its_number_and_what_it_touches_are_each_s
     EXPECT_FALSE(view_.show(less)) << "nothing is new";
     EXPECT_TRUE(view_.show(touched));
     EXPECT_EQ(picture().rgb, whole.rgb);
+}
+
+// A tool behind the trunk, seen from the front.
+TEST_F(SceneElements, what_a_vessel_hides_of_a_tool_shines_through) {
+    Frame hidden = fake_frame(0.0);
+    const Picture without = picture_of(hidden);
+    hidden.tool.emplace();
+    hidden.tool->parts = {{Vec3(0, 40, -45), Vec3(0, 40, -30), 4.0}};
+    hidden.tool->tip_mm = Vec3(0, 40, -30);
+    hidden.tool->touched = {0};  // no line to the nearest vessel then
+    Frame lit = fake_frame(0.0);
+    lit.tool = hidden.tool;
+    lit.tool->parts.clear();
+    const Picture touched_alone = picture_of(lit);
+    EXPECT_FALSE(look_alike(picture_of(hidden), touched_alone));
+    EXPECT_TRUE(view_.show(fake_frame(0.0)));
+    EXPECT_TRUE(look_alike(picture_of(fake_frame(0.0)), without));
+}
+
+TEST_F(SceneElements, how_far_a_tool_is_from_the_vessels_is_seen) {
+    Frame near = fake_frame(0.0);
+    near.tool.emplace();
+    near.tool->parts = {{Vec3(20, 0, -40), Vec3(20, 0, -40), 3.0}};
+    near.tool->tip_mm = Vec3(20, 0, -40);
+    const Picture apart = picture_of(near);
+    Frame far = near;
+    far.tool->tip_mm = Vec3(20, 500, -40);  // as if it were nowhere near
+    EXPECT_FALSE(look_alike(picture_of(far), apart));
+}
+
+TEST_F(SceneElements, a_pulls_force_and_the_blood_of_a_torn_vessel_are_seen) {
+    Frame frame = fake_frame(0.0);
+    frame.grab = GrabView{Vec3(0, 0, -40), Vec3(20, 0, -40), 0.0, false};
+    const Picture without_force = picture_of(frame);
+    frame.grab->force_un = 12e3;
+    EXPECT_FALSE(look_alike(picture_of(frame), without_force));
+    frame.grab.reset();
+    frame.tear.emplace();
+    const Picture whole = picture_of(frame);
+    frame.tear->leaks = {{Vec3(0, 0, -40), 1.0}};
+    EXPECT_TRUE(look_alike(picture_of(frame), whole)) << "nothing was lost yet";
+    frame.tear->leaked_g = 40.0;
+    EXPECT_FALSE(look_alike(picture_of(frame), whole));
+    frame.tear->leaks.clear();
+    EXPECT_TRUE(look_alike(picture_of(frame), whole));
+}
+
+TEST(PoolOfBlood, GrowsWithWhatIsLost) {
+    EXPECT_EQ(radius_of_pool_mm(0.0), 0.0);
+    EXPECT_DOUBLE_EQ(radius_of_pool_mm(1.0), 4.0);
+    EXPECT_LT(radius_of_pool_mm(10.0), radius_of_pool_mm(100.0));
 }
 
 TEST(ForceText, IsInMillinewtonsAndEmptyWhereThereIsNone) {

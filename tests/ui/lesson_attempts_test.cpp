@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <fstream>
+#include <tuple>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
@@ -31,7 +32,7 @@ class LessonAttemptsTest : public testing::LessonWindowTest {
     }
     void play(const std::string& file) {
         window_.lessons().start(file);
-        ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+        start_clock();
         ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
         wait_for_figures();
     }
@@ -60,6 +61,7 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     type_name("Nr. 8");
     EXPECT_EQ(kept().list[0].name, "Nr. 7") << "nobody takes another's attempt";
     window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    start_clock();
     ASSERT_TRUE(wait_for([&] { return kept().list.size() == 2; }));
     EXPECT_EQ(kept().list[0].name, "Nr. 7") << "of before";
     EXPECT_EQ(kept().list[1].name, "Nr. 8");
@@ -83,10 +85,14 @@ TEST_F(LessonAttemptsTest, marks_of_a_course_belong_to_what_was_begun_from_it_al
     const std::string file = short_lesson("First");
     const std::vector<Predicate> marks{{Quantity::path_mm, -1, false, 5.0}};
     window_.lessons().start(file, marks);
+    start_clock();
     ASSERT_TRUE(wait_for([&] { return kept().list.size() == 1; }));
     EXPECT_EQ(kept().list[0].course_pass, marks);
     // From the library, on a case.
     window_.lessons().start_on(file, folder_.filePath("other.hep"));
+    ASSERT_TRUE(wait_for(
+        [&] { return window_.lessons().playing() && window_.lessons().running() != nullptr; }));
+    start_clock();
     ASSERT_TRUE(wait_for([&] { return kept().list.size() == 2; }));
     EXPECT_TRUE(kept().list[1].course_pass.empty());
     EXPECT_EQ(window_.lessons().standing().pass.size(), new_lesson().pass.size());
@@ -111,9 +117,36 @@ TEST_F(LessonAttemptsTest, the_next_lesson_of_the_course_is_one_click_away) {
     EXPECT_EQ(next->text(), "&Next lesson: Second");
     next->click();
     EXPECT_TRUE(wait_for([&] { return shown("lessonTitle").contains("Second"); }));
+    start_clock();
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
     wait_for_figures();
     EXPECT_TRUE(next->isHidden()) << "the last one";
+}
+
+// An instructor's table: everybody's attempts by the lessons of the course.
+TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
+    for (const auto& [file, name, time_s, passed] :
+         {std::tuple("1.hrec", "Anna", 12.0, true), std::tuple("2.hrec", "Anna", 9.5, true),
+          std::tuple("3.hrec", "Nr. 7", 30.0, false)}) {
+        Attempt attempt;
+        attempt.recording = to_path(settings_.recordings_folder()) / file;
+        attempt.lesson = "Gentle pull";
+        attempt.ended_at = "2026";
+        attempt.name = name;
+        attempt.passed = attempt.passed_lesson = passed;
+        attempt.metrics[static_cast<std::size_t>(Quantity::time_s)] = time_s;
+        write_attempt(attempt);
+    }
+    window_.lessons().show_results();
+    auto* table = window_.findChild<QTableWidget*>("results");
+    ASSERT_NE(table, nullptr);
+    ASSERT_EQ(table->rowCount(), 2);
+    ASSERT_EQ(table->columnCount(), 9) << "name, how many, and the seven";
+    EXPECT_EQ(table->item(0, 0)->text(), "Anna");
+    EXPECT_EQ(table->item(0, 1)->text(), "1 of 7");
+    EXPECT_EQ(table->item(0, 3)->text(), "✓ 9.5 s, 2 attempts");
+    EXPECT_EQ(table->item(1, 3)->text(), "✗ 1 attempt");
+    EXPECT_EQ(table->item(1, 2)->text(), "");
 }
 
 }  // namespace

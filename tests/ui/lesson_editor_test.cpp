@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Making a lesson as an instructor does: the fields, its places, doubts and undo.
-// it, its file, and what a crash leaves behind.
-#include "ui/lesson_editor/lesson_editor.h"
-
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,84 +21,13 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/session/small_patient.h"
-#include "tests/ui/window_test.h"
+#include "tests/ui/lesson_editor_test.h"
 #include "ui/paths.h"
 
 namespace hepatica {
 namespace {
 
-using testing::wait_for;
-
-class LessonEditorTest : public ::testing::Test {
-  protected:
-    LessonEditorTest() : editor_(ways(), folder_.path() / "unsaved.json", nullptr) {
-        editor_.show_editor();
-    }
-    LessonEditor::Ways ways() {
-        LessonEditor::Ways ways;
-        ways.patient = [this] { return patient_; };
-        ways.shown_patient = [this] { return shown_; };
-        ways.ask_for_place = [this] { ++asked_for_place_; };
-        ways.ask_no_more = [this] { ++asked_no_more_; };
-        ways.places_changed = [this] { drawn_ = editor_.places(); };
-        ways.try_out = [this](const Lesson& lesson) {
-            tried_ = lesson;
-            return can_try_;
-        };
-        ways.which_file = [this] { return file_; };
-        ways.where_to_save = [this](const QString&) { return file_; };
-        ways.unsaved = [this](bool kept) {
-            asked_kept_ = kept;
-            return answer_;
-        };
-        ways.failed = [this](const QString&, const std::exception_ptr&) { ++failures_; };
-        return ways;
-    }
-    const Lesson& lesson() { return editor_.document().lesson(); }
-    // The case that is shown lies in a folder, else the editor doubts that it is there.
-    QString folder_of(const char* name) {
-        std::filesystem::create_directory(folder_.path() / name);
-        return to_text(folder_.path() / name);
-    }
-    // On the centreline of the patient who is shown, to a tenth.
-    Vec3 on_vessel(std::size_t segment) {
-        const Vec3& at = patient_->tree.segments.at(segment).points_mm.at(1);
-        return (10.0 * at).array().round() / 10.0;
-    }
-    template <class T>
-    T& field(const QString& name) {
-        T* found = editor_.findChild<T*>(name);
-        if (found == nullptr) throw std::runtime_error("no field " + name.toStdString());
-        return *found;
-    }
-    void click(const QString& name) { field<QPushButton>(name).click(); }
-    void turn_to(int page) { field<QTabWidget>("lessonPages").setCurrentIndex(page); }
-    void choose(const QString& name, int item) {
-        auto& box = field<QComboBox>(name);
-        box.setCurrentIndex(item);
-        emit box.activated(item);
-    }
-    // What is on disk of it.
-    Lesson kept() {
-        return draft_of(read_text_file(folder_.path() / "unsaved.json", ""), "copy").lesson;
-    }
-    QString doubts() {
-        auto& label = field<QLabel>("lessonDoubts");
-        return label.isVisible() ? label.text() : "";
-    }
-
-    TemporaryFolder folder_;
-    std::shared_ptr<const PatientCase> patient_ = test::small_patient();
-    std::optional<std::filesystem::path> file_ = folder_.path() / "made.json";
-    std::optional<Lesson> tried_;
-    UnsavedLesson answer_ = UnsavedLesson::stay;
-    std::optional<bool> asked_kept_;  // whether there was a copy when it was asked
-    bool can_try_ = true;
-    QString shown_ = folder_of("shown.hep");
-    int asked_for_place_ = 0, asked_no_more_ = 0, failures_ = 0;
-    std::vector<Vec3> drawn_;
-    LessonEditor editor_;
-};
+using testing::LessonEditorTest;
 
 TEST_F(LessonEditorTest, makes_a_lesson_that_its_file_holds) {
     field<QLineEdit>("lessonName").setText("Probe it free");
@@ -229,6 +155,7 @@ TEST_F(LessonEditorTest, offers_the_patient_who_comes_while_it_is_open) {
 }
 
 // The steps keep what they asked for, and say that they miss the mark, until it is back.
+
 TEST_F(LessonEditorTest, a_mark_that_is_removed_changes_no_step_unasked) {
     field<QLineEdit>("lessonName").setText("Mine");
     const Lesson before = lesson();
@@ -326,6 +253,7 @@ TEST_F(LessonEditorTest, a_place_that_was_asked_for_is_forgotten_with_its_mark) 
 }
 
 // A key presses Undo while a field that goes by it still has the focus.
+
 TEST_F(LessonEditorTest, what_is_being_typed_into_a_row_that_goes_harms_nothing) {
     QApplication::setActiveWindow(&editor_);
     turn_to(1);
@@ -396,55 +324,6 @@ TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {
     EXPECT_FALSE(editor_.isVisible());
 }
 
-TEST_F(LessonEditorTest, before_the_program_ends_what_is_not_saved_is_asked_about) {
-    EXPECT_TRUE(editor_.may_end());
-    EXPECT_FALSE(asked_kept_) << "nothing is unsaved";
-    field<QLineEdit>("lessonName").setText("Mine");
-    EXPECT_FALSE(editor_.may_end()) << "it stays";
-    EXPECT_EQ(asked_kept_, true) << "a copy is on disk";
-    EXPECT_EQ(kept().name, "Mine");
-    turn_to(2);
-    click("goal0remove");
-    answer_ = UnsavedLesson::keep;
-    EXPECT_TRUE(editor_.may_end());
-    EXPECT_TRUE(kept().steps[0].goal.empty()) << "what is not finished is kept, too";
-    field<QLineEdit>("lessonName").setText("Yours");
-    std::filesystem::remove(folder_.path() / "unsaved.json");
-    std::filesystem::create_directory(folder_.path() / "unsaved.json");  // nothing can be written
-    answer_ = UnsavedLesson::stay;
-    EXPECT_FALSE(editor_.may_end());
-    EXPECT_EQ(asked_kept_, false);
-    EXPECT_GT(failures_, 0);
-}
-
-TEST_F(LessonEditorTest, at_the_end_of_the_program_changes_are_saved_or_let_go) {
-    field<QLineEdit>("lessonName").setText("Mine");
-    answer_ = UnsavedLesson::save;
-    EXPECT_TRUE(editor_.may_end());
-    EXPECT_EQ(read_lesson(*file_).name, "Mine");
-    field<QLineEdit>("lessonName").setText("Yours");
-    file_.reset();
-    answer_ = UnsavedLesson::discard;
-    EXPECT_TRUE(editor_.may_end());
-    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unsaved.json"));
-}
-
-TEST_F(LessonEditorTest, undoes_redoes_and_saves_by_keys) {
-    QApplication::setActiveWindow(&editor_);
-    turn_to(1);
-    click("lessonAddMark");
-    const auto marks = [&] { return lesson().marks.size(); };
-    ASSERT_EQ(marks(), 2u);
-    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(marks(), 1u);
-    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_EQ(marks(), 2u);
-    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
-    field<QLineEdit>("lessonName").setText("Mine");
-    QTest::keyClick(&editor_, Qt::Key_S, Qt::ControlModifier);
-    EXPECT_EQ(read_lesson(*file_).name, "Mine");
-}
-
 TEST_F(LessonEditorTest, two_marks_cannot_have_one_name) {
     turn_to(1);
     click("lessonAddMark");
@@ -475,27 +354,7 @@ TEST_F(LessonEditorTest, steps_change_their_order_and_go) {
     EXPECT_FALSE(field<QPushButton>("stepRemove").isEnabled()) << "the last one stays";
 }
 
-TEST_F(LessonEditorTest, begins_with_a_copy_unless_something_would_be_lost) {
-    const auto begin_with = [&](const char* id) {
-        field<QAction>(QString("beginWith_") + id).trigger();
-    };
-    begin_with("embolization");
-    EXPECT_EQ(lesson().name, "Embolization");
-    EXPECT_TRUE(editor_.document().file().empty());
-    field<QLineEdit>("lessonName").setText("Mine");
-    begin_with("gentle_pull");
-    EXPECT_EQ(lesson().name, "Mine");
-    answer_ = UnsavedLesson::discard;
-    begin_with("gentle_pull");
-    EXPECT_EQ(lesson().name, "Gentle pull");
-}
-
 // What is typed is on disk soon, without a save.
-TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
-    field<QLineEdit>("lessonName").setText("Mine");
-    EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
-    EXPECT_EQ(kept().name, "Mine");
-}
 
 }  // namespace
 }  // namespace hepatica

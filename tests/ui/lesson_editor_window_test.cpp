@@ -88,7 +88,9 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
     EXPECT_TRUE(editor().isHidden());
     EXPECT_EQ(window_.lessons().findChild<QLabel*>("lessonTitle")->text(), "<b>Tried</b>");
-    // It ends by itself, so that its recording is whole.
+    // It ends by itself once its clock runs, so that its recording is whole.
+    ASSERT_TRUE(wait_for([&] { return window_.frame().statistics.paused; }));
+    window_.actions()[ActionId::pause_simulation].trigger();
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
     wait_for_figures();
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();

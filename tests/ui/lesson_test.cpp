@@ -154,7 +154,8 @@ TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
             for (const QAction* action : menu->menu()->actions()) names << action->objectName();
     for (const BuiltInLesson& lesson : built_in_lessons())
         EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
-    EXPECT_EQ(names.size(), 13) << "with a line, a course, two others to open, and two editors";
+    EXPECT_EQ(names.size(), 14) << "with a line, a course, its results, two others to open, and "
+                                   "two editors";
 }
 
 TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {
@@ -192,6 +193,8 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     dialog.findChild<QPushButton*>("attemptsLookBack")->click();
     EXPECT_TRUE(dialog.isHidden());
     EXPECT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    EXPECT_TRUE(wait_for([&] { return window_.view().scene().marks().size() == 1; }))
+        << "who looks back sees what was asked for";
 }
 
 TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
@@ -290,6 +293,48 @@ TEST_F(LessonWindowTest, the_editor_offers_the_patient_who_is_opened) {
     window_.open(folder_.filePath("other.hep"));
     wait();
     EXPECT_GE(patients->findData(folder_.filePath("other.hep")), 0);
+}
+
+// Thinking before the first deed counts for nothing; after it, it does.
+TEST_F(LessonWindowTest, the_clock_runs_from_the_first_thing_that_is_done) {
+    window_.lessons().start(
+        lesson_file(R"({"what": "distance_mm", "mark": "the mark", "at_most": 20})"));
+    ASSERT_TRUE(wait_for([&] {
+        return window_.lessons().playing() && !window_.busy() && window_.frame().statistics.paused;
+    }));
+    wait_for_figures();
+    EXPECT_FALSE(window_.lessons().findChild<QLabel*>("lessonClock")->isHidden());
+    EXPECT_EQ(window_.view().scene().marks().size(), 1u) << "they are seen while it is read";
+    paint();
+    EXPECT_EQ(window_.lessons().standing().metrics.time_s, 0.0);
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    EXPECT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    wait_for_figures();
+    EXPECT_TRUE(window_.lessons().findChild<QLabel*>("lessonClock")->isHidden());
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+}
+
+TEST_F(LessonWindowTest, a_lesson_begins_with_all_vessels_in_view) {
+    open_built_in();
+    SceneView& view = window_.view().scene();
+    view.look_from(ViewDirection::left);
+    view.zoom_by(20.0);
+    window_.lessons().start(lesson_file(R"({"what": "time_s", "at_least": 1000})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    paint();
+    EXPECT_GT(view.axes().forward.y(), 0.9) << "from the front";
+    const std::vector<float>& at = window_.frame().positions_mm;
+    for (std::size_t v = 0; v + 2 < at.size(); v += 3) {
+        const QPoint pixel = on_widget(Vec3(at[v], at[v + 1], at[v + 2]));
+        ASSERT_TRUE(window_.view().rect().contains(pixel)) << "vertex " << v / 3;
+    }
+}
+
+TEST_F(LessonWindowTest, the_first_card_leads_to_the_lessons) {
+    window_.findChild<QPushButton*>("welcomeLessons")->click();
+    EXPECT_TRUE(window_.lessons().course().isVisible());
+    EXPECT_EQ(window_.lessons().course().findChild<QTableWidget*>("course")->currentRow(), 0);
 }
 
 TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {

@@ -29,6 +29,7 @@ class LessonToolsTest : public testing::LessonWindowTest {
         window_.lessons().start(file);
         ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
         paint();
+        start_clock();
     }
     bool runs_for(double seconds) {
         return wait_for([&] {

@@ -37,6 +37,14 @@ class LessonWindowTest : public WindowTest {
                  "goal": [{"what": "holding", "at_most": 0}]}]})";
         return file;
     }
+    // Who has read the task lets the clock run.
+    void start_clock() {
+        ASSERT_TRUE(wait_for([&] {
+            return window_.lessons().playing() && !window_.busy() &&
+                   window_.frame().statistics.paused;
+        }));
+        window_.actions()[ActionId::pause_simulation].trigger();
+    }
     QString shown(const char* name) { return window_.lessons().findChild<QLabel*>(name)->text(); }
     std::filesystem::path only_recording() {
         std::vector<std::filesystem::path> files;

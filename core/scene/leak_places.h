@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which vertex of a torn body is at the open end that bleeds.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/scene/frame.h"
+#include "core/scene/through_tears.h"
+#include "core/tree/vessel_tree.h"
+
+namespace hepatica {
+
+// For each tear a vertex on the rim of the stump towards the root, out of which blood is driven; -1
+// where none is near. `torn`: its rims and origins; `rest_mm`: of the whole body.
+std::vector<int> leaking_vertices(const VesselTree& tree, const std::vector<ThroughTear>& tears,
+                                  const TearView& torn, const std::vector<Vec3>& rest_mm,
+                                  const std::vector<std::array<int, 3>>& triangles);
+
+}  // namespace hepatica

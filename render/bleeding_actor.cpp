@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/bleeding_actor.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+
+#include "render/palette.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double pool_opacity = 0.55;  // the stump in it stays to be found
+
+vtkSmartPointer<vtkActor> new_pool() {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(1.0);
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(16);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    auto pool = vtkSmartPointer<vtkActor>::New();
+    pool->SetMapper(mapper);
+    const Colour& colour = palette::bleeding;
+    pool->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+    pool->GetProperty()->SetOpacity(pool_opacity);
+    pool->GetProperty()->BackfaceCullingOn();
+    pool->SetPickable(false);
+    return pool;
+}
+
+}  // namespace
+
+double radius_of_pool_mm(double lost_g) {
+    constexpr double first_drop_mm = 2.0, per_cube_root_g = 2.0;
+    return lost_g > 0.0 ? first_drop_mm + per_cube_root_g * std::cbrt(lost_g) : 0.0;
+}
+
+BleedingActor::~BleedingActor() {
+    for (const auto& pool : pools_) renderer_.RemoveActor(pool);
+}
+
+bool BleedingActor::update(const std::optional<TearView>& tear) {
+    const std::size_t count = tear ? tear->leaks.size() : 0;
+    if (count == 0 && pools_.empty()) return false;
+    for (; pools_.size() > count; pools_.pop_back()) renderer_.RemoveActor(pools_.back());
+    while (pools_.size() < count) {
+        pools_.push_back(new_pool());
+        renderer_.AddActor(pools_.back());
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const LeakView& leak = tear->leaks[i];
+        pools_[i]->SetPosition(leak.at_mm.x(), leak.at_mm.y(), leak.at_mm.z());
+        const double radius_mm = radius_of_pool_mm(leak.share * tear->leaked_g);
+        pools_[i]->SetScale(radius_mm);
+        pools_[i]->SetVisibility(radius_mm > 0.0);
+    }
+    return true;
+}
+
+}  // namespace hepatica

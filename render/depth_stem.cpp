@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/depth_stem.h"
+
+#include <vtkActor.h>
+#include <vtkLineSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "render/palette.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double touching_mm = 1.0;   // nearer than this it is as good as there
+constexpr double farthest_mm = 80.0;  // beyond it is nowhere near
+
+Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
+    Vec3 nearest = point;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 2 < positions_mm.size(); i += 3) {
+        const Vec3 place(positions_mm[i], positions_mm[i + 1], positions_mm[i + 2]);
+        const double distance = (place - point).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        nearest = place;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+DepthStem::DepthStem(vtkRenderer& renderer)
+    : renderer_(renderer),
+      ends_(vtkSmartPointer<vtkLineSource>::New()),
+      line_(vtkSmartPointer<vtkActor>::New()),
+      label_(renderer, palette::tool) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(ends_->GetOutputPort());
+    line_->SetMapper(mapper);
+    line_->GetProperty()->SetColor(palette::tool[0], palette::tool[1], palette::tool[2]);
+    line_->GetProperty()->SetLighting(false);
+    line_->GetProperty()->SetLineWidth(1.5F);
+    line_->SetPickable(false);
+    line_->SetVisibility(false);
+    renderer_.AddActor(line_);
+}
+
+DepthStem::~DepthStem() {
+    renderer_.RemoveActor(line_);
+}
+
+bool DepthStem::update(const std::optional<ToolView>& tool,
+                       const std::vector<float>& positions_mm) {
+    const bool shown = line_->GetVisibility() != 0;
+    double away_mm = 0.0;
+    Vec3 nearest = Vec3::Zero();
+    if (tool && tool->touched.empty() && !tool->parts.empty()) {
+        nearest = nearest_to(tool->tip_mm, positions_mm);
+        away_mm = (nearest - tool->tip_mm).norm() - tool->parts.front().radius_mm;
+    }
+    const bool shows = away_mm >= touching_mm && away_mm <= farthest_mm;
+    line_->SetVisibility(shows);
+    if (!shows) return label_.show({}, {}) || shown;
+    if (shown && tool->tip_mm == tip_mm_ && nearest == nearest_mm_) return false;
+    tip_mm_ = tool->tip_mm;
+    nearest_mm_ = nearest;
+    ends_->SetPoint1(tip_mm_.data());
+    ends_->SetPoint2(nearest.data());
+    const std::string text = std::to_string(std::lround(away_mm)) + " mm";
+    label_.show(said(words_, text), 0.5 * (tip_mm_ + nearest));
+    return true;
+}
+
+}  // namespace hepatica

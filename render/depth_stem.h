@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a tool is from the vessels: a line from its tip to the nearest place of their surface,
+// with the distance in millimetres. Seen from anywhere, it says what the depth of a picture does
+// not.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/scene/frame.h"
+#include "render/figure_label.h"
+#include "render/picture_words.h"
+
+class vtkActor;
+class vtkLineSource;
+class vtkRenderer;
+
+namespace hepatica {
+
+// Draws into one renderer, which must outlive it; not thread-safe.
+class DepthStem {
+  public:
+    explicit DepthStem(vtkRenderer& renderer);
+    ~DepthStem();
+    DepthStem(const DepthStem&) = delete;
+    DepthStem& operator=(const DepthStem&) = delete;
+
+    // From the next update on; English at first.
+    void set_words(PictureWords words) { words_ = std::move(words); }
+    // `positions_mm`: x, y, z of each vertex of the vessels. Costs one pass over them while a tool
+    // is there and nothing without one. Returns true if the picture is another now.
+    bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm);
+    void place(double pixel_ratio) { label_.place(pixel_ratio); }
+
+  private:
+    vtkRenderer& renderer_;
+    PictureWords words_;
+    vtkSmartPointer<vtkLineSource> ends_;
+    vtkSmartPointer<vtkActor> line_;
+    Vec3 tip_mm_ = Vec3::Zero(), nearest_mm_ = Vec3::Zero();  // as shown
+    FigureLabel label_;
+};
+
+}  // namespace hepatica

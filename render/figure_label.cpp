@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/figure_label.h"
+
+#include <vtkCoordinate.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/text_style.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int figure_text_size = 13;
+constexpr double edge_pixels = 4.0;  // that stay free beside the label
+
+}  // namespace
+
+FigureLabel::FigureLabel(vtkRenderer& renderer, const Colour& colour)
+    : renderer_(renderer), colour_(colour), text_(vtkSmartPointer<vtkTextActor>::New()) {
+    text_->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    text_->SetVisibility(false);
+    renderer_.AddActor(text_);
+}
+
+FigureLabel::~FigureLabel() {
+    renderer_.RemoveActor(text_);
+}
+
+bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
+    const bool same = text == shown_ && (text.empty() || at_mm == at_mm_);
+    if (same) return false;
+    shown_ = text;
+    at_mm_ = at_mm;
+    text_->SetVisibility(!text.empty());
+    text_->SetInput((" " + text).c_str());  // beside the point
+    return true;
+}
+
+void FigureLabel::place(double pixel_ratio) {
+    if (shown_.empty()) return;
+    style_text(*text_->GetTextProperty(),
+               static_cast<int>(std::lround(figure_text_size * pixel_ratio)), colour_);
+    vtkNew<vtkCoordinate> point;
+    point->SetCoordinateSystemToWorld();
+    point->SetValue(at_mm_.x(), at_mm_.y(), at_mm_.z());
+    const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
+    std::array<double, 2> size{};
+    text_->GetSize(&renderer_, size.data());
+    const int* picture = renderer_.GetSize();
+    std::array<double, 2> place{at[0], at[1]};
+    for (int axis = 0; axis < 2; ++axis)
+        place[axis] = std::clamp(place[axis], edge_pixels,
+                                 std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
+    text_->GetPositionCoordinate()->SetValue(place[0], place[1]);
+}
+
+std::optional<PictureBox> FigureLabel::box() const {
+    if (shown_.empty()) return std::nullopt;
+    std::array<double, 2> size{};
+    text_->GetSize(&renderer_, size.data());
+    const double* place = text_->GetPosition();
+    return PictureBox{place[0], place[1], place[0] + size[0], place[1] + size[1]};
+}
+
+}  // namespace hepatica

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson that is being made is not lost: undo, its file, a copy to begin with, the end of the
+// program, and what a crash leaves behind.
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/lesson/lesson_writer.h"
+#include "tests/ui/lesson_editor_test.h"
+
+namespace hepatica {
+namespace {
+
+using testing::LessonEditorTest;
+using testing::wait_for;
+
+TEST_F(LessonEditorTest, before_the_program_ends_what_is_not_saved_is_asked_about) {
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_FALSE(asked_kept_) << "nothing is unsaved";
+    field<QLineEdit>("lessonName").setText("Mine");
+    EXPECT_FALSE(editor_.may_end()) << "it stays";
+    EXPECT_EQ(asked_kept_, true) << "a copy is on disk";
+    EXPECT_EQ(kept().name, "Mine");
+    turn_to(2);
+    click("goal0remove");
+    answer_ = UnsavedLesson::keep;
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_TRUE(kept().steps[0].goal.empty()) << "what is not finished is kept, too";
+    field<QLineEdit>("lessonName").setText("Yours");
+    std::filesystem::remove(folder_.path() / "unsaved.json");
+    std::filesystem::create_directory(folder_.path() / "unsaved.json");  // nothing can be written
+    answer_ = UnsavedLesson::stay;
+    EXPECT_FALSE(editor_.may_end());
+    EXPECT_EQ(asked_kept_, false);
+    EXPECT_GT(failures_, 0);
+}
+
+TEST_F(LessonEditorTest, at_the_end_of_the_program_changes_are_saved_or_let_go) {
+    field<QLineEdit>("lessonName").setText("Mine");
+    answer_ = UnsavedLesson::save;
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_EQ(read_lesson(*file_).name, "Mine");
+    field<QLineEdit>("lessonName").setText("Yours");
+    file_.reset();
+    answer_ = UnsavedLesson::discard;
+    EXPECT_TRUE(editor_.may_end());
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unsaved.json"));
+}
+
+TEST_F(LessonEditorTest, undoes_redoes_and_saves_by_keys) {
+    QApplication::setActiveWindow(&editor_);
+    turn_to(1);
+    click("lessonAddMark");
+    const auto marks = [&] { return lesson().marks.size(); };
+    ASSERT_EQ(marks(), 2u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(marks(), 1u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(marks(), 2u);
+    QTest::keyClick(&editor_, Qt::Key_Z, Qt::ControlModifier);
+    field<QLineEdit>("lessonName").setText("Mine");
+    QTest::keyClick(&editor_, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(read_lesson(*file_).name, "Mine");
+}
+
+TEST_F(LessonEditorTest, begins_with_a_copy_unless_something_would_be_lost) {
+    const auto begin_with = [&](const char* id) {
+        field<QAction>(QString("beginWith_") + id).trigger();
+    };
+    begin_with("embolization");
+    EXPECT_EQ(lesson().name, "Embolization");
+    EXPECT_TRUE(editor_.document().file().empty());
+    field<QLineEdit>("lessonName").setText("Mine");
+    begin_with("gentle_pull");
+    EXPECT_EQ(lesson().name, "Mine");
+    answer_ = UnsavedLesson::discard;
+    begin_with("gentle_pull");
+    EXPECT_EQ(lesson().name, "Gentle pull");
+}
+
+TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
+    field<QLineEdit>("lessonName").setText("Mine");
+    EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
+    EXPECT_EQ(kept().name, "Mine");
+}
+
+}  // namespace
+}  // namespace hepatica
