@@ -18,6 +18,7 @@
 #include "ui/lesson_tools.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/paths.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"

@@ -11,8 +11,10 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/patient_place.h"
 #include "ui/questions.h"
 #include "ui/review_dock.h"
+#include "ui/slices/stroke_place.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
@@ -65,7 +67,10 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.take_strokes_back = [this](std::size_t strokes) {
         for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_tumour_stroke();
     };
-    callbacks.paint_vessels = [this](const BrushStroke& stroke) { keeper_->add_stroke(stroke); };
+    callbacks.paint_vessels = [this](const BrushStroke& stroke) {
+        keeper_->add_stroke(stroke);
+        warn_of_stroke_outside(stroke);
+    };
     callbacks.take_vessel_strokes_back = [this](std::size_t strokes) {
         keeper_->take_strokes_back(strokes);
     };
@@ -74,8 +79,24 @@ void MainWindow::build_slices(QWidget* parent) {
         view_->draw_again();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
+    callbacks.view_covered = [this](int top, int bottom) {
+        if (view_->scene().set_covered(top, bottom)) view_->draw_again();
+    };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
     show_corrections_with_slices();
+}
+
+// It would become a vessel by Rebuild, and be given to a system. The organs are known only as far
+// as the case has them.
+void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
+    if (stroke.erases || !lies_far_outside(stroke, view_layout_->slices().tumours().organs()))
+        return;
+    const QString text = Words::tr(
+                             "This stroke lies far outside the liver (at %1), and Rebuild "
+                             "would make a vessel of it. Undo takes it back.")
+                             .arg(patient_place(stroke.path_mm.front()));
+    log_->add_warning(Words::tr("Corrections"), text);
+    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
 }
 
 // As soon as a click in a slice corrects.
