@@ -20,6 +20,12 @@
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+constexpr const char* not_in_review =
+    Words::id("Nothing is corrected during a review: end it first");
+
+}  // namespace
 
 void MainWindow::build_slices(QWidget* parent) {
     ViewLayout::Callbacks callbacks;
@@ -42,24 +48,20 @@ void MainWindow::build_slices(QWidget* parent) {
         editing_->draw(ct, places, std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
-    callbacks.correct = [this](const Vec3& place) {
-        if (review_->reviewing())
-            return messages_->show_notice(
-                Words::tr("Nothing is corrected during a review: end it first"));
-        editing_->click_at(place);
+    const auto only_looks_back = [this](const char* why) {
+        if (review_->reviewing()) messages_->show_notice(Words::tr(why));
+        return review_->reviewing();
     };
-    callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
-        if (review_->reviewing())
-            return messages_->show_notice(
-                Words::tr("Nothing is rebuilt during a review: end it first"));
+    callbacks.correct = [this, only_looks_back](const Vec3& place) {
+        if (!only_looks_back(not_in_review)) editing_->click_at(place);
+    };
+    callbacks.remake = [this, only_looks_back](std::shared_ptr<const Volume> ct, Mask vessels) {
+        if (only_looks_back(Words::id("Nothing is rebuilt during a review: end it first"))) return;
         messages_->dismiss();
         keeper_->remake(std::move(ct), std::move(vessels));
     };
-    callbacks.paint_tumour = [this](const TreeEdit& stroke) {
-        if (review_->reviewing()) {
-            messages_->show_notice(Words::tr("Nothing is corrected during a review: end it first"));
-            return false;
-        }
+    callbacks.paint_tumour = [this, only_looks_back](const TreeEdit& stroke) {
+        if (only_looks_back(not_in_review)) return false;
         messages_->dismiss();
         keeper_->add(stroke);
         return true;
