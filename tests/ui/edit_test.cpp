@@ -226,7 +226,7 @@ TEST_F(Editing, what_was_done_is_listed_with_its_place) {
     QString line;
     for (const auto* list : window_.findChildren<QListWidget*>())
         if (list->accessibleName() == "Edits") line = list->item(0)->text();
-    EXPECT_TRUE(line.startsWith("Tree deleted at 3")) << line.toStdString();
+    EXPECT_TRUE(line.startsWith("Tree deleted at L 3")) << line.toStdString();
     EXPECT_TRUE(line.endsWith(" mm")) << line.toStdString();
 }
 
