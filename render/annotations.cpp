@@ -116,6 +116,8 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
               size.pixel_ratio,
               size.legend_point,
               size.letter_point,
+              size.covered_top,
+              size.covered_bottom,
               camera.GetDistance(),
               camera.GetViewAngle(),
               visible_,
@@ -125,7 +127,9 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
     shown_ = std::move(now);
     write_caption(size);
     legend_.update(visible_ ? legend_rows(legend, words_) : std::vector<LegendRow>{},
-                   {size.width, size.height, size.legend_point, caption_width()}, look_, count);
+                   {size.width, size.height, size.legend_point, caption_width(), size.covered_top,
+                    size.covered_bottom},
+                   look_, count);
     if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
     update_scale_bar(size, camera);
 }
@@ -135,7 +139,7 @@ void Annotations::write_caption(const PictureSize& size) {
     const double margin = margin_pt * size.pixel_ratio;
     std::string text = visible_ ? caption_text_ : std::string();
     const auto write = [&](const std::string& shown) {
-        place_text(*caption_, shown, margin, size.height - margin,
+        place_text(*caption_, shown, margin, size.height - size.covered_top - margin,
                    annotation_letters_pt * size.letter_point, look_.faint_text);
     };
     write(text);
@@ -181,7 +185,7 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     if (!shown) return;
     const double length_mm = round_length_below(longest_mm);
     const double width = length_mm / mm_per_pixel;
-    const double x = 0.5 * (size.width - width), y = margin_pt * r;
+    const double x = 0.5 * (size.width - width), y = size.covered_bottom + margin_pt * r;
     draw_scale_bar(x, y, width, r);
     const std::string length = formatted(length_mm, length_mm < 1.0 ? 1 : 0);
     // Nearer things look larger: the bar holds where the camera turns about. A narrow picture has

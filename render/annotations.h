@@ -27,6 +27,9 @@ struct PictureSize {
     double pixel_ratio = 1.0;
     double legend_point = 1.0;
     double letter_point = 1.0;
+    // Pixels at the top and at the foot over which something else lies: no mark stands there.
+    double covered_top = 0.0;
+    double covered_bottom = 0.0;
 };
 
 // Of the caption and the scale: 9 points of print. What has no room in that size is left out.
@@ -53,6 +56,7 @@ class Annotations {
     struct Shown {
         int width = 0, height = 0;
         double pixel_ratio = 0.0, legend_point = 0.0, letter_point = 0.0;
+        double covered_top = 0.0, covered_bottom = 0.0;
         double distance_mm = 0.0, view_angle_deg = 0.0;
         bool visible = false;
         LegendContent legend;

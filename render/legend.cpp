@@ -179,13 +179,15 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     double height = 0.0;
     for (const LegendRow& row : rows) height += height_of(row) * p;
     if (!rows.empty()) {
-        const double right = room.width - margin * r, top = room.height - margin * r;
+        const double right = room.width - margin * r,
+                     top = room.height - room.covered_top - margin * r;
         const double below_caption = top - line * r;
         // Not over the caption, where both have no room beside each other.
         const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
         const double right_top = beside_caption ? top : below_caption;
         // In a narrow picture the scale bar stands below it.
-        const double foot = room.width < 640.0 * r ? (margin + 36.0) * r : margin * r;
+        const double foot =
+            room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
         // Right below, right above, left above: left below stands the cube.
         const std::vector<PictureBox> corners{
             {right - width, foot, right, foot + height},

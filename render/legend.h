@@ -32,6 +32,8 @@ class Legend {
         int width = 0, height = 0;  // of the picture, in device pixels
         double point = 1.0;         // one of the legend's points in device pixels
         double caption = 0.0;       // width of what stands left above
+        // Pixels at the top and at the foot over which something else lies.
+        double covered_top = 0.0, covered_bottom = 0.0;
     };
     // How many vertices of vessels lie in each of the boxes.
     using Count = std::function<std::vector<int>(const std::vector<PictureBox>&)>;

@@ -9,6 +9,8 @@
 #include <locale>
 #include <sstream>
 
+#include "core/tree/territories/segment_name.h"
+
 namespace hepatica {
 namespace {
 
@@ -58,7 +60,7 @@ void add_segments(const LegendContent& content, std::vector<LegendRow>& rows) {
     for (std::size_t s = 0; s < content.segments.size(); ++s) {
         bar.colours.push_back(palette::liver_segment(content.segments[s]));
         bar.ticks.emplace_back((static_cast<double>(s) + 0.5) / count,
-                               std::to_string(content.segments[s]));
+                               segment_name(content.segments[s]));
     }
     // One colour alone would stand before the text.
     if (bar.colours.size() == 1) {

@@ -51,10 +51,12 @@ double OrientationMarker::right_edge(const PictureSize& size) {
 
 void OrientationMarker::update(vtkCamera& camera, const PictureSize& size) {
     const double from_edge = inset(size), far_edge = right_edge(size);
+    const double foot = size.covered_bottom;
     const double width = std::max(size.width, 1);
     const double height = std::max(size.height, 1);
-    renderer_->SetViewport(from_edge / width, from_edge / height, std::min(1.0, far_edge / width),
-                           std::min(1.0, far_edge / height));
+    renderer_->SetViewport(from_edge / width, std::min(1.0, (foot + from_edge) / height),
+                           std::min(1.0, far_edge / width),
+                           std::min(1.0, (foot + far_edge) / height));
     const Vec3 from = -4.2 * Vec3(camera.GetDirectionOfProjection());
     vtkCamera& eye = *renderer_->GetActiveCamera();
     eye.SetFocalPoint(0, 0, 0);

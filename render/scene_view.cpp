@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -69,7 +70,13 @@ struct SceneView::Parts {
         const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
         // The legend's letters shrink in thumbnails alone, and to 9 points of print at most.
         const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.75, 1.0);
-        return {size[0], size[1], pixel_ratio * room, pixel_ratio * legend_room, pixel_ratio};
+        return {size[0],
+                size[1],
+                pixel_ratio * room,
+                pixel_ratio * legend_room,
+                pixel_ratio,
+                pixel_ratio * covered[0],
+                pixel_ratio * covered[1]};
     }
     void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
     // The driver is asked once, when a volume is shown first.
@@ -115,6 +122,7 @@ struct SceneView::Parts {
     LegendContent legend;
     ViewLook look = dark_look;
     double pixel_ratio = 1.0;
+    std::array<int, 2> covered{};   // points at the top and at the foot
     std::optional<bool> by_card;    // a graphics card draws; none: not asked yet
     double least_drug_end_s = 0.0;  // of the colours' scale
     bool annotated = true;
@@ -335,6 +343,13 @@ bool SceneView::set_caption(const std::string& text) {
 
 void SceneView::set_annotations_visible(bool visible) {
     parts_->annotated = visible;
+}
+
+bool SceneView::set_covered(int top, int bottom) {
+    const std::array<int, 2> now{top, bottom};
+    if (std::exchange(parts_->covered, now) == now) return false;
+    parts_->turned = true;  // the legend may move at once
+    return true;
 }
 
 void SceneView::set_drug_scale(double least_end_s) {

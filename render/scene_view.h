@@ -87,6 +87,9 @@ class SceneView {
     void set_halos_visible(bool visible);
     bool set_caption(const std::string& text);  // true if the picture is another now
     void set_annotations_visible(bool visible);
+    // So many points of the picture, at its top and foot, lie under something else: legend, scale
+    // and caption stand beside it. True if it is another.
+    bool set_covered(int top, int bottom);
     // The drug's colours reach to the end of this time at least, from the next frame on: two
     // pictures beside each other have one scale. 0, as at first: each drug's own.
     void set_drug_scale(double least_end_s);

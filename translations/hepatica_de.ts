@@ -887,10 +887,6 @@
         </translation>
     </message>
     <message>
-        <source>%1 branches, %2 tetrahedra</source>
-        <translation>%1 Äste, %2 Tetraeder</translation>
-    </message>
-    <message>
         <source>It cannot be opened: %1. %2</source>
         <translation>Er lässt sich nicht öffnen: %1. %2</translation>
     </message>
@@ -1135,22 +1131,6 @@
         <translation>Gas, wie in der Veröffentlichung</translation>
     </message>
     <message>
-        <source>Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus.</source>
-        <translation>Gasanteil 0,386 bis 0,433 in der Veröffentlichung. Im Blut wäre das eine Luftembolie.</translation>
-    </message>
-    <message>
-        <source>Regime: wall friction once, laminar to turbulent</source>
-        <translation>Regime: einmal Wandreibung, laminar bis turbulent</translation>
-    </message>
-    <message>
-        <source>Consistent: equation (10) with the flux along the cone</source>
-        <translation>Konsistent: Gleichung (10) mit dem Strom entlang des Kegels</translation>
-    </message>
-    <message>
-        <source>Published: equations (5) to (10) as printed</source>
-        <translation>Veröffentlicht: Gleichungen (5) bis (10) wie gedruckt</translation>
-    </message>
-    <message>
         <source>Under the mouse</source>
         <translation>Unter der Maus</translation>
     </message>
@@ -1171,14 +1151,6 @@
         <translation>Massenstrom</translation>
     </message>
     <message>
-        <source>Share of the volume that the second phase (gas, oil) takes</source>
-        <translation>Volumenanteil der zweiten Phase (Gas, Öl)</translation>
-    </message>
-    <message>
-        <source>Void fraction</source>
-        <translation>Anteil 2. Phase</translation>
-    </message>
-    <message>
         <source>of the mixture</source>
         <translation>der Mischung</translation>
     </message>
@@ -1189,10 +1161,6 @@
     <message>
         <source>Viscosity</source>
         <translation>Viskosität</translation>
-    </message>
-    <message>
-        <source>Form of the pressure law</source>
-        <translation>Form des Druckgesetzes</translation>
     </message>
     <message>
         <source>Pressure law</source>
@@ -2364,23 +2332,8 @@
         <translation>Gefäßwand</translation>
     </message>
     <message>
-        <source>Expected error %1</source>
-        <translation>Erwarteter Fehler %1</translation>
-    </message>
-    <message>
-        <source>Expected error %1 against %2</source>
-        <translation>Erwarteter Fehler %1 gegen %2</translation>
-    </message>
-    <message>
         <source>Expected error: not measured for this scene</source>
         <translation>Erwarteter Fehler: für diese Szene nicht gemessen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1; %n iteration(s) a step</source>
-        <translation>
-            <numerusform>%1; %n Iteration je Schritt</numerusform>
-            <numerusform>%1; %n Iterationen je Schritt</numerusform>
-        </translation>
     </message>
     <message>
         <source>, degraded</source>
@@ -2635,10 +2588,6 @@
         <translation>Couinaud-Segmente der Leber über dem CT</translation>
     </message>
     <message>
-        <source>Couinaud&apos;s segments 1 to 8, in the colours of the branches that supply them (F6)</source>
-        <translation>Couinaud-Segmente 1 bis 8, in den Farben der Äste, die sie versorgen (F6)</translation>
-    </message>
-    <message>
         <source>What a click in a slice does</source>
         <translation>Was ein Klick in einer Schicht tut</translation>
     </message>
@@ -2839,10 +2788,6 @@
         <translation>erwarteter Fehler %1</translation>
     </message>
     <message>
-        <source>Of the present setting of the dial, measured against %1</source>
-        <translation>Der gegenwärtigen Einstellung des Reglers, gemessen gegen %1</translation>
-    </message>
-    <message>
         <source>picture %1 ms</source>
         <translation>Bild %1 ms</translation>
     </message>
@@ -2945,10 +2890,6 @@
     <message>
         <source>nothing torn</source>
         <translation>nichts gerissen</translation>
-    </message>
-    <message>
-        <source>%1 joints torn, %2 pieces, entropy produced %L3 nats</source>
-        <translation>%1 Verbindungen gerissen, %2 Stücke, erzeugte Entropie %L3 nat</translation>
     </message>
     <message>
         <source>; stopped by the %1 budget</source>
@@ -5208,10 +5149,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Die Gefäße heben sich nur um %1 HU von der Leber ab, bei einem Rauschen von %2 HU: Die meisten dünnen Äste fehlen, und manche gefundenen können Rauschen sein. Eine Aufnahme in der portalvenösen Phase oder ein glatterer Kern zeigt mehr.</translation>
     </message>
     <message>
-        <source>The liver was found by the program: on real patients about 6 % of such a liver lay outside of an expert&apos;s, and 10 % of the expert&apos;s were missed. A segment beside stomach or pancreas, mostly 3, may lie outside of it by nearly half. Where volumes matter, give a mask of the liver.</source>
-        <translation>Die Leber hat das Programm gefunden: Bei echten Patienten lagen etwa 6 % einer solchen Leber außerhalb der eines Experten, und 10 % von dessen Leber fehlten. Ein Segment neben Magen oder Bauchspeicheldrüse, meist 3, kann fast zur Hälfte außerhalb liegen. Wo es auf Volumen ankommt, geben Sie eine Lebermaske an.</translation>
-    </message>
-    <message>
         <source>%1 loop within one system, made where branches touch in the image, was opened. Thinner slices would part such branches.</source>
         <translation>%1 Schleife in einem System, entstanden, wo Äste sich im Bild berühren, wurde geöffnet. Dünnere Schichten würden solche Äste trennen.</translation>
     </message>
@@ -6198,10 +6135,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Time since the vessels may tear (s)</source>
         <translation>Zeit, seit die Gefäße reißen können (s)</translation>
-    </message>
-    <message>
-        <source>Entropy (nats)</source>
-        <translation>Entropie (nat)</translation>
     </message>
     <message>
         <source>entropy</source>
@@ -8071,6 +8004,237 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The course, from the first lesson on, on the built-in patient</source>
         <translation>Der Kurs von der ersten Lektion an, am eingebauten Patienten</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy, hh:mm</source>
+        <translation>d. MMM yyyy, hh:mm</translation>
+    </message>
+    <message>
+        <source>A share of gas of 0.386 to 0.433 in the paper. In blood this would be an air embolus.</source>
+        <translation>In der Veröffentlichung ein Gasanteil von 0,386 bis 0,433. Im Blut wäre das eine Luftembolie.</translation>
+    </message>
+    <message>
+        <source>laminar to turbulent</source>
+        <translation>laminar bis turbulent</translation>
+    </message>
+    <message>
+        <source>The usual one (regime): wall friction once, for laminar and for turbulent flow</source>
+        <translation>Das übliche („regime“): Wandreibung einmal, für laminare wie für turbulente Strömung</translation>
+    </message>
+    <message>
+        <source>of the paper, corrected</source>
+        <translation>der Veröffentlichung, berichtigt</translation>
+    </message>
+    <message>
+        <source>Consistent: equation (10) of the paper with the flux along the cone</source>
+        <translation>Widerspruchsfrei („consistent“): Gleichung (10) der Veröffentlichung mit dem Strom entlang des Kegels</translation>
+    </message>
+    <message>
+        <source>of the paper, as printed</source>
+        <translation>der Veröffentlichung, wie gedruckt</translation>
+    </message>
+    <message>
+        <source>Published: equations (5) to (10) of the paper as printed</source>
+        <translation>Wie gedruckt („published“): Gleichungen (5) bis (10) der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>Share of the volume that oil or gas takes (the void fraction of the pressure law)</source>
+        <translation>Anteil des Volumens, den Öl oder Gas einnimmt (im Druckgesetz: Gasgehalt, void fraction)</translation>
+    </message>
+    <message>
+        <source>Share of oil or gas</source>
+        <translation>Anteil Öl oder Gas</translation>
+    </message>
+    <message>
+        <source>How the pressure along a vessel is computed from the flow through it</source>
+        <translation>Wie aus dem Fluss durch ein Gefäß der Druck entlang des Gefäßes berechnet wird</translation>
+    </message>
+    <message>
+        <source>This stroke lies far outside the liver (at %1), and Rebuild would make a vessel of it. Undo takes it back.</source>
+        <translation>Dieser Strich liegt weit außerhalb der Leber (bei %1), und „Neu bauen“ würde ein Gefäß daraus machen. „Rückgängig“ nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>A double click shows the branch</source>
+        <translation>Ein Doppelklick zeigt den Ast</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es) of the solver a step</source>
+        <translation>
+            <numerusform>%n Durchgang des Lösers je Schritt</numerusform>
+            <numerusform>%n Durchgänge des Lösers je Schritt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Setting of the solver: %1</source>
+        <translation>Einstellung des Lösers: %1</translation>
+    </message>
+    <message>
+        <source>Expected error %1 of the motion</source>
+        <translation>Erwarteter Fehler %1 der Bewegung</translation>
+    </message>
+    <message>
+        <source>Expected error: not measured on these vessels yet</source>
+        <translation>Erwarteter Fehler: an diesen Gefäßen noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>It is measured while nobody plays: one setting of the dial after the other, all against the same motion of these vessels</source>
+        <translation>Er wird gemessen, während niemand übt: eine Einstellung des Reglers nach der anderen, alle gegen dieselbe Bewegung dieser Gefäße</translation>
+    </message>
+    <message>
+        <source>How far vessels are beside where the slowest, most exact computation of the same pull has them, as a share of their motion. Each setting of the dial is compared with that one. It is: %1</source>
+        <translation>Wie weit die Gefäße neben der Stelle liegen, an der die langsamste, genaueste Berechnung desselben Zugs sie sieht, als Anteil ihrer Bewegung. Jede Einstellung des Reglers wird mit dieser einen verglichen. Gemessen wird gegen %1</translation>
+    </message>
+    <message>
+        <source>There is no such folder, and nothing was saved</source>
+        <translation>Diesen Ordner gibt es nicht, und es wurde nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>Make the folder first, or choose one that is there</source>
+        <translation>Legen Sie den Ordner zuerst an, oder wählen Sie einen vorhandenen</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner fehlt</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Datenträger nur lesbar</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei ist schon da</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler des Datenträgers beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät oder Datei belegt</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>zugeteilter Speicherplatz aufgebraucht</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültige Angabe</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>zu viele Verknüpfungen hintereinander</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Datei auf dem Server nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>does not say what kind of file it is (&quot;format&quot;)</source>
+        <translation>sagt nicht, was für eine Datei sie ist (&quot;format&quot;)</translation>
+    </message>
+    <message>
+        <source>does not say which version it is of (&quot;version&quot;)</source>
+        <translation>sagt nicht, von welcher Version sie ist (&quot;version&quot;)</translation>
+    </message>
+    <message>
+        <source>lacks its name (&quot;name&quot;)</source>
+        <translation>hat keinen Namen (&quot;name&quot;)</translation>
+    </message>
+    <message>
+        <source>lacks its steps (&quot;steps&quot;)</source>
+        <translation>hat keine Schritte (&quot;steps&quot;)</translation>
+    </message>
+    <message>
+        <source>lacks a goal (&quot;goal&quot;)</source>
+        <translation>hat kein Ziel (&quot;goal&quot;)</translation>
+    </message>
+    <message>
+        <source>does not say what the trainee is to do (&quot;text&quot;)</source>
+        <translation>sagt nicht, was zu tun ist (&quot;text&quot;)</translation>
+    </message>
+    <message>
+        <source>does not say what moves and flows in it (&quot;scene&quot;)</source>
+        <translation>sagt nicht, was sich darin bewegt und fließt (&quot;scene&quot;)</translation>
+    </message>
+    <message>
+        <source>lacks its lessons (&quot;lessons&quot;)</source>
+        <translation>hat keine Lektionen (&quot;lessons&quot;)</translation>
+    </message>
+    <message>
+        <source>Ask who made the file: its scene holds what this program does not know</source>
+        <translation>Fragen Sie, wer die Datei gemacht hat: Ihre Szene enthält, was dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>Ask who made the file: it holds what this program does not know</source>
+        <translation>Fragen Sie, wer die Datei gemacht hat: Sie enthält, was dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>is damaged: it cannot be read from line %1, column %2 on</source>
+        <translation>ist beschädigt: Ab Zeile %1, Spalte %2 ist sie nicht lesbar</translation>
+    </message>
+    <message>
+        <source>The liver was found by the program: on real patients about 6 % of such a liver lay outside of an expert&apos;s, and 10 % of the expert&apos;s were missed. A segment beside stomach or pancreas, mostly III, may lie outside of it by nearly half. Where volumes matter, give a mask of the liver.</source>
+        <translation>Die Leber hat das Programm gefunden: Bei echten Patienten lagen etwa 6 % einer solchen Leber außerhalb der eines Experten, und 10 % von dessen Leber fehlten. Ein Segment neben Magen oder Bauchspeicheldrüse, meist III, kann fast zur Hälfte außerhalb liegen. Wo es auf Volumen ankommt, geben Sie eine Lebermaske an.</translation>
+    </message>
+    <message>
+        <source>corotated</source>
+        <translation>korotiert</translation>
+    </message>
+    <message>
+        <source>Damage by tearing (entropy)</source>
+        <translation>Schaden durch Reißen (Entropie)</translation>
+    </message>
+    <message>
+        <source>Couinaud&apos;s segments I to VIII, in the colours of the branches that supply them (F6)</source>
+        <translation>Couinaud-Segmente I bis VIII, in den Farben der Äste, die sie versorgen (F6)</translation>
+    </message>
+    <message>
+        <source>torn at %1 places, %2 pieces</source>
+        <translation>an %1 Stellen gerissen, %2 Stücke</translation>
+    </message>
+    <message>
+        <source>Damage, as entropy produced by tearing: %L1 nats</source>
+        <translation>Schaden, als beim Reißen erzeugte Entropie: %L1 nat</translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy, hh:mm</source>
+        <translation>d. MMMM yyyy, hh:mm</translation>
     </message>
 </context>
 </TS>

@@ -60,13 +60,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1; %n iteration(s) a step</source>
-        <translation>
-            <numerusform>%1; %n iteration a step</numerusform>
-            <numerusform>%1; %n iterations a step</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n more under All messages.</source>
         <translation>
             <numerusform>%n more under All messages.</numerusform>
@@ -92,6 +85,13 @@
         <translation>
             <numerusform>%n attempt</numerusform>
             <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es) of the solver a step</source>
+        <translation>
+            <numerusform>%n pass of the solver a step</numerusform>
+            <numerusform>%n passes of the solver a step</numerusform>
         </translation>
     </message>
 </context>

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
@@ -250,7 +251,7 @@ void AttemptsDialog::fill_interrupted(int row, const std::filesystem::path& reco
     const QDateTime ended = QFileInfo(to_text(recording)).lastModified();
     for (int column = 0; column < table_->columnCount(); ++column)
         table_->setItem(row, column, text_item({}));
-    table_->setItem(row, Column::ended, text_item(QLocale().toString(ended, "d MMM yyyy, hh:mm")));
+    table_->setItem(row, Column::ended, text_item(date_words(ended)));
     auto* outcome = text_item(Words::tr("interrupted"));
     outcome->setToolTip(
         Words::tr("The play ended before the lesson did: it can be looked back on."));

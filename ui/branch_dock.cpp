@@ -15,6 +15,7 @@
 #include "core/opening/patient_image.h"
 #include "core/patient/liver_segments.h"
 #include "core/tree/territories/couinaud_segments.h"
+#include "core/tree/territories/segment_name.h"
 #include "render/palette.h"
 #include "ui/core_words.h"
 #include "ui/words.h"
@@ -37,9 +38,26 @@ QTableWidgetItem* number(double value, int decimals) {
     return item;
 }
 
+// Shows a Roman numeral and sorts by its number.
+class SegmentItem : public QTableWidgetItem {
+  public:
+    explicit SegmentItem(int couinaud)
+        : QTableWidgetItem(QString::fromStdString(segment_name(couinaud))), couinaud_(couinaud) {
+        setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    bool operator<(const QTableWidgetItem& other) const override {
+        const auto* segment = dynamic_cast<const SegmentItem*>(&other);
+        return couinaud_ < (segment ? segment->couinaud_ : 0);
+    }
+
+  private:
+    int couinaud_;  // 0: none
+};
+
 // With the colour that it has in the view.
 QTableWidgetItem* segment(int couinaud) {
-    QTableWidgetItem* item = number(couinaud, 0);
+    auto* item = new SegmentItem(couinaud);
+    if (couinaud == 0) return item;
     const Colour colour = palette::liver_segment(couinaud);
     item->setData(Qt::DecorationRole,
                   QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
@@ -125,6 +143,7 @@ void BranchDock::show_patient(std::shared_ptr<const PatientCase> patient,
 void BranchDock::clear() {
     job_.reset();
     asked_ = false;
+    asked_for_ = -1;
     patient_.reset();
     rows_.clear();
     table_->setRowCount(0);
@@ -163,6 +182,7 @@ void BranchDock::show_rows(std::vector<BranchLabel> labels) {
                        ? Words::tr("No liver segments: they need a liver mask and a portal vein")
                        : Words::tr("%n branch(es)", nullptr, static_cast<int>(rows_.size())));
     colour_vessels();
+    choose_asked_for();
 }
 
 void BranchDock::fill_table() {
@@ -176,7 +196,7 @@ void BranchDock::fill_table() {
         table_->setItem(i, 2, number(row.generation, 0));
         table_->setItem(i, 3, number(row.length_mm, 1));
         table_->setItem(i, 4, number(row.radius_mm, 2));
-        table_->setItem(i, 5, row.couinaud > 0 ? segment(row.couinaud) : new QTableWidgetItem);
+        table_->setItem(i, 5, segment(row.couinaud));
         table_->setItem(i, 6,
                         row.flow_share ? number(100.0 * *row.flow_share, 2) : new QTableWidgetItem);
     }
@@ -188,6 +208,23 @@ void BranchDock::select(int branch) {
     const QSignalBlocker quiet(table_);
     for (int i = 0; i < table_->rowCount(); ++i)
         if (table_->item(i, 0)->data(Qt::DisplayRole).toInt() == branch + 1) table_->selectRow(i);
+}
+
+void BranchDock::show_branch(int branch) {
+    asked_for_ = branch;
+    show();
+    raise();
+    if (!rows_.empty()) choose_asked_for();
+}
+
+void BranchDock::choose_asked_for() {
+    const int branch = std::exchange(asked_for_, -1);
+    for (int i = 0; branch >= 0 && i < table_->rowCount(); ++i) {
+        if (table_->item(i, 0)->data(Qt::DisplayRole).toInt() != branch + 1) continue;
+        table_->clearSelection();  // so that it is told of once more
+        table_->selectRow(i);
+        table_->scrollToItem(table_->item(i, 0));
+    }
 }
 
 void BranchDock::colour_vessels() {

@@ -41,6 +41,8 @@ class BranchDock : public QDockWidget {
     void clear();
     // The row of this branch is selected, without `choose`.
     void select(int branch);
+    // Opens the table with it and tells of it as a click on its row does; once its rows are read.
+    void show_branch(int branch);
 
     const std::vector<BranchRow>& rows() const { return rows_; }
 
@@ -54,6 +56,7 @@ class BranchDock : public QDockWidget {
     void read_labels();
     void show_rows(std::vector<BranchLabel> labels);
     void fill_table();
+    void choose_asked_for();
 
     Callbacks callbacks_;
     QTableWidget* table_;
@@ -63,6 +66,7 @@ class BranchDock : public QDockWidget {
     std::vector<double> flow_shares_;
     std::filesystem::path folder_;
     std::vector<BranchRow> rows_;
+    int asked_for_ = -1;  // a branch to be chosen once there are rows
     bool asked_ = false;  // for this patient's labels
     std::unique_ptr<BackgroundJob> job_;
 };

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/patient_space.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -45,15 +45,25 @@ QString name_of(const TreeEdit& edit) {
     return Words::tr("Given to: %1").arg(translated(title_of(edit.system)));
 }
 
-QString text_of(const TreeEdit& edit) {
-    return Words::tr("%1 at %2").arg(name_of(edit), translated(place_text(edit.at_mm)));
+// Where it was, and which system's vessel lies there.
+QString there(const Vec3& place_mm, const VesselTree& tree) {
+    const TreePoint point = nearest_point(tree, place_mm);
+    if (point.segment < 0) return patient_place(place_mm);
+    const VesselSegment& branch = tree.segments[static_cast<std::size_t>(point.segment)];
+    const double reach_mm = station_at(branch, point.arclength_mm).radius_mm + beside_wall_mm;
+    if (point.distance_mm > reach_mm) return patient_place(place_mm);
+    return Words::tr("%1 (%2)").arg(patient_place(place_mm), translated(title_of(branch.system)));
 }
 
-QString text_of(const BrushStroke& stroke) {
+QString text_of(const TreeEdit& edit, const VesselTree& tree) {
+    return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, tree));
+}
+
+QString text_of(const BrushStroke& stroke, const VesselTree& tree) {
     return Words::tr("%1 at %2")
         .arg(stroke.erases ? Words::tr("Vessels erased (waits for Rebuild)")
                            : Words::tr("Vessels painted (waits for Rebuild)"),
-             translated(place_text(stroke.path_mm.front())));
+             there(stroke.path_mm.front(), tree));
 }
 
 QString text_of(const Workspace::Step& step) {
@@ -121,15 +131,16 @@ void CaseEditing::accept_all() {
 
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
+    const VesselTree& tree = workspace_.patient()->tree;
     QStringList edits;
     auto stroke = workspace_.strokes().begin();
     const auto add_strokes = [&](std::size_t before_edit) {
         for (; stroke != workspace_.strokes().end() && stroke->after_edits <= before_edit; ++stroke)
-            edits << text_of(stroke->stroke);
+            edits << text_of(stroke->stroke, tree);
     };
     for (std::size_t i = 0; i < workspace_.edits().size(); ++i) {
         add_strokes(i);
-        edits << text_of(workspace_.edits()[i]);
+        edits << text_of(workspace_.edits()[i], tree);
     }
     add_strokes(std::numeric_limits<std::size_t>::max());
     const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();

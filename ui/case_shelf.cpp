@@ -63,9 +63,7 @@ QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts)
         lines << Words::tr("%1: %L2 mm, %n root(s)", nullptr, static_cast<int>(system.roots.size()))
                      .arg(translated(title_of(system.system)))
                      .arg(system.length_mm, 0, 'f', 0);
-    lines << Words::tr("%1 branches, %2 tetrahedra")
-                 .arg(patient.tree.segments.size())
-                 .arg(patient.mesh.tetrahedra.size());
+    lines << Words::tr("%n branch(es)", nullptr, static_cast<int>(patient.tree.segments.size()));
     if (patient.doubts)
         for (const std::string& doubt : sentences(*patient.doubts))
             lines << "• " + translated(doubt).toHtmlEscaped();

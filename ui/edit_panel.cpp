@@ -44,7 +44,7 @@ constexpr std::array<EditTool, 7> tools{{
 QListWidget* make_list(QWidget* parent, const QString& name) {
     auto* list = new QListWidget(parent);
     list->setAccessibleName(name);
-    list->setMaximumHeight(6 * list->fontMetrics().height() + 8);
+    list->setMaximumHeight(5 * list->fontMetrics().height() + 8);
     return list;
 }
 
@@ -53,8 +53,9 @@ QListWidget* make_list(QWidget* parent, const QString& name) {
 EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_tools());
-    column->addWidget(make_bridges());
+    // Above the gaps, of which there may be many: what one has just done is in sight.
     column->addWidget(make_edits());
+    column->addWidget(make_bridges());
     state_ = new QLabel(this);
     state_->setObjectName("quiet");
     state_->setWordWrap(true);
@@ -193,6 +194,7 @@ void EditPanel::show_bridges(const QStringList& lines) {
 void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {
     edits_->clear();
     edits_->addItems(lines);
+    for (int row = 0; row < edits_->count(); ++row) edits_->item(row)->setToolTip(lines[row]);
     edits_->scrollToBottom();
     undo_->setEnabled(can_undo);
     redo_->setEnabled(can_redo);

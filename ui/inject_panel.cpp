@@ -48,7 +48,7 @@ constexpr std::array<Preset, 3> presets{{
          "Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization.")},
     {Words::id("Gas, as in the paper"), "gas", 0.40,
      Words::id(
-         "Void fraction 0.386 to 0.433 in the paper. In blood this would be an air embolus.")},
+         "A share of gas of 0.386 to 0.433 in the paper. In blood this would be an air embolus.")},
 }};
 
 // The preset that is the default injection.
@@ -60,10 +60,19 @@ int first_preset() {
     return found == presets.end() ? 0 : static_cast<int>(found - presets.begin());
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 3> models{{
-    {"regime", Words::id("Regime: wall friction once, laminar to turbulent")},
-    {"consistent", Words::id("Consistent: equation (10) with the flux along the cone")},
-    {"published", Words::id("Published: equations (5) to (10) as printed")},
+struct LawChoice {
+    const char* name;  // as recordings and the command line have it
+    const char* words;
+    const char* tip;
+};
+
+constexpr std::array<LawChoice, 3> models{{
+    {"regime", Words::id("laminar to turbulent"),
+     Words::id("The usual one (regime): wall friction once, for laminar and for turbulent flow")},
+    {"consistent", Words::id("of the paper, corrected"),
+     Words::id("Consistent: equation (10) of the paper with the flux along the cone")},
+    {"published", Words::id("of the paper, as printed"),
+     Words::id("Published: equations (5) to (10) of the paper as printed")},
 }};
 
 }  // namespace
@@ -111,21 +120,22 @@ QWidget* InjectPanel::make_settings() {
     form->addRow(flow_label_, flow_);
     void_fraction_ = new DecimalSpinBox(0.0, 0.999, default_injection::void_fraction, 3, "", box);
     void_fraction_->setSingleStep(0.05);
-    void_fraction_->setToolTip(
-        Words::tr("Share of the volume that the second phase (gas, oil) takes"));
+    void_fraction_->setToolTip(Words::tr(
+        "Share of the volume that oil or gas takes (the void fraction of the pressure law)"));
     connect(void_fraction_, &QDoubleSpinBox::valueChanged, this, [this] { show_flow_range(); });
-    form->addRow(Words::tr("Void fraction"), void_fraction_);
+    form->addRow(Words::tr("Share of oil or gas"), void_fraction_);
     viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", box);
     viscosity_->setSpecialValueText(Words::tr("of the mixture"));
     viscosity_->setToolTip(Words::tr("Viscosity of what is injected; 0 takes that of the mixture"));
     form->addRow(Words::tr("Viscosity"), viscosity_);
     model_ = new QComboBox(box);
-    for (const auto& [name, description] : models) {
-        model_->addItem(Words::tr(name), name);
-        model_->setItemData(model_->count() - 1, Words::tr(description), Qt::ToolTipRole);
+    for (const LawChoice& law : models) {
+        model_->addItem(Words::tr(law.words), law.name);
+        model_->setItemData(model_->count() - 1, Words::tr(law.tip), Qt::ToolTipRole);
     }
     model_->setCurrentIndex(model_->findData(default_injection::pressure_model));
-    model_->setToolTip(Words::tr("Form of the pressure law"));
+    model_->setToolTip(
+        Words::tr("How the pressure along a vessel is computed from the flow through it"));
     form->addRow(Words::tr("Pressure law"), model_);
     return box;
 }

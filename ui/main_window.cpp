@@ -207,6 +207,11 @@ void MainWindow::build_view() {
     welcome_ = new Welcome(
         *actions_, [this] { lessons_->show_course({}); }, view_);
     log_ = new MessageLog(this);
+    messages_->on_branch = log_->on_branch = [this](int branch) { branches_->show_branch(branch); };
+    const auto keep_clear = [this] {
+        view_layout_->keep_clear(messages_->covered(), progress_->covered());
+    };
+    messages_->on_cover = progress_->on_cover = keep_clear;
 }
 
 void MainWindow::build_panels() {

@@ -137,6 +137,7 @@ class MainWindow : public QMainWindow {
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
     void show_corrections_with_slices();
+    void warn_of_stroke_outside(const BrushStroke& stroke);
     void build_editing();
 
     // main_window_lessons.cpp: lessons, and recordings that are looked back on.

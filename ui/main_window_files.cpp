@@ -21,6 +21,7 @@
 #include "ui/branch_dock.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
+#include "ui/date_words.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -150,6 +151,7 @@ void MainWindow::save_plots(bool picture) {
                                picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     attempt(Words::tr("Save curves"), [&] {
+        require_folder_of(file);
         PlotPanel& plots = curves_->plots();
         picture ? plots.save_picture(file) : plots.save_table(file);
     });
@@ -159,15 +161,18 @@ void MainWindow::save_table(const QString& name, const std::string& csv) {
     const QString file = ask_where_to_save_file(*this, Words::tr("Save the table"),
                                                 settings_.last_folder() + "/" + name + ".csv",
                                                 Words::tr("Tables (*.csv)"));
-    if (!file.isEmpty())
-        attempt(Words::tr("Save the table"), [&] { write_text_atomically(to_path(file), csv); });
+    if (file.isEmpty()) return;
+    attempt(Words::tr("Save the table"), [&] {
+        require_folder_of(file);
+        write_text_atomically(to_path(file), csv);
+    });
 }
 
 void MainWindow::offer_unsaved_work() {
     const auto left = recovery_->left_behind();
     const auto interrupted = interrupted_recordings(to_path(settings_.recordings_folder()));
     const auto when = [](const std::filesystem::path& file) {
-        return QLocale().toString(QFileInfo(to_text(file)).lastModified(), "d MMM yyyy, hh:mm");
+        return date_words(QFileInfo(to_text(file)).lastModified());
     };
     QStringList texts;
     if (!left.empty())
@@ -226,6 +231,7 @@ std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
 }
 
 void MainWindow::save_picture(const QString& file) {
+    require_folder_of(file);
     const QImage picture = view_->picture();
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
@@ -246,7 +252,10 @@ void MainWindow::ask_and_save_film(double end_s, const std::function<void(double
             : ask_where_to_save_file(*this, Words::tr("Save a film"), start + "/play.mp4",
                                      Words::tr("Films (*.mp4)"));
     if (place.isEmpty()) return;
-    attempt(Words::tr("Save a film"), [&] { save_film(to_path(place), end_s, go_to); });
+    attempt(Words::tr("Save a film"), [&] {
+        require_folder_of(place);
+        save_film(to_path(place), end_s, go_to);
+    });
 }
 
 void MainWindow::save_film(const std::filesystem::path& place, double end_s,

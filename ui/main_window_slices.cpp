@@ -11,13 +11,21 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/patient_place.h"
 #include "ui/questions.h"
 #include "ui/review_dock.h"
+#include "ui/slices/stroke_place.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+constexpr const char* not_in_review =
+    Words::id("Nothing is corrected during a review: end it first");
+
+}  // namespace
 
 void MainWindow::build_slices(QWidget* parent) {
     ViewLayout::Callbacks callbacks;
@@ -40,24 +48,20 @@ void MainWindow::build_slices(QWidget* parent) {
         editing_->draw(ct, places, std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
-    callbacks.correct = [this](const Vec3& place) {
-        if (review_->reviewing())
-            return messages_->show_notice(
-                Words::tr("Nothing is corrected during a review: end it first"));
-        editing_->click_at(place);
+    const auto only_looks_back = [this](const char* why) {
+        if (review_->reviewing()) messages_->show_notice(Words::tr(why));
+        return review_->reviewing();
     };
-    callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
-        if (review_->reviewing())
-            return messages_->show_notice(
-                Words::tr("Nothing is rebuilt during a review: end it first"));
+    callbacks.correct = [this, only_looks_back](const Vec3& place) {
+        if (!only_looks_back(not_in_review)) editing_->click_at(place);
+    };
+    callbacks.remake = [this, only_looks_back](std::shared_ptr<const Volume> ct, Mask vessels) {
+        if (only_looks_back(Words::id("Nothing is rebuilt during a review: end it first"))) return;
         messages_->dismiss();
         keeper_->remake(std::move(ct), std::move(vessels));
     };
-    callbacks.paint_tumour = [this](const TreeEdit& stroke) {
-        if (review_->reviewing()) {
-            messages_->show_notice(Words::tr("Nothing is corrected during a review: end it first"));
-            return false;
-        }
+    callbacks.paint_tumour = [this, only_looks_back](const TreeEdit& stroke) {
+        if (only_looks_back(not_in_review)) return false;
         messages_->dismiss();
         keeper_->add(stroke);
         return true;
@@ -65,7 +69,10 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.take_strokes_back = [this](std::size_t strokes) {
         for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_tumour_stroke();
     };
-    callbacks.paint_vessels = [this](const BrushStroke& stroke) { keeper_->add_stroke(stroke); };
+    callbacks.paint_vessels = [this](const BrushStroke& stroke) {
+        keeper_->add_stroke(stroke);
+        warn_of_stroke_outside(stroke);
+    };
     callbacks.take_vessel_strokes_back = [this](std::size_t strokes) {
         keeper_->take_strokes_back(strokes);
     };
@@ -74,8 +81,24 @@ void MainWindow::build_slices(QWidget* parent) {
         view_->draw_again();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
+    callbacks.view_covered = [this](int top, int bottom) {
+        if (view_->scene().set_covered(top, bottom)) view_->draw_again();
+    };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
     show_corrections_with_slices();
+}
+
+// It would become a vessel by Rebuild, and be given to a system. The organs are known only as far
+// as the case has them.
+void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
+    if (stroke.erases || !lies_far_outside(stroke, view_layout_->slices().tumours().organs()))
+        return;
+    const QString text = Words::tr(
+                             "This stroke lies far outside the liver (at %1), and Rebuild "
+                             "would make a vessel of it. Undo takes it back.")
+                             .arg(patient_place(stroke.path_mm.front()));
+    log_->add_warning(Words::tr("Corrections"), text);
+    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
 }
 
 // As soon as a click in a slice corrects.

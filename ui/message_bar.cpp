@@ -10,7 +10,9 @@
 #include <initializer_list>
 #include <utility>
 
+#include "ui/branch_links.h"
 #include "ui/core_words.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -23,7 +25,11 @@ MessageBar::MessageBar(QWidget* pictures)
       second_{new QPushButton(this), {}} {
     setObjectName("messageBar");
     label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
-    label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(label_, &QLabel::linkActivated, this, [this](const QString& link) {
+        const std::optional<int> branch = branch_of_link(link);
+        if (branch && on_branch) on_branch(*branch);
+    });
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     more_->setObjectName("moreOfMessage");
     connect(more_, &QToolButton::clicked, this, [this] { set_open(!open_); });
@@ -51,7 +57,8 @@ QStringList lines_of(const Failure& failure) {
     QString problem = translated(failure.problem);
     if (!problem.isEmpty()) problem[0] = problem[0].toUpper();
     QStringList lines{problem};
-    if (!failure.place.empty()) lines << Words::tr("in %1").arg(translated(failure.place));
+    if (!failure.place.empty() && !names_its_place(failure))
+        lines << Words::tr("in %1").arg(translated(failure.place));
     if (!failure.remedy.empty()) lines << translated(failure.remedy);
     return lines;
 }
@@ -134,17 +141,19 @@ void MessageBar::write() {
         lines_.size() == 1 || !open_ ? metrics.horizontalAdvance(one_line) <= room : false;
     more_->setText(open_ ? Words::tr("Less") : Words::tr("More"));
     more_->setVisible(!fits);
+    label_->setToolTip(fits ? QString() : lines_.join("\n").toHtmlEscaped().replace("\n", "<br>"));
     if (fits) open_ = false;
     label_->setWordWrap(open_);
     if (open_) {
         QStringList rest;
         for (const QString& line : lines_.mid(1)) rest << line.toHtmlEscaped();
-        label_->setText((QStringList(strongly(first)) + rest).join("<br>"));
+        label_->setText(with_branch_links((QStringList(strongly(first)) + rest).join("<br>")));
     } else {
         if (!fits) room -= more_->sizeHint().width() + layout()->spacing();
         const QString shown = metrics.elidedText(one_line, Qt::ElideRight, room);
         const qsizetype strong = shown.startsWith(first) ? first.size() : shown.size();
-        label_->setText(strongly(shown.left(strong)) + shown.mid(strong).toHtmlEscaped());
+        label_->setText(
+            with_branch_links(strongly(shown.left(strong)) + shown.mid(strong).toHtmlEscaped()));
     }
     layout()->activate();
     lie_on_edge();

@@ -30,6 +30,8 @@ class MessageBar : public OverlayBar {
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
     // One more button of the notice that is shown.
     void offer_also(const QString& button, std::function<void()> act);
+    // A branch, from 0, whose name in the message was clicked.
+    std::function<void(int branch)> on_branch;
     void dismiss() { hide(); }
     QString text() const;                // plain, all of it, a paragraph a line; empty while hidden
     bool open() const { return open_; }  // all of it is to be seen

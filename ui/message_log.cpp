@@ -11,8 +11,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/branch_links.h"
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -50,6 +52,10 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
     list_->setItemDelegate(new WrappingDelegate(list_));
     connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeWidget::doItemsLayout,
             Qt::QueuedConnection);
+    connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+        const std::optional<int> branch = branch_named_in(item->text(3));
+        if (branch && on_branch) on_branch(*branch);
+    });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(Words::tr("Copy all"), QDialogButtonBox::ActionRole);
     connect(copy, &QPushButton::clicked, this,
@@ -66,7 +72,8 @@ void MessageLog::add_warning(const QString& source, const QString& text) {
 
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
     QString text = translated(failure.problem);
-    if (!failure.place.empty()) text.prepend(translated(failure.place) + ": ");
+    if (!failure.place.empty() && !names_its_place(failure))
+        text.prepend(translated(failure.place) + ": ");
     if (!failure.remedy.empty()) text += ". " + translated(failure.remedy);
     add(Words::tr("Failure"), source, text);
 }
@@ -75,7 +82,9 @@ void MessageLog::add(const QString& kind, const QString& source, const QString& 
     auto* item =
         new QTreeWidgetItem(list_, {QTime::currentTime().toString("HH:mm:ss"), kind, source, text});
     for (int column = 0; column < 4; ++column) item->setTextAlignment(column, Qt::AlignTop);
-    item->setToolTip(3, text);
+    item->setToolTip(3, branch_named_in(text)
+                            ? text + "\n" + Words::tr("A double click shows the branch")
+                            : text);
     list_->scrollToItem(item);
 }
 

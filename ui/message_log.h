@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QString>
+#include <functional>
 
 #include "ui/background_job.h"
 
@@ -19,6 +20,9 @@ class MessageLog : public QDialog {
     // `source`: the job or file that the message is about.
     void add_warning(const QString& source, const QString& text);
     void add_failure(const QString& source, const Failure& failure);
+
+    // A branch, from 0, that the message names on which somebody double-clicked or pressed Enter.
+    std::function<void(int branch)> on_branch;
 
     // One line a message, columns parted by tabs: time, kind, source, text.
     QString as_text() const;

@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <algorithm>
+#include <utility>
 
 namespace hepatica {
 
@@ -17,12 +18,18 @@ void OverlayBar::lie_on_edge() {
     const int needed = hasHeightForWidth() ? heightForWidth(room.width()) : sizeHint().height();
     const int height = std::min(needed, room.height());
     setGeometry(0, edge_ == Qt::TopEdge ? 0 : room.height() - height, room.width(), height);
+    tell_what_is_covered();
+}
+
+void OverlayBar::tell_what_is_covered() {
+    if (std::exchange(told_, covered()) != covered() && on_cover) on_cover();
 }
 
 bool OverlayBar::event(QEvent* event) {
     const bool done = QFrame::event(event);
     if (event->type() == QEvent::Show) raise();
     if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest) lie_on_edge();
+    if (event->type() == QEvent::Hide) tell_what_is_covered();
     return done;
 }
 

@@ -83,17 +83,46 @@ void PatientKeeper::go_on() {
 }
 
 void PatientKeeper::open(const OpenRequest& request) {
-    leave([this, request = with_absolute_paths(request)] { start_opening(request); },
-          screen_.not_opened);
+    const OpenRequest wanted = with_absolute_paths(request);
+    const auto go = [this, wanted] {
+        leave([this, wanted] { start_opening(wanted); }, screen_.not_opened);
+    };
+    const bool asks = workspace_.dirty() || !workspace_.strokes().empty();
+    asks ? look_first(wanted, go) : go();
+}
+
+// Nobody is asked to let go of anything for a file that cannot be opened.
+void PatientKeeper::look_first(const OpenRequest& request, std::function<void()> go) {
+    QueuedJob job = opening_job(request);
+    job.begin = [this, request, go = std::move(go)]() -> BackgroundJob::Work {
+        return [this, request, go](Job& progress) -> std::function<void()> {
+            ways_.look(request, progress);
+            return go;
+        };
+    };
+    jobs_.replace(std::move(job));
+}
+
+QueuedJob PatientKeeper::opening_job(const OpenRequest& request) {
+    QueuedJob job;
+    job.kind = JobKind::open;
+    job.title =
+        (request.built_in ? Words::tr("Opening the built-in patient")
+                          : Words::tr("Opening %1").arg(to_text(request.reconstruct.ct.filename())))
+            .toStdString();
+    job.failed = [this, title = job.title](const Failure& failure) {
+        screen_.failed(title, failure);
+        screen_.not_opened();
+    };
+    job.cancelled = [this] {
+        screen_.say(Words::tr("Cancelled").toStdString());
+        screen_.not_opened();
+    };
+    return job;
 }
 
 void PatientKeeper::start_opening(const OpenRequest& request) {
-    const std::filesystem::path& path = request.reconstruct.ct;
-    QueuedJob job;
-    job.kind = JobKind::open;
-    job.title = (request.built_in ? Words::tr("Opening the built-in patient")
-                                  : Words::tr("Opening %1").arg(to_text(path.filename())))
-                    .toStdString();
+    QueuedJob job = opening_job(request);
     job.begin = [this, request]() -> BackgroundJob::Work {
         written_.clear();
         return [this, request](Job& progress) -> std::function<void()> {
@@ -108,14 +137,6 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
                 arrived(request, loaded);
             };
         };
-    };
-    job.failed = [this, title = job.title](const Failure& failure) {
-        screen_.failed(title, failure);
-        screen_.not_opened();
-    };
-    job.cancelled = [this] {
-        screen_.say(Words::tr("Cancelled").toStdString());
-        screen_.not_opened();
     };
     jobs_.replace(std::move(job));
 }

@@ -42,6 +42,8 @@ class PatientKeeper {
         // Those that the person is asked about before one is read; none: there is no choice.
         std::function<std::vector<SeriesDescription>(const OpenRequest&, Job&)> list_series =
             series_to_choose_from;
+        // Whether it can be opened at all, before anybody is asked to leave for it.
+        std::function<void(const OpenRequest&, Job&)> look = look_at;
         // A DICOM segmentation of the CT in a folder, for the archive; the program sets it.
         std::function<void(const PatientCase&, const std::filesystem::path& ct,
                            const std::filesystem::path& file, Job&)>
@@ -122,6 +124,9 @@ class PatientKeeper {
   private:
     void leave_if_safe(std::function<void()> go, std::function<void()> stay);
     void go_when_archived(std::function<void()> go, std::function<void()> stay);
+    void look_first(const OpenRequest& request, std::function<void()> go);
+    // With what it is called, and what is said where it comes to nothing.
+    QueuedJob opening_job(const OpenRequest& request);
     void start_opening(const OpenRequest& request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/scene/measured_dial.h"
 #include "core/scene/scene_spec.h"
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
@@ -124,15 +125,7 @@ void QualityPanel::allow_settings(bool allowed) {
 }
 
 void QualityPanel::show_statistics(const FrameStatistics& statistics) {
-    if (statistics.expected_error > 0.0) {
-        const QString against = translated(statistics.error_reference);
-        const QString error = percent_text(statistics.expected_error);
-        error_->setText(against.isEmpty()
-                            ? Words::tr("Expected error %1").arg(error)
-                            : Words::tr("Expected error %1 against %2").arg(error, against));
-    } else {
-        error_->setText(Words::tr("Expected error: not measured for this scene"));
-    }
+    show_error(statistics);
     if (automatic_->isChecked() && statistics.automatic && !dial_->isSliderDown()) {
         const QSignalBlocker silent(dial_);
         dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
@@ -140,9 +133,34 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     solver_->setText(
         statistics.setting.empty()
             ? QString()
-            : Words::tr("%1; %n iteration(s) a step", nullptr, statistics.linear_iterations)
-                      .arg(translated(statistics.setting)) +
+            : Words::tr("%n pass(es) of the solver a step", nullptr, statistics.linear_iterations) +
                   (statistics.degraded ? Words::tr(", degraded") : QString()));
+    solver_->setToolTip(Words::tr("Setting of the solver: %1").arg(translated(statistics.setting)));
+}
+
+// All figures of the dial are errors of the patient's own body against one and the same motion of
+// it; until there are such, there is none.
+void QualityPanel::show_error(const FrameStatistics& statistics) {
+    const bool on_dial = statistics.expected_error > 0.0;
+    const bool own = on_dial && is_of_own_body(statistics.error_reference);
+    error_->setText(own ? Words::tr("Expected error %1 of the motion")
+                              .arg(percent_text(statistics.expected_error))
+                    : on_dial ? Words::tr("Expected error: not measured on these vessels yet")
+                              : Words::tr("Expected error: not measured for this scene"));
+    error_->setToolTip(
+        own ? words_of_reference(statistics.error_reference)
+        : on_dial
+            ? Words::tr("It is measured while nobody plays: one setting of the dial after the "
+                        "other, all against the same motion of these vessels")
+            : QString());
+}
+
+QString words_of_reference(const std::string& reference) {
+    return Words::tr(
+               "How far vessels are beside where the slowest, most exact computation of the "
+               "same pull has them, as a share of their motion. Each setting of the dial is "
+               "compared with that one. It is: %1")
+        .arg(translated(reference));
 }
 
 }  // namespace hepatica

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <string>
 
 #include "core/scene/frame.h"
 #include "core/session/command.h"
@@ -34,6 +35,7 @@ class QualityPanel : public QWidget {
   private:
     QWidget* make_dial();
     QWidget* make_body();
+    void show_error(const FrameStatistics& statistics);
 
     std::function<void(Command)> post_;
     QWidget* body_ = nullptr;
@@ -48,5 +50,8 @@ class QualityPanel : public QWidget {
 
 // "1.2 %" from 0.012; as many digits as mean something.
 QString percent_text(double share);
+
+// What the error of a setting is measured against, for a tooltip.
+QString words_of_reference(const std::string& reference);
 
 }  // namespace hepatica

@@ -18,6 +18,7 @@
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/core_words.h"
+#include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/recording_guard.h"
@@ -43,8 +44,7 @@ QString lesson_in_name(const fs::path& recording) {
 
 RecordingFacts facts_of(const fs::path& recording) {
     const QDateTime played = QFileInfo(to_text(recording)).lastModified();
-    RecordingFacts facts{
-        recording, lesson_in_name(recording), QLocale().toString(played, "d MMM yyyy, hh:mm"), {}};
+    RecordingFacts facts{recording, lesson_in_name(recording), date_words(played), {}};
     const fs::path result = result_file_of(recording);
     std::error_code ignored;
     if (!fs::exists(result, ignored)) {

@@ -2,8 +2,12 @@
 #include "ui/save_file_dialog.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QRegularExpression>
+
+#include "core/base/error.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -32,6 +36,14 @@ class SaveFileDialog : public QFileDialog {
 };
 
 }  // namespace
+
+void require_folder_of(const QString& file) {
+    const QFileInfo folder(QFileInfo(file).absolutePath());
+    if (!folder.isDir())
+        throw InputError(Words::id("There is no such folder, and nothing was saved"),
+                         folder.filePath().toStdString(),
+                         Words::id("Make the folder first, or choose one that is there"));
+}
 
 QString ask_where_to_save_file(QWidget& parent, const QString& title, const QString& suggested,
                                const QString& filter) {

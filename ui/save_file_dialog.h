@@ -9,6 +9,10 @@ class QWidget;
 
 namespace hepatica {
 
+// Throws InputError where the folder of a file that is to be saved is not there: none is made
+// unasked.
+void require_folder_of(const QString& file);
+
 // `filter` as "Tables (*.csv)", `suggested` a whole path. Empty: not after all.
 QString ask_where_to_save_file(QWidget& parent, const QString& title, const QString& suggested,
                                const QString& filter);

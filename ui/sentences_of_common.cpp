@@ -62,6 +62,24 @@ constexpr std::array sentences_common{
     Words::id("Reconstruct the patient again"),
     Words::id("the vessel tree has no segments"),
     Words::id("Choose a value from 0 to 1"),
+    // What the system says of a file.
+    Words::id("No such file or directory"),
+    Words::id("Permission denied"),
+    Words::id("No space left on device"),
+    Words::id("Read-only file system"),
+    Words::id("Is a directory"),
+    Words::id("Not a directory"),
+    Words::id("File exists"),
+    Words::id("Input/output error"),
+    Words::id("Too many open files"),
+    Words::id("File name too long"),
+    Words::id("Device or resource busy"),
+    Words::id("Disk quota exceeded"),
+    Words::id("File too large"),
+    Words::id("Invalid argument"),
+    Words::id("Too many levels of symbolic links"),
+    Words::id("Stale file handle"),
+    Words::id("Operation not permitted"),
 };
 
 }  // namespace

@@ -99,10 +99,11 @@ constexpr std::array sentences_patient{
     Words::id("The vessels rise only %1 HU above the liver, where the noise is %2 HU: most thin "
               "branches are missing, and some that are found may be noise. A scan in the portal "
               "venous phase, or a smoother kernel, shows more."),
-    Words::id("The liver was found by the program: on real patients about 6 % of such a liver lay "
-              "outside of an expert's, and 10 % of the expert's were missed. A segment beside "
-              "stomach or pancreas, mostly 3, may lie outside of it by nearly half. Where volumes "
-              "matter, give a mask of the liver."),
+    Words::id(
+        "The liver was found by the program: on real patients about 6 % of such a liver lay "
+        "outside of an expert's, and 10 % of the expert's were missed. A segment beside "
+        "stomach or pancreas, mostly III, may lie outside of it by nearly half. Where volumes "
+        "matter, give a mask of the liver."),
     Words::id("%1 loop within one system, made where branches touch in the image, was opened. "
               "Thinner slices would part such branches."),
     Words::id("%1 loops within one system, made where branches touch in the image, were opened. "

@@ -133,6 +133,7 @@ constexpr std::array sentences_play{
               "second and back (the mesh's own error is not in it)"),
     Words::id("the same body, %1 on %2 tetrahedra, %3 substeps a frame, pulled by 30 mm in half a "
               "second and back"),
+    Words::id("corotated"),
     Words::id("dial.json of the case"),
     Words::id("has another format or version"),
     Words::id("Measure again: hepatica-cli dial CASE --anew; or remove the file"),
@@ -206,7 +207,7 @@ constexpr std::array sentences_play{
     Words::id("an error without a name"),
     Words::id("Tearing"),
     Words::id("Time since the vessels may tear (s)"),
-    Words::id("Entropy (nats)"),
+    Words::id("Damage by tearing (entropy)"),
     Words::id("entropy"),
     Words::id("produced"),
     Words::id("whole"),

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 
+#include "core/scene/measured_dial.h"
 #include "ui/core_words.h"
 #include "ui/quality_panel.h"
 #include "ui/words.h"
@@ -42,10 +43,9 @@ void StatusLine::show_statistics(const FrameStatistics& statistics) {
             ? Words::tr("at rest")
             : Words::tr("real time × %L1").arg(statistics.real_time_factor, 0, 'f', 2));
     QString error;
-    if (statistics.expected_error > 0.0) {
+    if (statistics.expected_error > 0.0 && is_of_own_body(statistics.error_reference)) {
         error = Words::tr("expected error %1").arg(percent_text(statistics.expected_error));
-        error_->setToolTip(Words::tr("Of the present setting of the dial, measured against %1")
-                               .arg(translated(statistics.error_reference)));
+        error_->setToolTip(words_of_reference(statistics.error_reference));
     }
     error_->setText(error);
     error_->setVisible(!error.isEmpty());

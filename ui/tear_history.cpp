@@ -61,7 +61,7 @@ bool TearHistory::follow(const Frame& frame) {
 Chart TearHistory::chart() const {
     return {"Tearing",
             "Time since the vessels may tear (s)",
-            "Entropy (nats)",
+            "Damage by tearing (entropy)",
             {Curve{"entropy", time_s_, entropy_}, Curve{"produced", time_s_, produced_}}};
 }
 

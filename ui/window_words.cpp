@@ -2,6 +2,7 @@
 #include "ui/window_words.h"
 
 #include <array>
+#include <regex>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -11,7 +12,7 @@ namespace hepatica {
 namespace {
 
 // The longer ones first: they hold the shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 22> words{{
+constexpr std::array<std::pair<const char*, const char*>, 34> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
     {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
@@ -37,6 +38,23 @@ constexpr std::array<std::pair<const char*, const char*>, 22> words{{
     {"On the command line --series ", "In File > Reconstruct with options, Series "},
     {"--tree-space lps or --tree-space ras", "on the command line"},
     {"--radius-mm", "on the command line"},
+    // Files are called by what is in them, the key behind it for who can write one.
+    {"has no \"format\"", "does not say what kind of file it is (\"format\")"},
+    {"has no \"version\"", "does not say which version it is of (\"version\")"},
+    {"has no \"name\"", "lacks its name (\"name\")"},
+    {"has no \"steps\"", "lacks its steps (\"steps\")"},
+    {"has no \"goal\"", "lacks a goal (\"goal\")"},
+    {"has no \"text\"", "does not say what the trainee is to do (\"text\")"},
+    {"has no \"scene\"", "does not say what moves and flows in it (\"scene\")"},
+    {"has no \"lessons\"", "lacks its lessons (\"lessons\")"},
+    {"See docs/lessons.md, and assets/lessons for lessons that work",
+     "Mend it in the lesson editor (Lesson > Edit lessons), or ask who made the file"},
+    {"Add it: see docs/lessons.md",
+     "Add it in the lesson editor (Lesson > Edit lessons), or ask who made the file"},
+    {"docs/scenes.md lists the keys of a scene",
+     "Ask who made the file: its scene holds what this program does not know"},
+    {"docs/scenes.md lists the keys of a script",
+     "Ask who made the file: it holds what this program does not know"},
 }};
 
 }  // namespace
@@ -48,7 +66,11 @@ std::string in_window_words(std::string text) {
              at = text.find(from, at + to.size()))
             text.replace(at, from.size(), to);
     }
-    return text;
+    // What a library says of a text that it cannot read.
+    static const std::regex parse_error(
+        R"(is damaged \(parse error at line (\d+), column (\d+):[^]*)");
+    return std::regex_replace(text, parse_error,
+                              "is damaged: it cannot be read from line $1, column $2 on");
 }
 
 QString in_short(const std::vector<std::string>& warnings) {
@@ -60,6 +82,11 @@ QString in_short(const std::vector<std::string>& warnings) {
         text += "\n" + Words::tr("%n more under All messages.", nullptr,
                                  static_cast<int>(warnings.size() - shown));
     return text;
+}
+
+bool names_its_place(const Failure& failure) {
+    return failure.place.find('/') != std::string::npos &&
+           failure.problem.find(failure.place) != std::string::npos;
 }
 
 QString in_one_sentence(const Failure& failure) {

@@ -19,6 +19,9 @@ std::string in_window_words(std::string text);
 QString in_short(const std::vector<std::string>& warnings);
 
 // What is wrong and what helps, as a sentence that stands by itself, in the language of the window.
+// Whether the problem names the file that is its place: then it is not named once more.
+bool names_its_place(const Failure& failure);
+
 QString in_one_sentence(const Failure& failure);
 
 }  // namespace hepatica

@@ -233,7 +233,8 @@ void add_who_and_when(HtmlReport& page, const Parts& parts) {
     if (const QString patient = name_of_patient(request, parts.patient); !patient.isEmpty())
         facts << Words::tr("Patient: %1").arg(patient);
     const QDateTime played = QFileInfo(to_text(request.recording)).lastModified();
-    facts << Words::tr("Played on %1").arg(QLocale().toString(played, "d MMMM yyyy, hh:mm"));
+    facts << Words::tr("Played on %1")
+                 .arg(QLocale().toString(played, Words::tr("d MMMM yyyy, hh:mm")));
     facts << "Hepatica " HEPATICA_VERSION;
     page.add_paragraph(key(facts.join(" · ")));
 }

@@ -7,8 +7,11 @@
 
 #include "core/base/error.h"
 #include "core/base/temporary_folder.h"
+#include "core/image/image_look.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/patient/case_archive.h"
+#include "core/patient/case_header.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "core/tree/files/tree_io.h"
 
@@ -16,6 +19,12 @@ namespace hepatica {
 namespace {
 
 namespace fs = std::filesystem;
+
+void require_there(const fs::path& path) {
+    if (!fs::exists(path))
+        throw InputError("there is no such file or folder", path.string(),
+                         "check the name, and that its disk is connected");
+}
 
 PatientCase patient_of(VesselTree tree, Job& job) {
     PatientCase patient;
@@ -105,6 +114,21 @@ std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request,
     return series;
 }
 
+void look_at(const OpenRequest& request, Job& job) {
+    if (request.built_in) return;
+    const fs::path& path = request.reconstruct.ct;
+    require_there(path);
+    if (is_case(path)) {
+        if (!is_case_archive(path)) read_case_header(path);
+    } else if (fs::is_directory(path)) {
+        list_series(path, job);
+    } else if (is_tree_file(path)) {
+        read_tree(path);
+    } else {
+        look_at_image(path);
+    }
+}
+
 int opening_stage_count(const OpenRequest& request) {
     const fs::path& path = request.reconstruct.ct;
     if (request.built_in) return holds_patient(request.cache) ? 1 : built_in_stage_count();
@@ -116,11 +140,9 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     job.expect_stages(opening_stage_count(request));
     const fs::path& path = request.reconstruct.ct;
     OpenedPatient opened;
+    if (!request.built_in) require_there(path);
     if (request.built_in) {
         opened = built_in_patient(request.cache, job);
-    } else if (!fs::exists(path)) {
-        throw InputError("there is no such file or folder", path.string(),
-                         "check the name, and that its disk is connected");
     } else if (request.unsaved_copy) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case(path));

@@ -63,6 +63,11 @@ struct OpenedPatient {
 // thread.
 std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job);
 
+// A quick look whether there is something that could be opened: files and folders that are there
+// and may be read, headers, series. Throws InputError as open_patient() would; Cancelled. What only
+// shows when all of it is read is left for open_patient(). Any thread.
+void look_at(const OpenRequest& request, Job& job);
+
 // How many stages of its job open_patient() begins; more where it finds its cache damaged.
 int opening_stage_count(const OpenRequest& request);
 

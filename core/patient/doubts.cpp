@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/tree/systems/doubtful_roots.h"
+#include "core/tree/territories/segment_name.h"
 
 namespace hepatica {
 
@@ -21,11 +22,11 @@ std::string number_of(int count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-std::string listed(const std::vector<int>& numbers) {
+std::string listed(const std::vector<int>& segments) {
     std::string list;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i > 0) list += i + 1 == numbers.size() ? " and " : ", ";
-        list += std::to_string(numbers[i]);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (i > 0) list += i + 1 == segments.size() ? " and " : ", ";
+        list += segment_name(segments[i]);
     }
     return list;
 }
@@ -33,7 +34,7 @@ std::string listed(const std::vector<int>& numbers) {
 constexpr const char* found_liver_sentence =
     "The liver was found by the program: on real patients about 6 % of such a liver lay outside of "
     "an expert's, and 10 % of the expert's were missed. A segment beside stomach or pancreas, "
-    "mostly 3, may lie outside of it by nearly half. Where volumes matter, give a mask of the "
+    "mostly III, may lie outside of it by nearly half. Where volumes matter, give a mask of the "
     "liver.";
 
 void add_sentences(const SegmentDoubts& doubts, std::vector<std::string>& list) {

@@ -29,6 +29,10 @@ QualityDial dial_of_points(std::vector<QualityPoint> points);
 // The small synthetic patient's, with costs in proportion to the tetrahedra.
 QualityDial built_in_dial(std::size_t tetrahedra);
 
+// Whether an error with this reference was measured on the patient's own body, and not on the small
+// synthetic one: errors of two bodies are no one scale.
+bool is_of_own_body(const std::string& reference);
+
 // What PatientCase::dial_json holds: points of the patient's own mesh, with their reference.
 std::string dial_json(const std::vector<QualityPoint>& points, const PatientCase& patient);
 

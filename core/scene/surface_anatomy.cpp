@@ -105,7 +105,7 @@ std::string SurfaceAnatomy::describe(const TreePoint& point,
     const int elsewhere = ends_in_system_of(point.segment) - ends_in_tree_of(point.segment);
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(0) << "Branch " << point.segment << " ("
+    text << std::fixed << std::setprecision(0) << "Branch " << point.segment + 1 << " ("
          << title_of(system_of(point.segment)) << "), " << point.arclength_mm << " of "
          << length_mm_[static_cast<std::size_t>(point.segment)]
          << " mm along: " << ends_downstream_of(point.segment) << " of "

@@ -65,10 +65,10 @@ TEST(LegendRows, NumberTheLiversSegmentsInTheirColours) {
     const LegendRow bar = legend_rows(content)[0];
     EXPECT_EQ(bar.colours, (std::vector{palette::liver_segment(2), palette::liver_segment(7)}));
     ASSERT_EQ(bar.ticks.size(), 2u);
-    EXPECT_EQ(bar.ticks[0], std::pair(0.25, std::string("2")));
-    EXPECT_EQ(bar.ticks[1], std::pair(0.75, std::string("7")));
+    EXPECT_EQ(bar.ticks[0], std::pair(0.25, std::string("II")));
+    EXPECT_EQ(bar.ticks[1], std::pair(0.75, std::string("VII")));
     set_colours_shown(content, {VascularSystem::portal}, {7});
-    EXPECT_EQ(texts_of(content), std::vector<std::string>{"Liver segment 7"});
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"Liver segment VII"});
 }
 
 // Colour, axis and mark go with the square root of the arrival time, and the axis says so.

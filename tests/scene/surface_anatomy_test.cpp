@@ -73,20 +73,20 @@ TEST(AnatomyOfTrees, SaysOfWhichTreeASharesIs) {
     EXPECT_EQ(anatomy.ends_in_tree_of(-1), 0);
     const std::vector<double> shares{1.0, 0.4, 0.6, 1.0};
     EXPECT_EQ(anatomy.describe({3, 5.0}, shares),
-              "Branch 3 (portal vein), 5 of 10 mm along: 1 of 1 ends of this tree lie downstream; "
+              "Branch 4 (portal vein), 5 of 10 mm along: 1 of 1 ends of this tree lie downstream; "
               "they get 100 % of its flow; 2 more ends of the system hang on other roots");
 }
 
 TEST_F(Anatomy, DescribesAPointInWords) {
     EXPECT_EQ(anatomy_.describe({0, 5.0}, {}),
-              "Branch 0 (portal vein), 5 of 10 mm along: 2 of 2 ends lie downstream");
+              "Branch 1 (portal vein), 5 of 10 mm along: 2 of 2 ends lie downstream");
     const std::vector<double> shares{1.0, 0.905, 0.095, 1.0};
     EXPECT_EQ(
         anatomy_.describe({2, 3.0}, shares),
-        "Branch 2 (portal vein), 3 of 20 mm along: 1 of 2 ends lie downstream; they get 9.5 % "
+        "Branch 3 (portal vein), 3 of 20 mm along: 1 of 2 ends lie downstream; they get 9.5 % "
         "of the flow");
     EXPECT_EQ(anatomy_.describe({3, 30.0}, shares),
-              "Branch 3 (hepatic veins), 30 of 30 mm along: 1 of 1 ends lie downstream; they get "
+              "Branch 4 (hepatic veins), 30 of 30 mm along: 1 of 1 ends lie downstream; they get "
               "100 % of the flow");
     EXPECT_EQ(anatomy_.describe({-1, 0.0}, shares), "");
 }

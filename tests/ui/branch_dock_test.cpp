@@ -93,6 +93,11 @@ TEST_F(Branches, AreColouredByTheSegmentsOfTheLiver) {
     EXPECT_EQ(colours_[0], 0) << "the trunk supplies all of them";
     EXPECT_GE(colours_[1], 5) << "right of the middle vein lie 5 to 8";
     EXPECT_LE(colours_[2], 4);
+    const QString right = table().item(1, 5)->text(), left = table().item(2, 5)->text();
+    EXPECT_TRUE(QStringList({"V", "VI", "VII", "VIII"}).contains(right)) << right.toStdString();
+    EXPECT_TRUE(QStringList({"I", "II", "III", "IV"}).contains(left)) << left.toStdString();
+    table().sortByColumn(5, Qt::DescendingOrder);
+    EXPECT_EQ(table().item(0, 5)->text(), right) << "V to VIII stand above I to IV";
     box->click();
     EXPECT_TRUE(colours_.empty());
 }

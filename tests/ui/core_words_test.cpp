@@ -14,7 +14,9 @@
 #include <sstream>
 
 #include "ui/core_sentences.h"
+#include "ui/date_words.h"
 #include "ui/language.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica::testing {
@@ -209,6 +211,32 @@ TEST(CoreWords, LeaveNamesAlone) {
 TEST(CoreWords, StayAsTheyAreInEnglish) {
     for (const char* text : {"the window runs from 1.5 to 2.5 HU", "12.5 mN", "portal vein"})
         EXPECT_EQ(translated(text).toStdString(), text);
+}
+
+// A person at the window has no key and no documents of the sources.
+TEST(WindowWords, SayWhatIsWrongWithAFileAndWhatHelps) {
+    EXPECT_EQ(in_window_words("has no \"steps\""), "lacks its steps (\"steps\")");
+    EXPECT_EQ(in_window_words("is damaged (parse error at line 3, column 5: syntax error while "
+                              "parsing value - invalid literal; last read: 'x')"),
+              "is damaged: it cannot be read from line 3, column 5 on");
+    for (const char* remedy :
+         {"See docs/lessons.md, and assets/lessons for lessons that work",
+          "Add it: see docs/lessons.md", "docs/scenes.md lists the keys of a scene"})
+        EXPECT_EQ(in_window_words(remedy).find("docs/"), std::string::npos) << remedy;
+    const Speaks german("de");
+    EXPECT_EQ(translated(in_window_words("is damaged (parse error at line 3, column 5: syntax)")),
+              QString("ist beschädigt: Ab Zeile 3, Spalte 5 ist sie nicht lesbar"));
+    EXPECT_FALSE(translated(in_window_words("Add it: see docs/lessons.md")).contains("docs/"));
+    EXPECT_EQ(translated("cannot be written (No such file or directory)"),
+              QString("lässt sich nicht schreiben (Datei oder Ordner fehlt)"));
+    EXPECT_EQ(translated("corotated, 4 substeps"), QString("korotiert, 4 Teilschritte"));
+}
+
+TEST(DateWords, HaveAPointBehindAGermanDay) {
+    const QDateTime when(QDate(2026, 11, 6), QTime(9, 5));
+    EXPECT_EQ(date_words(when), "6 Nov 2026, 09:05");
+    const Speaks german("de");
+    EXPECT_EQ(date_words(when), "6. Nov. 2026, 09:05");
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 // Correcting a patient's tree in the window, as a person does.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -232,7 +234,7 @@ TEST_F(Editing, what_was_done_is_listed_with_its_place) {
     QString line;
     for (const auto* list : window_.findChildren<QListWidget*>())
         if (list->accessibleName() == "Edits") line = list->item(0)->text();
-    EXPECT_TRUE(line.startsWith("Tree deleted at 3")) << line.toStdString();
+    EXPECT_TRUE(line.startsWith("Tree deleted at L 3")) << line.toStdString();
     EXPECT_TRUE(line.endsWith(" mm")) << line.toStdString();
 }
 
@@ -400,6 +402,26 @@ TEST_F(Editing, closing_asks_about_what_is_not_saved_and_waits_for_it) {
     EXPECT_FALSE(window_.close()) << "the case is being written";
     EXPECT_TRUE(testing::wait_for([this] { return !window_.isVisible(); }));
     EXPECT_EQ(read_case(*save_place_).corrections.edits.size(), 1u);
+}
+
+// What cannot be opened is no reason to let anything go.
+TEST_F(Editing, a_file_that_cannot_be_read_is_found_out_before_anything_is_asked) {
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(test::last_gap[1]));
+    wait();
+    ASSERT_TRUE(window_.isWindowModified());
+    const QString empty = folder_.filePath("empty");
+    QDir().mkpath(empty);
+    QFile broken(folder_.filePath("broken.nii"));
+    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+    broken.write("this is no image");
+    broken.close();
+    for (const QString& path : {folder_.filePath("gone.nii"), empty, broken.fileName()}) {
+        window_.open(path);
+        ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+        EXPECT_EQ(questions_asked_, 0) << path.toStdString();
+        EXPECT_TRUE(window_.messages().text().contains(path)) << path.toStdString();
+        EXPECT_TRUE(window_.isWindowModified());
+    }
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST_F(Hover, lights_up_what_lies_downstream_and_nothing_else) {
     const QImage lit = window_.view().picture();
     EXPECT_GT(brightness_at(lit, downstream), brightness_at(dark, downstream) + 20.0);
     EXPECT_NEAR(brightness_at(lit, upstream), brightness_at(dark, upstream), 1.0);
-    EXPECT_TRUE(words().startsWith("Branch 0")) << words().toStdString();
+    EXPECT_TRUE(words().startsWith("Branch 1 ")) << words().toStdString();
 
     point_at_place(QPoint(5, 5));
     EXPECT_EQ(window_.view().picture(), dark);

@@ -7,6 +7,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -137,6 +138,9 @@ TEST_F(Window, saves_the_picture_it_shows_under_any_name_and_names_the_folder_it
     window_.save_picture(file);
     const QImage saved(file);
     EXPECT_EQ(saved.size(), pixel_size(window_.view().size(), window_.view().devicePixelRatioF()));
+    const QString nowhere = folder_.filePath("no/such/folder");
+    EXPECT_THROW(window_.save_picture(nowhere + "/a.png"), InputError);
+    EXPECT_FALSE(QFileInfo::exists(folder_.filePath("no"))) << "no folder is made unasked";
     EXPECT_THROW(window_.save_picture("/proc/hepatica/a.png"), InputError);
 }
 

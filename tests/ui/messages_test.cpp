@@ -2,11 +2,13 @@
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <filesystem>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/branch_links.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/recent_menu.h"
@@ -80,6 +82,45 @@ TEST_F(Messages, a_long_one_takes_one_line_until_it_is_opened) {
     EXPECT_LE(bar.height(), 44);
     EXPECT_EQ(bar.text(), "This is <no> image\nin /some/where\nGive a CT");
     EXPECT_TRUE(bar.findChild<QLabel*>()->text().contains("&lt;no&gt;"));
+}
+
+TEST_F(Messages, name_a_file_once_and_whole) {
+    MessageBar& bar = window_.messages();
+    const QString path = "/a/" + QString("folder/").repeated(30) + "liver.nii";
+    bar.show_failure({path.toStdString() + " is no image", path.toStdString(), "Give a CT"});
+    EXPECT_EQ(bar.text().count(path), 1) << bar.text().toStdString();
+    EXPECT_TRUE(bar.findChild<QLabel*>()->toolTip().contains(path));
+    window_.log().add_failure(
+        "Opening", {path.toStdString() + " is no image", path.toStdString(), "Give a CT"});
+    EXPECT_EQ(window_.log().as_text().count(path), 1);
+}
+
+TEST_F(Messages, lead_to_the_branch_that_they_name) {
+    open_built_in();
+    MessageBar& bar = window_.messages();
+    bar.show_notice("Branch 2 is an end and takes 60 % of the flow of its tree");
+    auto* label = bar.findChild<QLabel*>();
+    EXPECT_TRUE(label->text().contains("<a href=\"branch:2\">Branch 2</a>"))
+        << label->text().toStdString();
+    emit label->linkActivated("branch:2");
+    auto* table = window_.findChild<QTableWidget*>("branches");
+    ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
+    EXPECT_TRUE(table->isVisible());
+    EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "2");
+    window_.log().add_warning("A", "Branch 1 is an end");
+    auto* list = window_.log().findChild<QTreeWidget*>();
+    emit list->itemActivated(list->topLevelItem(0), 0);
+    EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "1");
+    emit label->linkActivated("branch:999");  // of a patient before
+}
+
+TEST(BranchLinks, LeaveACutNumberAlone) {
+    EXPECT_EQ(with_branch_links("Branch 16… of"), "Branch 16… of");
+    EXPECT_EQ(with_branch_links("Ast 3, Wurzel: Ast 1"),
+              "<a href=\"branch:3\">Ast 3</a>, Wurzel: <a href=\"branch:1\">Ast 1</a>");
+    EXPECT_EQ(branch_named_in("root: branch 7"), 6);
+    EXPECT_EQ(branch_named_in("7 branches"), std::nullopt);
+    EXPECT_EQ(branch_of_link("https://x"), std::nullopt);
 }
 
 TEST_F(Messages, long_lines_of_the_log_wrap) {

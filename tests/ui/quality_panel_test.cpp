@@ -7,8 +7,10 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <algorithm>
 #include <vector>
 
+#include "core/scene/measured_dial.h"
 #include "core/scene/scene_spec.h"
 
 namespace hepatica {
@@ -25,6 +27,11 @@ struct Panel {
             if (label->text().contains(words)) return true;
         return false;
     }
+    bool explains(const QString& words) const {
+        return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) {
+            return label->toolTip().contains(words);
+        });
+    }
 };
 
 TEST(QualityPanel, FollowsTheSettingThatTheSessionPicked) {
@@ -39,8 +46,24 @@ TEST(QualityPanel, FollowsTheSettingThatTheSessionPicked) {
     EXPECT_TRUE(p.automatic.isChecked());
     EXPECT_EQ(p.dial.value(), 80);
     EXPECT_TRUE(p.posted.empty());
-    EXPECT_TRUE(p.shows("Expected error 12 % against the built-in patient"));
-    EXPECT_TRUE(p.shows("corotated, 4 substeps"));
+    EXPECT_TRUE(p.shows("Expected error 12 % of the motion"));
+    EXPECT_FALSE(p.shows("corotated")) << "that is for who looks closer";
+    EXPECT_TRUE(p.explains("corotated, 4 substeps"));
+    EXPECT_TRUE(p.explains("It is: the built-in patient"));
+}
+
+// Errors of two bodies are no one scale: the figure of a synthetic patient says nothing of this
+// one.
+TEST(QualityPanel, ShowsNoErrorThatWasMeasuredOnAnotherBody) {
+    Panel p;
+    FrameStatistics statistics;
+    statistics.setting = "corotated";
+    const QualityDial dial = built_in_dial(4616);
+    statistics.expected_error = dial.front()[0].error_relative;
+    statistics.error_reference = dial.front()[0].reference;
+    p.panel.show_statistics(statistics);
+    EXPECT_FALSE(p.shows("2.1 %"));
+    EXPECT_TRUE(p.shows("not measured on these vessels yet"));
 }
 
 TEST(QualityPanel, AHandAtTheDialEndsAutomaticAndAClickBringsItBack) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vessels painted and erased in the slices by mouse and keys.
 #include "tests/ui/slices_test.h"
+#include "ui/message_bar.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -171,6 +172,28 @@ TEST_F(BrushOnSlices, IsAskedAboutBeforeTheWindowCloses) {
     strokes_answer_ = StrokesAnswer::drop;
     window_.close();
     EXPECT_FALSE(window_.isVisible());
+}
+
+// The liver fills the lower right corner of the slice; what is painted lies far to the left of it.
+TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
+    auto patient = std::make_shared<PatientCase>(*patient_);
+    patient->organs = Mask(ct_.grid);
+    for (int k = 0; k < 60; ++k)
+        for (int j = 0; j < 50; ++j)
+            for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
+    patient_ = patient;
+    begin();
+    ASSERT_TRUE(testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    scene().set_crosshair(ct_.grid.to_mm(29, 25, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    EXPECT_EQ(window_.messages().text(), "") << "beside the liver run its vessels, too";
+    stroke();
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    const QString warning = window_.messages().text();
+    EXPECT_TRUE(warning.contains("outside the liver")) << warning.toStdString();
+    EXPECT_TRUE(warning.contains("R 30")) << "and where: " << warning.toStdString();
+    QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
+    EXPECT_EQ(brush().strokes().size(), 1u);
 }
 
 }  // namespace

@@ -414,5 +414,27 @@ TEST_F(Slices, TheBarSaysWhatAClickDoesNow) {
     EXPECT_EQ(place->toolTip(), "");
 }
 
+// What is said over the pictures covers none of the words in them.
+TEST_F(Slices, KeepTheirWordsClearOfTheBarsOverThem) {
+    show_slices();
+    auto& axial = view(SliceDirection::axial);
+    auto& coronal = view(SliceDirection::coronal);
+    QCoreApplication::processEvents();
+    const QRectF before = axial.room_for_words();
+    const double below = coronal.room_for_words().top();
+    window_.messages().show_notice("a word");
+    QCoreApplication::processEvents();
+    const auto covers = [this](const SliceView& slice) {
+        const MessageBar& bar = window_.messages();
+        return QRectF(QRect(slice.mapFromGlobal(bar.mapToGlobal(QPoint())), bar.size()))
+            .intersects(slice.room_for_words());
+    };
+    EXPECT_FALSE(covers(axial));
+    EXPECT_LT(axial.room_for_words().height(), before.height());
+    EXPECT_EQ(coronal.room_for_words().top(), below) << "the bar is above";
+    window_.messages().dismiss();
+    EXPECT_EQ(axial.room_for_words(), before);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -125,7 +125,7 @@ QWidget* SliceBar::segment_choice() {
         const bool known = !scene_.segments().voxels.empty();
         choice->setEnabled(known);
         choice->setToolTip(
-            known ? Words::tr("Couinaud's segments 1 to 8, in the colours of the branches "
+            known ? Words::tr("Couinaud's segments I to VIII, in the colours of the branches "
                               "that supply them (F6)")
                   : translated(scene_.why_no_segments()));
     };

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/tree/territories/segment_name.h"
 #include "ui/core_words.h"
 #include "ui/words.h"
 
@@ -243,7 +244,9 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
                        "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
-        text += "   " + Words::tr("segment %1").arg(segment).toStdString();
+        text += "   " + Words::tr("segment %1")
+                            .arg(QString::fromStdString(segment_name(segment)))
+                            .toStdString();
     if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
         text += "   " + Words::tr("tumour %1").arg(tumour).toStdString();
     const CentrelinePoint* vessel = nullptr;

@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "core/tree/territories/segment_name.h"
 #include "render/palette.h"
 #include "ui/slices/slice_picture.h"
 #include "ui/theme.h"
@@ -129,7 +130,7 @@ void SliceView::paint_segment_numbers(QPainter& painter) const {
         const Vec3 there =
             slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
         write_outlined(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
-                       Qt::AlignCenter, QString::number(number.segment),
+                       Qt::AlignCenter, QString::fromStdString(segment_name(number.segment)),
                        colour_of(colour_of_number(number.segment)));
     }
 }
@@ -233,9 +234,19 @@ void SliceView::paint_measurements(QPainter& painter) const {
         paint_measurement(painter, *half);
 }
 
+void SliceView::keep_clear(int top, int bottom) {
+    covered_top_ = top;
+    covered_bottom_ = bottom;
+    update();
+}
+
+QRectF SliceView::room_for_words() const {
+    return QRectF(rect()).adjusted(8, 6 + covered_top_, -8, -6 - covered_bottom_);
+}
+
 void SliceView::paint_words(QPainter& painter) const {
     const auto [left, right, top, bottom] = stack().edges();
-    const QRectF inside = QRectF(rect()).adjusted(8, 6, -8, -6);
+    const QRectF inside = room_for_words();
     const auto write = [&](Qt::Alignment where, const QString& text) {
         write_outlined(painter, inside, where, text, colour_of(palette::text));
     };

@@ -38,6 +38,11 @@ class SliceView : public QWidget {
     // What is painted under crosshair and letters, one pixel a voxel; null while there is no CT.
     const QImage& picture();
 
+    // So many points at the top and at the foot lie under bars: what is written stands beside them.
+    void keep_clear(int top, int bottom);
+    // Where that is.
+    QRectF room_for_words() const;
+
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
     // What has been measured, or why a click measured nothing.
     void on_say(std::function<void(const QString&)> say) { say_ = std::move(say); }
@@ -90,6 +95,7 @@ class SliceView : public QWidget {
 
     SliceScene& scene_;
     SliceDirection direction_;
+    int covered_top_ = 0, covered_bottom_ = 0;
     std::function<void(const Vec3&)> hover_;
     std::function<void(const QString&)> say_;
     std::optional<QPointF> mouse_;  // over the slice, while there is a brush

@@ -229,6 +229,25 @@ void ViewLayout::arrange() {
     grid_->setColumnStretch(2, there(notice_));
     grid_->setRowStretch(0, there(views_[0]) | there(view_));
     grid_->setRowStretch(1, there(views_[1]) | there(views_[2]));
+    clear_words();
+}
+
+void ViewLayout::keep_clear(int top, int bottom) {
+    covered_top_ = top;
+    covered_bottom_ = bottom;
+    clear_words();
+}
+
+// A bar at the top lies over the upper row, one at the foot over the lower; over what stands alone
+// lie both.
+void ViewLayout::clear_words() {
+    const bool two_rows = slices_visible_ && !scene_.empty() && !enlarged_;
+    const int at_upper_foot = two_rows ? 0 : covered_bottom_;
+    const int at_lower_top = two_rows ? 0 : covered_top_;
+    views_[0]->keep_clear(covered_top_, at_upper_foot);
+    for (const std::size_t lower : {1U, 2U})
+        views_[lower]->keep_clear(at_lower_top, covered_bottom_);
+    callbacks_.view_covered(covered_top_, at_upper_foot);
 }
 
 void ViewLayout::mark_crosshair() {

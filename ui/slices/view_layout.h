@@ -51,6 +51,8 @@ class ViewLayout : public QWidget {
         // A click on a place of the CT that is for a correction, and what that would be.
         std::function<void(const Vec3&)> correct;
         std::function<QString()> correction;
+        // So many points of the three-dimensional view lie under bars.
+        std::function<void(int top, int bottom)> view_covered = [](int, int) {};
     };
     // Takes over the view.
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
@@ -80,6 +82,9 @@ class ViewLayout : public QWidget {
     ThresholdDialog& threshold() { return *threshold_; }
     // What holds the view and the slices, below their bar.
     QWidget& pictures() { return *pictures_; }
+    // So many points of the pictures lie under bars, at their top and foot: what is written there
+    // stands beside them.
+    void keep_clear(int top, int bottom);
     SliceScene& slices() { return scene_; }
     // For whoever wants the same CT, too.
     CtReadings& ct_readings() { return readings_; }
@@ -92,6 +97,7 @@ class ViewLayout : public QWidget {
     void build_threshold();
     void connect_scene();
     void arrange();
+    void clear_words();
     void want_segments();
     void mark_crosshair();
     void enlarge(SliceView* view);
@@ -118,6 +124,7 @@ class ViewLayout : public QWidget {
     QGridLayout* grid_ = nullptr;
     SliceView* enlarged_ = nullptr;
     bool slices_visible_ = false;
+    int covered_top_ = 0, covered_bottom_ = 0;
 };
 
 }  // namespace hepatica

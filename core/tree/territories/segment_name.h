@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people call Couinaud's segments: I to VIII. Files keep the numbers 1 to 8.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace hepatica {
+
+// Empty where there is no such segment.
+inline std::string segment_name(int segment) {
+    constexpr std::array names{"I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+    const bool known = segment >= 1 && segment <= static_cast<int>(names.size());
+    return known ? names[static_cast<std::size_t>(segment - 1)] : "";
+}
+
+}  // namespace hepatica

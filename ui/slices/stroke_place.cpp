@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slices/stroke_place.h"
+
+#include <algorithm>
+
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+namespace {
+
+constexpr double far_mm = 25.0;
+
+// Tumours lie in the liver; the vena cava does not.
+bool is_liver(std::uint8_t organ) {
+    return organ == organ_label::liver || organ >= organ_label::first_tumour;
+}
+
+}  // namespace
+
+bool lies_far_outside(const BrushStroke& stroke, const Mask& organs) {
+    if (std::ranges::none_of(organs.voxels, is_liver)) return false;
+    // The ball about the stroke, with all within reach of it.
+    const BrushStroke reach{stroke.path_mm, stroke.radius_mm + far_mm, false};
+    Mask near(organs.grid);
+    apply(reach, 1, near);
+    for (std::size_t v = 0; v < near.voxels.size(); ++v)
+        if (near.voxels[v] != 0 && is_liver(organs.voxels[v])) return false;
+    return true;
+}
+
+}  // namespace hepatica
