@@ -66,9 +66,9 @@ QString text_of(const BrushStroke& stroke, const VesselTree& tree) {
              there(stroke.path_mm.front(), tree));
 }
 
-QString text_of(const Workspace::Step& step) {
-    if (step.stroke) return text_of(*step.stroke);
-    return step.edit ? text_of(*step.edit) : Words::tr("Vessels rebuilt");
+QString text_of(const Workspace::Step& step, const VesselTree& tree) {
+    if (step.stroke) return text_of(*step.stroke, tree);
+    return step.edit ? text_of(*step.edit, tree) : Words::tr("Vessels rebuilt");
 }
 
 QString text_of(const Bridge& bridge) {
@@ -145,7 +145,8 @@ void CaseEditing::update_panel() {
     add_strokes(std::numeric_limits<std::size_t>::max());
     const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();
     panel_.show_edits(edits, undo.has_value(), redo.has_value());
-    callbacks_.show_history(undo ? text_of(*undo) : QString(), redo ? text_of(*redo) : QString());
+    callbacks_.show_history(undo ? text_of(*undo, tree) : QString(),
+                            redo ? text_of(*redo, tree) : QString());
     QStringList state;
     if (workspace_.awaits_body())
         state << Words::tr(
