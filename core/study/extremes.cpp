@@ -11,6 +11,7 @@ std::vector<ExtremeCase> extreme_cases() {
     add_beam_grid(cases);
     add_contrast_and_shape_cases(cases);
     add_tool_cases(cases);
+    add_obstacle_cases(cases);
     add_long_runs(cases);
     add_refusals(cases);
     return cases;

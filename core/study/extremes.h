@@ -35,7 +35,7 @@ struct ExtremeRow {
     std::string note;          // what went wrong, or the words of the refusal
     double energy_made = 0.0;  // largest of any step, relative to what it handled
     double path_mm = 0.0;      // of a vertex, the mean of them, over all steps
-    int touched_steps = 0;     // steps after which surfaces or a tool touch
+    int touched_steps = 0;     // steps after which surfaces, a tool or obstacles touch
     int splits = 0;            // transactions in which a body that tears was split;
     int inverted_splits = 0;   // after how many of them a tetrahedron was inside out,
     int touching_splits = 0;   // and the surface touched itself along an edge

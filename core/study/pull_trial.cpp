@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/scene/tools/tool_choice.h"
 
 namespace hepatica {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 constexpr double share_of_the_way = 0.6;  // from the root to the furthest tip
 constexpr int frames_out = Pull::frames / 2;
 constexpr double reach_radii = 1.5;  // of the hand, so that it holds whole cross-sections
-constexpr double hand_strain = 0.4;  // the hand pulls no harder than would stretch the vessel so
 
 std::vector<double> distances_from_roots(const CoarseSkeleton& skeleton) {
     std::vector<double> distance(skeleton.size(), 0.0);

@@ -34,7 +34,8 @@ bool Trial::judge(const StepReport& report) {
     row_.path_mm +=
         report.dt_s * speed_mm_per_s / static_cast<double>(stepper_.positions_mm().size());
     row_.degraded_steps += report.degraded;
-    row_.touched_steps += report.tool.contacts > 0 || report.self.contacts > 0;
+    row_.touched_steps +=
+        report.tool.contacts > 0 || report.self.contacts > 0 || report.obstacles.touch.contacts > 0;
     return check_energy(report);
 }
 
