@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/base/error.h"
@@ -25,7 +26,8 @@ constexpr double shortest_onto_pad = 1e-7;
 // In mean edges: where not even such a move lowers the potential the body rests, by rounding errors
 // or at a kink of the potential; shorter steps would find it there, too.
 constexpr double at_rest = 1e-4;
-constexpr double no_move = 1e-12;  // in mean edges: less than positions can hold
+// Of the largest coordinate, eight units in its last place: less is rounding of forces.
+constexpr double no_move = 8.0 * std::numeric_limits<double>::epsilon();
 // In mean edges: the tension of a body that goes no further in a step does not cease within it.
 constexpr double calm_move = 0.1;
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
@@ -381,7 +383,7 @@ bool NewtonStep::calm(const StepUnderway& step) const {
 bool NewtonStep::still(const StepUnderway& step) const {
     return settings_.line_search && step.iterate == 0 && !step.predicted &&
            std::isfinite(step.value) &&
-           step.dt_s * longest_of(direction_) <= no_move * body_.mean_edge_mm;
+           step.dt_s * longest_of(direction_) <= no_move * longest_of(step.start.positions_mm);
 }
 
 // Takes the present velocity as the first guess, unless the incremental potential is higher there
