@@ -77,7 +77,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
 // A scene in which nothing moves shows the surface's vertices, not the body's.
 void MainWindow::match_anatomy() {
     const PatientCase& patient = *patient_->patient;
-    const bool moves = frame().positions_mm.size() == 3 * patient.mesh.vertices_mm.size();
+    const bool moves = frame().positions_mm.size() >= 3 * patient.mesh.vertices_mm.size();
     Job job;
     patient_->anatomy = SurfaceAnatomy(
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);

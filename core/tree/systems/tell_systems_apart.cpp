@@ -22,6 +22,7 @@ constexpr double brightness_weight = 0.6;  // pieces of one branch are not indep
 constexpr double most_brightness = 1.5;    // log odds of 5 mm
 constexpr double reference_mm = 5.0;
 constexpr double certain = 1e4;  // log odds of a seed
+constexpr double staying = 6.0;  // log odds of 5 mm, for what they were before
 constexpr int portal_label = 0, hepatic_label = 1, artery_label = 2;
 constexpr std::array systems_of_labels{VascularSystem::portal, VascularSystem::hepatic,
                                        VascularSystem::artery};
@@ -63,8 +64,12 @@ struct Labelling {
 
 class Search {
   public:
-    Search(const PieceGraph& graph, const std::vector<VesselSeed>& seeds, const Job& job)
+    Search(const PieceGraph& graph, const std::vector<VesselSeed>& seeds, const Job& job,
+           const Mask* before = nullptr)
         : graph_(graph), job_(job), seed_label_(graph.pieces.size(), -1) {
+        if (before != nullptr)
+            for (const VesselPiece& piece : graph.pieces)
+                staying_.push_back(odds_of_staying(piece, *before));
         for (const VesselSeed& seed : seeds) place(seed);
     }
 
@@ -103,6 +108,14 @@ class Search {
         has_artery_ = has_artery_ || *label == artery_label;
     }
 
+    // Of hepatic over portal, by what lay at the middle of the piece.
+    static double odds_of_staying(const VesselPiece& piece, const Mask& before) {
+        const auto was = static_cast<VascularSystem>(value_at(before, piece.centre_mm));
+        const double odds = staying * piece.length_mm / reference_mm;
+        if (was == VascularSystem::hepatic) return odds;
+        return was == VascularSystem::portal ? -odds : 0.0;
+    }
+
     static double perturbed(double value, Noise* noise) {
         return noise == nullptr ? value : value * std::exp(draw_deviation * (*noise)());
     }
@@ -129,7 +142,8 @@ class Search {
         // An artery runs with the portal vein and is thin; only its seeds call for it.
         constexpr double artery_per_mm = 0.1;
         for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
-            const double odds = perturbed(evidence[i], noise);
+            const double odds =
+                perturbed(evidence[i], noise) + (staying_.empty() ? 0.0 : staying_[i]);
             std::vector<double> cost{0.5 * odds, -0.5 * odds};
             if (has_artery_)
                 cost.push_back(0.5 * odds + artery_per_mm * graph_.pieces[i].length_mm);
@@ -270,6 +284,7 @@ class Search {
     const PieceGraph& graph_;
     const Job& job_;
     std::vector<int> seed_label_;  // -1: none
+    std::vector<double> staying_;  // empty: it is not known what was before
     bool has_artery_ = false;
 };
 
@@ -314,7 +329,11 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     if (seeded.size() < 2 && unseeded.gain < least_gain) {
         std::ranges::fill(systems, seeded.empty() ? PieceSystem{} : PieceSystem{seeded[0], 1.0});
     } else {
-        const Labelling best = seeded.empty() ? unseeded : cut.solve(found.anchors, nullptr);
+        const bool as_unseeded = seeded.empty() && search.before == nullptr;
+        const Labelling best =
+            as_unseeded
+                ? unseeded
+                : Search(pieces, search.seeds, job, search.before).solve(found.anchors, nullptr);
         found.brightness_difference = best.brightness_difference;
         const std::vector<double> confidence = confidences(cut, found.anchors, best.labels);
         for (std::size_t i = 0; i < systems.size(); ++i)

@@ -20,6 +20,10 @@ struct SystemSearch {
     std::vector<VesselSeed> seeds;
     // Box around the liver (LPS, mm). Empty: the box around the vessels stands in.
     Eigen::AlignedBox3d liver_mm;
+    // What the vessels were before some of them changed, as numbers of VascularSystem; null: not
+    // known. A vessel stays what it was unless much speaks against it, so that a change in one
+    // place does not turn over what was in balance elsewhere. Confidences do not count it.
+    const Mask* before = nullptr;
 };
 
 struct SystemsFound {
