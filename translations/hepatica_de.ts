@@ -7273,10 +7273,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>&amp;Name oder Nummer</translation>
     </message>
     <message>
-        <source>&amp;Next lesson: %1</source>
-        <translation>&amp;Nächste Lektion: %1</translation>
-    </message>
-    <message>
         <source>Pass marks, looked at in the end</source>
         <translation>Bestehensgrenzen, am Ende geprüft</translation>
     </message>
@@ -8235,6 +8231,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>d MMMM yyyy, hh:mm</source>
         <translation>d. MMMM yyyy, hh:mm</translation>
+    </message>
+    <message>
+        <source>&amp;Next lesson</source>
+        <translation>&amp;Nächste Lektion</translation>
+    </message>
+    <message>
+        <source>Each step is solved directly</source>
+        <translation>Jeder Schritt wird direkt gelöst</translation>
     </message>
 </context>
 </TS>

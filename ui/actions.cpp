@@ -301,8 +301,8 @@ void Actions::set_patient_shown(bool shown) {
 
 void Actions::show_history(const QString& undo, const QString& redo) {
     history_ = {{ActionId::undo_edit, undo}, {ActionId::redo_edit, redo}};
-    (*this)[ActionId::undo_edit].setText(
-        undo.isEmpty() ? Words::tr("&Undo") : Words::tr("&Undo: %1").arg(undo));
+    (*this)[ActionId::undo_edit].setText(undo.isEmpty() ? Words::tr("&Undo")
+                                                        : Words::tr("&Undo: %1").arg(undo));
     (*this)[ActionId::redo_edit].setText(redo.isEmpty() ? Words::tr("Red&o")
                                                         : Words::tr("Red&o: %1").arg(redo));
     for (const ActionSpec& spec : table)

@@ -129,7 +129,9 @@ QLayout* LessonPanel::make_name() {
 
 void LessonPanel::set_next(const std::string& lesson) {
     next_lesson_ = lesson;
-    next_->setText(Words::tr("&Next lesson: %1").arg(translated(lesson)));
+    // Its name alone would make the panel wider than its place.
+    next_->setText(Words::tr("&Next lesson"));
+    next_->setToolTip(translated(lesson));
 }
 
 void LessonPanel::set_name(const QString& name) {

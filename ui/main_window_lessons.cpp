@@ -57,7 +57,9 @@ void MainWindow::build_lessons() {
         take_report_message_away();
         const bool begins = simulation != nullptr;
         use(std::move(simulation));
-        if (begins) show_whole_from_the_front();
+        if (!begins) return;
+        show_whole_from_the_front();
+        view_->setFocus();  // so that the keys of the tools reach the play
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));

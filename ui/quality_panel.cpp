@@ -130,11 +130,13 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
         const QSignalBlocker silent(dial_);
         dial_->setValue(static_cast<int>(std::lround(100.0 * statistics.quality)));
     }
-    solver_->setText(
-        statistics.setting.empty()
-            ? QString()
-            : Words::tr("%n pass(es) of the solver a step", nullptr, statistics.linear_iterations) +
-                  (statistics.degraded ? Words::tr(", degraded") : QString()));
+    solver_->setText(statistics.setting.empty()
+                         ? QString()
+                         : (statistics.linear_iterations == 0
+                                ? Words::tr("Each step is solved directly")
+                                : Words::tr("%n pass(es) of the solver a step", nullptr,
+                                            statistics.linear_iterations)) +
+                               (statistics.degraded ? Words::tr(", degraded") : QString()));
     solver_->setToolTip(Words::tr("Setting of the solver: %1").arg(translated(statistics.setting)));
 }
 

@@ -40,6 +40,10 @@ QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
 class Running {
   public:
     Running(const QString& program, const QStringList& arguments) {
+        // What Qt has to say about the machine is nobody's failure.
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("QT_LOGGING_RULES", "*.warning=false");
+        process_.setProcessEnvironment(environment);
         process_.start(program, arguments);
         if (!process_.waitForStarted())
             throw InputError(Words::id("the program could not be started again"),
@@ -65,7 +69,9 @@ class Running {
         return process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
     }
     std::string errors() {
-        return QString::fromUtf8(process_.readAllStandardError()).trimmed().toStdString();
+        QString said = QString::fromUtf8(process_.readAllStandardError()).trimmed();
+        if (const QString self = "hepatica: "; said.startsWith(self)) said.remove(0, self.size());
+        return said.toStdString();
     }
 
   private:
@@ -101,8 +107,7 @@ void order_report(const QString& program, const ReportOrder& order, const fs::pa
         Running report(program, arguments_of(order, unfinished));
         report.wait(job);
         if (!report.succeeded())
-            throw InputError(report.errors(), to_text(folder).toStdString(),
-                             Words::id("Choose another folder"));
+            throw InputError(report.errors(), to_text(folder).toStdString(), "");
     });
 }
 

@@ -9,11 +9,13 @@
 #include <clocale>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include "app/report/lesson_report.h"
 #include "app/users_cache.h"
 #include "core/base/error.h"
+#include "ui/core_words.h"
 #include "ui/language.h"
 #include "ui/paths.h"
 #include "ui/theme.h"
@@ -47,9 +49,17 @@ void print_progress(const Job& job) {
     std::fflush(stdout);
 }
 
-int refuse(const char* problem, int code) {
-    std::fprintf(stderr, "hepatica: %s\n", problem);
+int refuse(const std::string& problem, int code) {
+    std::fprintf(stderr, "hepatica: %s\n", problem.c_str());
     return code;
+}
+
+// In the language of the report, which is that of the window that asked for it.
+std::string words_of(const Error& error) {
+    QStringList lines{translated(error.problem())};
+    if (!error.place().empty()) lines << translated(error.place());
+    if (!error.remedy().empty()) lines << translated(error.remedy());
+    return lines.join("\n").toStdString();
 }
 
 }  // namespace
@@ -110,9 +120,9 @@ int report_main(int argc, char** argv) {
                            job),
               parser.isSet("json"));
     } catch (const InputError& error) {
-        return refuse(error.what(), 1);
+        return refuse(words_of(error), 1);
     } catch (const UsageError& error) {
-        return refuse(error.what(), 2);
+        return refuse(words_of(error), 2);
     }
     return 0;
 }

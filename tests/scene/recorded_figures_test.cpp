@@ -276,7 +276,7 @@ TEST(SceneFigures, OfWhatIsSaidAboutWrongScenes) {
                              R"({"deform": {"setting": {"substeps": 65}}})",
                              R"({"deform": {"wall_mm": 0.001}})",
                              R"({"deform": {"walls_mm": 1}})",
-                             R"({"deform": {}, "contact": {"obstacles": true}})",
+                             R"({"deform": {}, "contact": {"walls": true}})",
                              R"({"deform": {}, "contact": {"tool": true}})",
                              R"({"deform": {}, "tear": {"tear_factor": 0.9e-6}})",
                              R"({"deform": {}, "tear": {"tear_factor": 1.1e9}})",

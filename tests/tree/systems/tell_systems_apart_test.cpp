@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/brush.h"
 #include "core/phantom/phantom.h"
 #include "core/tree/extraction/centreline.h"
 #include "core/tree/systems/labelled_graph.h"
@@ -220,6 +221,29 @@ TEST(TellSystemsApart, SeedsOverrideAnatomy) {
         const VesselTree tree = directed(graph);
         EXPECT_EQ(tree.segments[nearest_point(tree, seed.position_mm).segment].system, seed.system);
     }
+}
+
+// An end branch of the portal vein was called hepatic before; of the others nothing is known.
+TEST(TellSystemsApart, AVesselStaysWhatItWasBefore) {
+    const Phantom phantom = patient(3, 2);
+    const auto leaf = std::ranges::find_if(phantom.tree.segments, [&](const VesselSegment& s) {
+        const auto i = &s - phantom.tree.segments.data();
+        return s.system == VascularSystem::portal && length_mm(s) > 12.0 &&
+               std::ranges::none_of(phantom.tree.segments,
+                                    [&](const VesselSegment& other) { return other.parent == i; });
+    });
+    ASSERT_NE(leaf, phantom.tree.segments.end());
+    Mask before(phantom.liver.grid);
+    apply(BrushStroke{leaf->points_mm, 5.0, false}, 2, before);
+    const auto system_of_leaf = [&](const Mask* known) {
+        VesselGraph graph = unnamed(to_graph(phantom.tree));
+        tell_systems_apart(graph, nullptr, {{}, box_of_liver(phantom), known});
+        const VesselTree tree = directed(graph);
+        const TreePoint end = nearest_point(tree, leaf->points_mm.back());
+        return tree.segments[static_cast<std::size_t>(end.segment)].system;
+    };
+    EXPECT_EQ(system_of_leaf(nullptr), VascularSystem::portal);
+    EXPECT_EQ(system_of_leaf(&before), VascularSystem::hepatic);
 }
 
 TEST(TellSystemsApart, SameBytesEveryTime) {
