@@ -16,19 +16,8 @@
 #include <numbers>
 #include <utility>
 
-#include "render/annotations.h"
-#include "render/bleeding_actor.h"
-#include "render/crosshair_actor.h"
-#include "render/depth_stem.h"
-#include "render/figure_label.h"
-#include "render/ghost_actor.h"
-#include "render/grab_actor.h"
-#include "render/orientation_marker.h"
 #include "render/palette.h"
-#include "render/tool_actor.h"
-#include "render/tree_actor.h"
-#include "render/volume_actor.h"
-#include "render/weak_line_actor.h"
+#include "render/scene_view_parts.h"
 
 namespace hepatica {
 namespace {
@@ -59,79 +48,6 @@ double distance_to_stretch(const Pixel& point, const Pixel& from, const Pixel& t
 }
 
 }  // namespace
-
-struct SceneView::Parts {
-    explicit Parts(vtkRenderWindow& render_window)
-        : window(render_window), annotations(*renderer), orientation(render_window) {}
-
-    PictureSize picture_size() const {
-        const int* size = window.GetSize();
-        // In small pictures the annotations shrink, so that they do not cover the patient.
-        const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
-        // The legend's letters shrink in thumbnails alone, and to 9 points of print at most.
-        const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.75, 1.0);
-        return {size[0],
-                size[1],
-                pixel_ratio * room,
-                pixel_ratio * legend_room,
-                pixel_ratio,
-                pixel_ratio * covered[0],
-                pixel_ratio * covered[1]};
-    }
-    void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
-    // The driver is asked once, when a volume is shown first.
-    void prepare_volume() {
-        if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));
-        volume.prepare(by_card.value_or(false));
-    }
-    Projection projection() {
-        const int* size = window.GetSize();
-        return {*renderer->GetActiveCamera(), size[0], size[1]};
-    }
-    double aspect() const {
-        const PictureSize size = picture_size();
-        return static_cast<double>(std::max(size.width, 1)) / std::max(size.height, 1);
-    }
-
-    vtkRenderWindow& window;
-    vtkNew<vtkRenderer> renderer;
-    vtkSmartPointer<vtkLight> light_from_below;
-    TreeActor tree;
-    GhostActor liver{liver_ghost};
-    GhostActor tumours{tumour_ghost};
-    VolumeActor volume{*renderer};
-    GrabActor grab;
-    GrabActor stroke;
-    WeakLineActor weak_lines;
-    CrosshairActor crosshair;
-    ToolActor tool{*renderer};
-    DepthStem stem{*renderer};
-    FigureLabel pull_force{*renderer, palette::grab_line};
-    BleedingActor bleeding{*renderer};
-    PictureWords words;
-    BridgeActor bridges{*renderer};
-    MarkActors marks{*renderer};
-    MeasureMarks measures{*renderer};
-    Annotations annotations;
-    OrientationMarker orientation;
-    vtkNew<vtkPlane> clip_plane;
-    std::optional<ClipPlane> clip;
-    std::vector<VascularSystem> systems;
-    std::vector<std::uint8_t> segments;
-    DrugView drug;  // of the newest frame
-    LegendContent legend;
-    ViewLook look = dark_look;
-    double pixel_ratio = 1.0;
-    std::array<int, 2> covered{};   // points at the top and at the foot
-    std::optional<bool> by_card;    // a graphics card draws; none: not asked yet
-    double least_drug_end_s = 0.0;  // of the colours' scale
-    bool annotated = true;
-    bool warned = false;
-    bool at_rest = true;        // nothing is saved on pictures
-    bool looked = false;        // a camera was chosen for the present tree
-    bool turned = false;        // since the last picture, to a view that was chosen
-    double shown_aspect = 0.0;  // of the picture for which the camera was chosen or kept; 0: none
-};
 
 SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
     vtkRenderer& renderer = *parts_->renderer;

@@ -1479,7 +1479,7 @@
     </message>
     <message>
         <source>Red&amp;o</source>
-        <translation>&amp;Wiederholen</translation>
+        <translation>Wiederh&amp;olen</translation>
     </message>
     <message>
         <source>&amp;Try it</source>
@@ -4546,7 +4546,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Add it: see docs/lessons.md</source>
-        <translation>Fügen Sie es hinzu: siehe docs/lessons.md</translation>
+        <translation>Ergänzen Sie es im Lektionseditor (Lektion &gt; Lektionen bearbeiten), oder fragen Sie, wer die Datei gemacht hat</translation>
     </message>
     <message>
         <source>Choose from %1</source>
@@ -4610,7 +4610,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>See docs/lessons.md, and assets/lessons for lessons that work</source>
-        <translation>Siehe docs/lessons.md, und assets/lessons für fertige Lektionen</translation>
+        <translation>Bessern Sie sie im Lektionseditor aus (Lektion &gt; Lektionen bearbeiten), oder fragen Sie, wer die Datei gemacht hat</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no mark of this lesson</source>
@@ -5862,11 +5862,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>a small synthetic patient, corotated in 8 substeps a frame, solved exactly, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
-        <translation>einen kleinen synthetischen Patienten, corotated in 8 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
+        <translation>einen kleinen synthetischen Patienten, korotiert in 8 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
     </message>
     <message>
         <source>the same body, corotated on %1 tetrahedra, all of it in %2 substeps a frame, solved exactly, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
-        <translation>denselben Körper, corotated auf %1 Tetraedern, ganz in %2 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
+        <translation>denselben Körper, korotiert auf %1 Tetraedern, ganz in %2 Teilschritten je Bild, genau gelöst, in einer halben Sekunde um 30 mm gezogen und zurück (ohne den Fehler des Netzes selbst)</translation>
     </message>
     <message>
         <source>the same body, %1 on %2 tetrahedra, %3 substeps a frame, pulled by 30 mm in half a second and back (the mesh&apos;s own error is not in it)</source>
@@ -7948,7 +7948,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Red&amp;o: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
+        <translation>Wiederh&amp;olen: %1</translation>
     </message>
     <message>
         <source>Vessels rebuilt</source>

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "render/bleeding_actor.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -52,6 +53,9 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
         if (arrival_s <= drug.time_s)
             return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
     }
+    const auto shown = static_cast<std::size_t>(vertex);
+    const bool open = frame.tear && frame.tear->rims && shown < frame.tear->rims->size();
+    if (open && (*frame.tear->rims)[shown] != 0) return palette::torn;
     const auto origin = static_cast<std::size_t>(frame.origin_of(vertex));
     const Colour own = palette::vessel_system(
         origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
@@ -81,6 +85,19 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
         painter.setBrush(colour);
         const QPointF corners[] = {view(a), view(b), view(c)};
         painter.drawPolygon(corners, 3);
+    }
+}
+
+// As in the window: not to scale, and what lies in it stays to be seen.
+void paint_blood(QPainter& painter, const TearView& tear, const FrontView& view) {
+    constexpr float opacity = 0.55F;
+    QColor colour = to_qt(palette::bleeding);
+    colour.setAlphaF(opacity);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    for (const LeakView& leak : tear.leaks) {
+        const double radius_px = view.px(radius_of_pool_mm(leak.share * tear.leaked_g));
+        painter.drawEllipse(view(leak.at_mm), radius_px, radius_px);
     }
 }
 
@@ -120,6 +137,7 @@ QImage paint(const Frame& frame, const FramePainting& how) {
     painter.setRenderHint(QPainter::Antialiasing);
     const FrontView view(how);
     if (frame.surface) paint_surface(painter, frame, how, view);
+    if (frame.tear) paint_blood(painter, *frame.tear, view);
     painter.setBrush(Qt::NoBrush);
     paint_hand(painter, frame, view);
     painter.setBrush(Qt::NoBrush);

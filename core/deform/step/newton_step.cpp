@@ -26,8 +26,7 @@ constexpr double shortest_onto_pad = 1e-7;
 // In mean edges: where not even such a move lowers the potential the body rests, by rounding errors
 // or at a kink of the potential; shorter steps would find it there, too.
 constexpr double at_rest = 1e-4;
-// Of the largest coordinate, eight units in its last place: less is rounding of forces.
-constexpr double no_move = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double no_move = 8.0 * std::numeric_limits<double>::epsilon();  // of the coordinates
 // In mean edges: the tension of a body that goes no further in a step does not cease within it.
 constexpr double calm_move = 0.1;
 constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing

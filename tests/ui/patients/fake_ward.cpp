@@ -146,6 +146,7 @@ PatientKeeper::Ways FakeWard::ways() {
         if (!two || request.reconstruct.series != 0) return {};
         return {2, SeriesDescription{}};
     };
+    ways.look = [](const OpenRequest&, Job&) {};  // what cannot be opened shows when it is read
     // As write_case(): without a job, so that nothing cancels it half-way.
     ways.save = [this](const std::filesystem::path& folder, const PatientCase& patient) {
         Job unheard;
