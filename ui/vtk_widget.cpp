@@ -92,6 +92,7 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
         update();
     });
     soon_timer_.setSingleShot(true);
+    soon_timer_.setInterval(50);
     connect(&soon_timer_, &QTimer::timeout, this, [this] { draw_again(); });
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] { picture_swapped(); });
     setMouseTracking(true);
@@ -197,11 +198,10 @@ void VtkWidget::draw_again() {
 }
 
 void VtkWidget::draw_soon() {
-    constexpr int at_rest_ms = 100, latest_ms = 400;
-    if (!software()) return draw_again();
-    if (!soon_timer_.isActive()) led_.start();
-    soon_timer_.start(std::clamp(latest_ms - static_cast<int>(led_.elapsed()), 0, at_rest_ms));
-    if (rest_timer_.isActive()) rest_timer_.start();
+    if (!software())
+        draw_again();
+    else if (!soon_timer_.isActive())
+        soon_timer_.start();
 }
 
 QImage VtkWidget::picture() {

@@ -53,8 +53,8 @@ class VtkWidget : public QOpenGLWidget {
     // After every other change of the scene or the camera. Without a graphics card the picture is
     // drawn plainly while it moves and smoothed as soon as it rests.
     void draw_again();
-    // After what is led in the slices: without a graphics card once that rests, and two or three
-    // times a second while it moves, so that the slices, which the person looks at, come first.
+    // After what is led in the slices: without a graphics card not more than 20 times a second, so
+    // that the slices, which the person looks at, come first.
     void draw_soon();
 
     // Draws anew and reads what is shown, at the screen's own resolution.
@@ -94,7 +94,6 @@ class VtkWidget : public QOpenGLWidget {
     std::string renderer_name_;
     QTimer rest_timer_;
     QTimer soon_timer_;  // a picture is due when it ends
-    QElapsedTimer led_;  // since the first thing that no picture shows yet
     QElapsedTimer since_painting_;
     PictureTime last_;           // of the last picture that was swapped
     double submitted_ms_ = 0.0;  // of the picture that is painted
