@@ -169,6 +169,16 @@ class WindowBench {
         view.draw_again();
     }
 
+    // A probe beside the vessels: its ghost behind them and how far it is from them cost something.
+    bool turn_with_a_probe() {
+        turn_and_rest("without a tool");
+        window_.actions()[ActionId::sphere_tool].trigger();
+        if (!run_until([this] { return window_.frame().tool.has_value(); })) return false;
+        turn_and_rest("with a probe");
+        window_.actions()[ActionId::put_tool_away].trigger();
+        return run_until([this] { return !window_.frame().tool.has_value(); });
+    }
+
     // The wheel turns one notch after another over the axial slice, and each notch is painted
     // before the next, through all slices and back. False where the CT is not his.
     bool scroll(const std::filesystem::path& ct) {
@@ -403,6 +413,7 @@ int main(int argc, char** argv) {
         bench.idle("after it has run out");
     }
     bench.turn();
+    if (!only_pull && !bench.turn_with_a_probe()) return 1;
     bench.pull();
     return 0;
 }

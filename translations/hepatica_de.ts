@@ -4546,7 +4546,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Add it: see docs/lessons.md</source>
-        <translation>Ergänzen Sie es im Lektionseditor (Lektion &gt; Lektionen bearbeiten), oder fragen Sie, wer die Datei gemacht hat</translation>
+        <translation>Bitten Sie den, der die Datei gemacht hat, es zu ergänzen, oder machen Sie eine neue (Lektion &gt; Lektionen bearbeiten)</translation>
     </message>
     <message>
         <source>Choose from %1</source>
@@ -4610,7 +4610,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>See docs/lessons.md, and assets/lessons for lessons that work</source>
-        <translation>Bessern Sie sie im Lektionseditor aus (Lektion &gt; Lektionen bearbeiten), oder fragen Sie, wer die Datei gemacht hat</translation>
+        <translation>Bitten Sie den, der die Datei gemacht hat, um eine heile, oder machen Sie eine neue (Lektion &gt; Lektionen bearbeiten)</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no mark of this lesson</source>

@@ -59,7 +59,7 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
     TreeOptions tree_options;
     tree_options.seeds = options.seeds;
     tree_options.find_systems = options.find_systems;
-    tree_options.systems_were_known = options.systems_were_known;
+    tree_options.systems_before = options.systems_before;
     tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);
     tree_options.portal_trunk_mm = options.portal_trunk_mm;
     tree_options.bridging.confidence = options.bridge_confidence;

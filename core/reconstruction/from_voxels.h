@@ -19,7 +19,7 @@ struct FromVoxelsOptions {
     std::vector<VesselSeed> seeds;
     // Systems are told apart by anatomy and seeds; otherwise voxels say already what they are.
     bool find_systems = true;
-    bool systems_were_known = false;  // see TreeOptions
+    const Mask* systems_before = nullptr;  // see TreeOptions
     double bridge_confidence = BridgeOptions{}.confidence;
     ThinningMethod thinning = ThinningMethod::queue;
     std::optional<Vec3> portal_trunk_mm;  // where it comes in, if that is known

@@ -74,7 +74,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     RemadeCase result;
     FromVoxelsOptions options = from_voxels_options(patient.source.parameters_json);
     options.portal_trunk_mm = portal_trunk_of(patient);
-    options.systems_were_known = true;
+    options.systems_before = &patient.mask;
     if (patient.doubts) options.of_image = *patient.doubts;
     drop_lost_seeds(vessels, options.seeds, result.warnings);
     job.begin_stage("Filling the vessels");

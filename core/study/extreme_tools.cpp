@@ -10,14 +10,6 @@
 namespace hepatica {
 namespace {
 
-BeamSpec short_beam(const Discretisation& d) {
-    BeamSpec spec;
-    spec.length_mm = 100.0;
-    spec.section_mm = 20.0;
-    spec.cells = d.order == ElementOrder::quadratic ? Index3{8, 1, 1} : Index3{10, 2, 2};
-    return spec;
-}
-
 // The tip is held by a strong spring whose target jumps by a metre, there and back, then let go.
 ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un, int newton,
                     const ExtremeRun& how) {

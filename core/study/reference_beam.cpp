@@ -30,6 +30,14 @@ Discretisation discretisation_of(const std::string& name) {
     return {model, order, false};
 }
 
+BeamSpec short_beam(const Discretisation& d) {
+    BeamSpec spec;
+    spec.length_mm = 100.0;
+    spec.section_mm = 20.0;
+    spec.cells = d.order == ElementOrder::quadratic ? Index3{8, 1, 1} : Index3{10, 2, 2};
+    return spec;
+}
+
 BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discretisation) {
     BodyDescription body;
     const Vec3 size(spec.length_mm, spec.section_mm, spec.section_mm);

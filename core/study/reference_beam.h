@@ -29,6 +29,9 @@ struct BeamSpec {
     double gravity_mm_s2 = 9810.0;  // along -z
 };
 
+// One of 100 mm by 20 mm, coarse: for what is tried at many steps and elements.
+BeamSpec short_beam(const Discretisation& discretisation);
+
 // The beam as a body. Kuhn bricks, or one hexahedron a cell.
 BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discretisation);
 

@@ -91,12 +91,11 @@ void require_plausible_length(const VesselGraph& graph) {
                          "the vessels");
 }
 
-void grow_found_systems(VesselGraph graph, const Mask& vessels, const Volume* ct,
-                        const TreeOptions& options, const Job& job, TreeExtraction& result) {
+void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& options,
+                        const Job& job, TreeExtraction& result) {
     require_plausible_length(graph);
     result.systems = tell_systems_apart(
-        graph, ct,
-        {options.seeds, options.liver_mm, options.systems_were_known ? &vessels : nullptr}, job);
+        graph, ct, {options.seeds, options.liver_mm, options.systems_before}, job);
     const AnatomicalAnchors& anchors = result.systems->anchors;
     if (options.portal_trunk_mm) lead_trunk_to(*options.portal_trunk_mm, graph);
     result.tree = directed(graph, all_wishes(options, graph, anchors));
@@ -129,7 +128,7 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     add(result.too_short,
         remove_short_components(graph, options.minimum_component_mm, options.seeds));
     if (options.find_systems)
-        grow_found_systems(std::move(graph), vessels, ct, options, job, result);
+        grow_found_systems(std::move(graph), ct, options, job, result);
     else
         result.tree = directed(graph, wishes_of(options, graph));
     BridgedPoints bridged;

@@ -23,9 +23,7 @@ struct TreeOptions {
     // each system where anatomy has it. Otherwise systems come from the mask
     // (system_assignment.h).
     bool find_systems = false;
-    // The vessels were told apart before some of them changed, and the mask says how: for
-    // find_systems (SystemSearch::before).
-    bool systems_were_known = false;
+    const Mask* systems_before = nullptr;  // for find_systems: see SystemSearch::before
     Eigen::AlignedBox3d liver_mm;  // for find_systems; empty: not known
     // Where the portal trunk comes in, if known: for find_systems.
     std::optional<Vec3> portal_trunk_mm;

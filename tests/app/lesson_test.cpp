@@ -167,6 +167,10 @@ TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
         report({"--report", path("play.hrec"), "--out", path("no report"), "--language", "fr"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_NE(other.errors.find("--language is en or de"), std::string::npos);
+    const Outcome missing =
+        report({"--report", path("none.hrec"), "--out", path("no report"), "--language", "de"});
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_NE(missing.errors.find("existiert nicht"), std::string::npos) << missing.errors;
 }
 
 // A recording that lies elsewhere than the case which its lesson names.

@@ -89,6 +89,26 @@ TEST_F(RemadeCaseTest, OfItsOwnVoxelsIsTheSameToTheBit) {
     EXPECT_EQ(made.patient.source.image_sha256, patient_->source.image_sha256);
 }
 
+// The patient's own voxels say what his vessels were; numbers in those that are given do not.
+TEST_F(RemadeCaseTest, AVesselStaysWhatThePatientHadIt) {
+    Mask exchanged = patient_->mask;
+    for (std::uint8_t& voxel : exchanged.voxels)
+        if (voxel == 1 || voxel == 2) voxel = static_cast<std::uint8_t>(3 - voxel);
+    EXPECT_TRUE(same_points(remade_of(exchanged).patient.tree, patient_->tree));
+
+    PatientCase called_other = *patient_;
+    for (std::uint8_t& voxel : called_other.mask.voxels)
+        if (voxel == 1) voxel = 2;
+    const auto portal_mm = [](const VesselTree& tree) {
+        double sum_mm = 0.0;
+        for (const VesselSegment& segment : tree.segments)
+            if (segment.system == VascularSystem::portal) sum_mm += length_mm(segment);
+        return sum_mm;
+    };
+    EXPECT_LT(portal_mm(remade_of(patient_->mask, called_other).patient.tree),
+              0.5 * portal_mm(patient_->tree));
+}
+
 // A twig is rubbed out, and comes back when it is painted.
 TEST_F(RemadeCaseTest, WhatIsErasedGoesAndWhatIsPaintedComes) {
     const Station at = twig();

@@ -45,6 +45,16 @@ struct Played {
     const Vec3 place = middle_of(tree, 1);
 };
 
+// What both show now: bodies of one shape.
+std::pair<Frame, Frame> frames_of_one_shape(const Played& one, const Played& other) {
+    std::pair<Frame, Frame> frames;
+    one.world.fill(frames.first);
+    other.world.fill(frames.second);
+    EXPECT_EQ(frames.first.positions_mm, frames.second.positions_mm);
+    EXPECT_EQ(*frames.first.surface, *frames.second.surface);
+    return frames;
+}
+
 TEST(WorldState, ItsHashIsOfAllThatCanBeDone) {
     Played p;
     std::set<std::uint64_t> seen{p.world.state_hash()};
@@ -109,11 +119,7 @@ TEST(WorldState, GoesOnFromTheTextOfItsCheckpoint) {
         one.world.step();
         other.world.step();
     }
-    Frame a, b;
-    one.world.fill(a);
-    other.world.fill(b);
-    EXPECT_EQ(a.positions_mm, b.positions_mm);
-    EXPECT_EQ(*a.surface, *b.surface);
+    const auto [a, b] = frames_of_one_shape(one, other);
     EXPECT_EQ(*a.tear->origins, *b.tear->origins);
     EXPECT_EQ(*a.tear->rims, *b.tear->rims);
     EXPECT_EQ(a.tear->leaked_g, b.tear->leaked_g);
@@ -130,11 +136,7 @@ TEST(WorldState, AResetTakesEverythingBackButTheClock) {
     for (int k = 0; k < 3; ++k) p.world.step();
     EXPECT_GT(p.world.vertex_count(), fresh.world.vertex_count());
     p.world.reset();
-    Frame after, before;
-    p.world.fill(after);
-    fresh.world.fill(before);
-    EXPECT_EQ(after.positions_mm, before.positions_mm);
-    EXPECT_EQ(*after.surface, *before.surface);
+    const auto [after, before] = frames_of_one_shape(p, fresh);
     EXPECT_FALSE(after.grab);
     EXPECT_FALSE(after.tool);
     EXPECT_EQ(after.drug.arrival_s, nullptr);
