@@ -331,39 +331,6 @@ TEST_F(LessonWindowTest, a_lesson_begins_with_all_vessels_in_view) {
     }
 }
 
-// A body that is torn before the first picture has more vertices than the patient's mesh.
-TEST_F(LessonWindowTest, vessels_that_begin_torn_keep_their_colours) {
-    const auto share_of_grey = [this] {
-        paint();
-        const QImage picture = window_.view().picture();
-        int grey = 0, vessel = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x) {
-                const QColor colour = picture.pixelColor(x, y);
-                if (colour.value() < 90) continue;  // background and shade
-                ++vessel;
-                grey += colour.saturation() < 80 ? 1 : 0;
-            }
-        return static_cast<double>(grey) / std::max(vessel, 1);
-    };
-    open_built_in();
-    const double before = share_of_grey();
-    const VesselTree& tree = test::small_patient()->tree;
-    const Vec3 at = test::middle_of(tree, 1);
-    const std::string file = folder_.filePath("torn.json").toStdString();
-    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Torn",
-        "scene": {"name": "torn", "deform": {}, "tear": {}}, "tools": ["pull"],
-        "setup": [{"do": "blade", "from_mm": [)"
-                        << at.x() - 15 << "," << at.y() << "," << at.z() << R"(], "to_mm": [)"
-                        << at.x() + 15 << "," << at.y() << "," << at.z() << R"(]}],
-        "steps": [{"text": "Wait", "goal": [{"what": "time_s", "at_least": 1000}]}]})";
-    window_.lessons().start(file);
-    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
-    const std::size_t vertices = test::small_patient()->mesh.vertices_mm.size();
-    ASSERT_TRUE(wait_for([&] { return window_.frame().positions_mm.size() > 3 * vertices; }));
-    EXPECT_LT(share_of_grey(), before + 0.05);
-}
-
 TEST_F(LessonWindowTest, the_first_card_leads_to_the_lessons) {
     window_.findChild<QPushButton*>("welcomeLessons")->click();
     EXPECT_TRUE(window_.lessons().course().isVisible());
