@@ -24,7 +24,7 @@ struct TreeOptions {
     // (system_assignment.h).
     bool find_systems = false;
     const Mask* systems_before = nullptr;  // for find_systems: see SystemSearch::before
-    Eigen::AlignedBox3d liver_mm;  // for find_systems; empty: not known
+    Eigen::AlignedBox3d liver_mm;          // for find_systems; empty: not known
     // Where the portal trunk comes in, if known: for find_systems.
     std::optional<Vec3> portal_trunk_mm;
     // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
