@@ -173,6 +173,10 @@ class WindowBench {
     bool turn_with_a_probe() {
         turn_and_rest("without a tool");
         window_.actions()[ActionId::sphere_tool].trigger();
+        const QPointF beside(0.1 * window_.view().width(), 0.5 * window_.view().height());
+        QMouseEvent over(QEvent::MouseMove, beside, window_.view().mapToGlobal(beside),
+                         Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window_.view(), &over);
         if (!run_until([this] { return window_.frame().tool.has_value(); })) return false;
         turn_and_rest("with a probe");
         window_.actions()[ActionId::put_tool_away].trigger();
