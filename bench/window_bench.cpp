@@ -89,29 +89,15 @@ double quantile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-// Each picture of the view, from the moment it is asked to paint until it is on the screen.
-class Pictures : public QObject {
-  public:
+// Each picture of the view, from the moment it is drawn until it is on the screen.
+struct Pictures {
     explicit Pictures(VtkWidget& view) {
-        view.installEventFilter(this);
-        connect(&view, &QOpenGLWidget::frameSwapped, this, [this] {
-            if (painting_) times_ms.push_back(1e-6 * static_cast<double>(clock_.nsecsElapsed()));
-            painting_ = false;
-        });
+        view.on_picture([this](const PictureTime& time) { times_ms.push_back(time.on_screen_ms); });
     }
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::Paint) {
-            painting_ = true;
-            clock_.start();
-        }
-        return QObject::eventFilter(watched, event);
-    }
+    Pictures(const Pictures&) = delete;
+    Pictures& operator=(const Pictures&) = delete;
 
     std::vector<double> times_ms;
-
-  private:
-    QElapsedTimer clock_;
-    bool painting_ = false;
 };
 
 class WindowBench {

@@ -2,10 +2,10 @@
 #include "ui/opengl_probe.h"
 
 #include <QLibrary>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 
+#include "ui/hidden_context.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -72,22 +72,20 @@ QString opengl_problem() {
     const QString remedy = Words::tr(
         "Install libgl1-mesa-dri (software rendering) or your graphics card's driver, and start "
         "the program on an X11 display with GLX. hepatica-cli makes pictures without any display.");
-    QOpenGLContext context;
-    if (!context.create()) return Words::tr("No OpenGL context can be made. %1").arg(remedy);
-    if (context.nativeInterface<QNativeInterface::QGLXContext>() == nullptr) {
+    HiddenContext hidden;
+    if (!hidden.context().isValid())
+        return Words::tr("No OpenGL context can be made. %1").arg(remedy);
+    if (hidden.context().nativeInterface<QNativeInterface::QGLXContext>() == nullptr) {
         return Words::tr(
             "OpenGL does not come through GLX here, which the three-dimensional view needs. "
             "Unset QT_QPA_PLATFORM and QT_XCB_GL_INTEGRATION, and start the program on an X11 "
             "display with GLX (under Wayland: install xwayland).");
     }
-    QOffscreenSurface surface;
-    surface.setFormat(context.format());
-    surface.create();
-    if (!surface.isValid() || !context.makeCurrent(&surface)) {
+    if (!hidden.make_current()) {
         return Words::tr("OpenGL cannot draw on this display. %1").arg(remedy);
     }
-    const auto version = context.format().version();
-    context.doneCurrent();
+    const auto version = hidden.context().format().version();
+    hidden.context().doneCurrent();
     if (version < qMakePair(major_version, minor_version)) {
         return Words::tr("OpenGL %1.%2 is too old; %3.%4 is needed. %5")
             .arg(version.first)

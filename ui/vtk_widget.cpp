@@ -7,7 +7,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
+#include <QOpenGLFunctions>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ MouseButton button_of(const QMouseEvent& event) {
 }  // namespace
 
 VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
-    : QOpenGLWidget(parent),
+    : QWidget(parent),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       hover_(callbacks.hover) {
     window_->SetFrameBlitModeToNoBlit();
@@ -82,6 +82,9 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
             return Pixel{static_cast<double>(size.width()), static_cast<double>(size.height())};
         },
         missed);
+    canvas_ = make_canvas(*this, painter());
+    canvas_->widget().setAttribute(Qt::WA_TransparentForMouseEvents);
+    canvas_->widget().setFocusPolicy(Qt::NoFocus);
     focus_ = new ViewFocus(*this);
     setProperty(paints_own_focus, true);
     setAccessibleName(Words::tr("The vessels in three dimensions"));
@@ -89,41 +92,38 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     rest_timer_.setInterval(200);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
         scene_->set_smoothing(Smoothing::cheap);
-        update();
+        canvas_->redraw();
     });
     soon_timer_.setSingleShot(true);
     soon_timer_.setInterval(50);
     connect(&soon_timer_, &QTimer::timeout, this, [this] { draw_again(); });
-    connect(this, &QOpenGLWidget::frameSwapped, this, [this] { picture_swapped(); });
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
 }
 
+// The canvas goes with the base class, when what its painter draws is gone.
 VtkWidget::~VtkWidget() {
-    // The base class destroys the context after this class's members are gone, so that the slot
-    // connected in initializeGL() must not run any more.
-    if (context()) disconnect(context(), nullptr, this, nullptr);
-    release_graphics();
-    scene_.reset();
+    canvas_->finish();
 }
 
-void VtkWidget::release_graphics() {
-    if (!context()) return;
-    makeCurrent();
-    window_->SetIsCurrent(true);
-    window_->Finalize();
-    doneCurrent();
+CanvasPainter VtkWidget::painter() {
+    return {.begin = [this](QOpenGLContext& context) { begin(context); },
+            .draw = [this](const QSize& pixels) { return draw(pixels); },
+            .shown = [this] { picture_shown(); },
+            .end =
+                [this] {
+                    window_->SetIsCurrent(true);
+                    window_->Finalize();
+                }};
 }
 
-void VtkWidget::initializeGL() {
-    // Qt makes a new context when the widget moves to another window.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release_graphics(); });
+void VtkWidget::begin(QOpenGLContext& context) {
     window_->SetReadyForRendering(true);
     window_->SetIsCurrent(true);
     window_->SetOwnContext(0);
     window_->InitializeFromCurrentContext();
-    const auto* name = context()->functions()->glGetString(GL_RENDERER);
+    const auto* name = context.functions()->glGetString(GL_RENDERER);
     renderer_name_ = name ? reinterpret_cast<const char*>(name) : "";
     scene_->set_smoothing(software() ? Smoothing::cheap : Smoothing::best);
 }
@@ -132,48 +132,36 @@ bool VtkWidget::software() const {
     return is_software_renderer(renderer_name_);
 }
 
-void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
+void VtkWidget::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
     // At once, so that a click before the next picture is mapped with the new size.
     const QSize size = pixel_size(this->size(), devicePixelRatioF());
     window_->SetSize(size.width(), size.height());
+    canvas_->widget().setGeometry(rect());
     focus_->setGeometry(rect());
     if (focus_->aim()) show_aim();
 }
 
-void VtkWidget::paintGL() {
+unsigned VtkWidget::draw(const QSize& pixels) {
     since_painting_.start();
-    const QSize size = pixel_size(this->size(), devicePixelRatioF());
     mouse_->set_click_radius(4.0 * devicePixelRatioF());
     keys_->set_step(6.0 * devicePixelRatioF());
     window_->SetIsCurrent(true);
     window_->GetState()->Reset();
     window_->GetState()->Push();
     window_->SetFrameBlitModeToNoBlit();
-    window_->SetSize(size.width(), size.height());
+    window_->SetSize(pixels.width(), pixels.height());
     scene_->render(devicePixelRatioF());
-
-    QOpenGLExtraFunctions& gl = *context()->extraFunctions();
-    window_->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER,
-                                              window_->GetDisplayFramebuffer()->GetFBOIndex());
-    window_->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    const GLenum attachment = GL_COLOR_ATTACHMENT0;
-    gl.glDrawBuffers(1, &attachment);
-    gl.glReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl.glDisable(GL_SCISSOR_TEST);
-    gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
     window_->GetState()->Pop();
     submitted_ms_ = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
-    awaits_swap_ = true;
+    return window_->GetDisplayFramebuffer()->GetFBOIndex();
 }
 
-// Qt swaps the whole window, also where only something beside this widget was painted.
-void VtkWidget::picture_swapped() {
-    if (!std::exchange(awaits_swap_, false)) return;
+void VtkWidget::picture_shown() {
     last_.on_screen_ms = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
-    // With a card the swap waits for the screen, not for the processor.
+    // With a card the picture waits for the screen, not for the processor.
     last_.processor_ms = software() ? last_.on_screen_ms : submitted_ms_;
-    if (on_picture_) on_picture_(last_);
+    for (const auto& listener : on_picture_) listener(last_);
 }
 
 int VtkWidget::wait_before_picture_ms() const {
@@ -194,7 +182,7 @@ void VtkWidget::draw_again() {
         scene_->set_smoothing(Smoothing::none);
         rest_timer_.start();
     }
-    update();
+    canvas_->redraw();
 }
 
 void VtkWidget::draw_soon() {
@@ -206,8 +194,7 @@ void VtkWidget::draw_soon() {
 
 QImage VtkWidget::picture() {
     scene_->set_smoothing(Smoothing::best);
-    const QImage picture = grabFramebuffer();
-    awaits_swap_ = false;  // it is not for the screen
+    const QImage picture = canvas_->drawn();
     if (software()) scene_->set_smoothing(Smoothing::cheap);
     return picture;
 }
@@ -256,7 +243,7 @@ void VtkWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void VtkWidget::leaveEvent(QEvent* event) {
-    QOpenGLWidget::leaveEvent(event);
+    QWidget::leaveEvent(event);
     if (hover_) hover_(SurfacePick{});
 }
 
@@ -265,7 +252,7 @@ bool VtkWidget::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && keys_->leads() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
         event->accept();
-    return QOpenGLWidget::event(event);
+    return QWidget::event(event);
 }
 
 void VtkWidget::keyPressEvent(QKeyEvent* event) {
@@ -275,7 +262,7 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
     // Ctrl + Enter is the only one of them that takes Ctrl.
     if (!key || modifiers.alt || (modifiers.control && !enter) ||
         (enter && event->isAutoRepeat()) || !keys_->press(*key, modifiers))
-        return QOpenGLWidget::keyPressEvent(event);
+        return QWidget::keyPressEvent(event);
     const bool turned = !keys_->leads() && !enter && !modifiers.shift;
     if (turned && mouse_->mode() != MouseMode::tool) mouse_->move(keys_->aim());  // what is there
     show_aim();
@@ -283,7 +270,7 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
 }
 
 void VtkWidget::focusInEvent(QFocusEvent* event) {
-    QOpenGLWidget::focusInEvent(event);
+    QWidget::focusInEvent(event);
     focus_->setGeometry(rect());
     focus_->show();
     focus_->raise();
@@ -293,7 +280,7 @@ void VtkWidget::focusInEvent(QFocusEvent* event) {
 }
 
 void VtkWidget::focusOutEvent(QFocusEvent* event) {
-    QOpenGLWidget::focusOutEvent(event);
+    QWidget::focusOutEvent(event);
     take_from_keys();
     focus_->hide();
     mouse_->cancel();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bridge between Qt 6 and VTK: a QOpenGLWidget whose context a VTK render window draws into.
+// The bridge between Qt 6 and VTK: a widget on whose canvas a VTK render window draws.
 // Mouse and wheel go to a MouseTool, keys to a KeyTool, already in the picture's pixels.
 #pragma once
 
@@ -7,12 +7,15 @@
 #include <vtkSmartPointer.h>
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "render/scene_view.h"
+#include "ui/canvas.h"
 #include "ui/key_tool.h"
 #include "ui/mouse_tool.h"
 #include "ui/view_focus.h"
@@ -21,12 +24,12 @@ namespace hepatica {
 
 // What one picture took [ms] since its painting began.
 struct PictureTime {
-    double on_screen_ms = 0.0;  // until it was swapped onto the screen
+    double on_screen_ms = 0.0;  // until it has reached the screen
     double processor_ms = 0.0;  // the part that a graphics card does not do, and that the
                                 // simulation has to leave: all of it where there is no card
 };
 
-class VtkWidget : public QOpenGLWidget {
+class VtkWidget : public QWidget {
   public:
     explicit VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent = nullptr);
     ~VtkWidget() override;
@@ -36,9 +39,9 @@ class VtkWidget : public QOpenGLWidget {
     KeyTool& keys() { return *keys_; }
     const ViewFocus& focus_mark() const { return *focus_; }
 
-    // Called for each picture when it has been swapped onto the screen.
+    // Each of these is called for each picture when it has reached the screen.
     void on_picture(std::function<void(const PictureTime&)> callback) {
-        on_picture_ = std::move(callback);
+        on_picture_.push_back(std::move(callback));
     }
     // How long the next picture is to wait [ms], 0 for not at all. Without a graphics card the
     // simulation needs the processor as well: pictures then take half of the time, but never come
@@ -57,13 +60,13 @@ class VtkWidget : public QOpenGLWidget {
     // that the slices, which the person looks at, come first.
     void draw_soon();
 
-    // Draws anew and reads what is shown, at the screen's own resolution.
+    // Draws now, as the next picture on the screen, and reads it, at the screen's own resolution.
+    QImage drawn() { return canvas_->drawn(); }
+    // The same as finely as it can be drawn.
     QImage picture();
 
   protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -81,23 +84,25 @@ class VtkWidget : public QOpenGLWidget {
     void take_from_keys();
     void show_aim();
     bool software() const;
-    void picture_swapped();
-    void release_graphics();
+    CanvasPainter painter();
+    void begin(QOpenGLContext& context);
+    unsigned draw(const QSize& pixels);
+    void picture_shown();
 
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     std::unique_ptr<SceneView> scene_;
     std::unique_ptr<MouseTool> mouse_;
     std::unique_ptr<KeyTool> keys_;
+    Canvas* canvas_ = nullptr;
     ViewFocus* focus_ = nullptr;
-    std::function<void(const PictureTime&)> on_picture_;
+    std::vector<std::function<void(const PictureTime&)>> on_picture_;
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
     QTimer rest_timer_;
     QTimer soon_timer_;  // a picture is due when it ends
     QElapsedTimer since_painting_;
-    PictureTime last_;           // of the last picture that was swapped
+    PictureTime last_;           // of the last picture that has reached the screen
     double submitted_ms_ = 0.0;  // of the picture that is painted
-    bool awaits_swap_ = false;
 };
 
 }  // namespace hepatica

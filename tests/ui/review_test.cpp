@@ -261,7 +261,7 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(shows_step(29));
     VtkWidget& beside = window_.second_view().view();
     ASSERT_TRUE(wait_for([&] {
-        beside.grabFramebuffer();
+        beside.drawn();
         return !beside.scene().look_as(window_.view().scene());
     }));
     window_.actions()[ActionId::view_superior].trigger();

@@ -82,13 +82,13 @@ class ChosenTheme : public FakeWindowTest {
 TEST_F(ChosenTheme, ColoursWindowAndViewAndStays) {
     open_built_in();
     EXPECT_TRUE(window_.actions()[ActionId::theme_dark].isChecked());
-    const QColor dark = window_.view().grabFramebuffer().pixelColor(3, 3);
+    const QColor dark = window_.view().drawn().pixelColor(3, 3);
     window_.actions()[ActionId::theme_light].trigger();
     EXPECT_FALSE(window_.actions()[ActionId::theme_dark].isChecked());
     EXPECT_EQ(settings_.theme(), "light");
     EXPECT_EQ(QApplication::palette().color(QPalette::Window), themes()[1].window);
     paint();
-    const QColor light = window_.view().grabFramebuffer().pixelColor(3, 3);
+    const QColor light = window_.view().drawn().pixelColor(3, 3);
     EXPECT_LT(luminance(dark), 0.1);
     EXPECT_GT(luminance(light), 0.5);
 

@@ -124,7 +124,7 @@ TEST_F(TumourBrushOnSlices, ShowsAtOnceWhatItPaintsAndThePlayGoesOn) {
         window_.view().scene().set_annotations_visible(annotated);
         window_.view().draw_again();
         paint();
-        return green_pixels(window_.view().grabFramebuffer());
+        return green_pixels(window_.view().drawn());
     };
     const int before = green_in_view(false);
     EXPECT_EQ(green_pixels(axial().picture()), 0);
@@ -301,7 +301,7 @@ TEST_F(TumoursOfACase, AreThereAgainWhenItIsSavedAndOpened) {
     window_.view().scene().set_annotations_visible(false);
     window_.view().draw_again();
     paint();
-    EXPECT_GT(green_pixels(window_.view().grabFramebuffer()), 50);
+    EXPECT_GT(green_pixels(window_.view().drawn()), 50);
     window_.actions()[ActionId::undo_edit].trigger();
     EXPECT_TRUE(brush().tumours().empty()) << "also what an earlier session painted";
 }

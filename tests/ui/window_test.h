@@ -58,7 +58,7 @@ class WindowTest : public ::testing::Test {
         const std::uint64_t now = window_.frame().step;
         EXPECT_TRUE(wait_for(
             [&] { return window_.frame().step > now + 1 || window_.frame().statistics.resting; }));
-        window_.view().grabFramebuffer();
+        window_.view().drawn();
     }
     // Until the figures at the window's foot and in its panels are those of a frame that was shown
     // after this call.

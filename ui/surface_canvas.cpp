@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/surface_canvas.h"
+
+#include <QOpenGLExtraFunctions>
+#include <utility>
+
+#include "ui/pixel_mapping.h"
+
+namespace hepatica {
+
+SurfaceCanvas::SurfaceCanvas(QWidget& view, CanvasPainter painter)
+    : QOpenGLWidget(&view), painter_(std::move(painter)) {
+    // Qt swaps the whole window, also where only something beside this widget was painted.
+    connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+        if (std::exchange(awaits_swap_, false)) painter_.shown();
+    });
+}
+
+SurfaceCanvas::~SurfaceCanvas() {
+    finish();
+}
+
+// The base class destroys the context after this class's members are gone, so that the slot
+// connected in initializeGL() must not run any more.
+void SurfaceCanvas::finish() {
+    if (!context()) return;
+    if (disconnect(context(), nullptr, this, nullptr)) {
+        makeCurrent();
+        painter_.end();
+        doneCurrent();
+    }
+}
+
+QImage SurfaceCanvas::drawn() {
+    for_screen_ = false;
+    QImage image = grabFramebuffer();
+    for_screen_ = true;
+    return image;
+}
+
+void SurfaceCanvas::initializeGL() {
+    // Qt makes a new context when the widget moves to another window.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+        makeCurrent();
+        painter_.end();
+        doneCurrent();
+    });
+    painter_.begin(*context());
+}
+
+void SurfaceCanvas::paintGL() {
+    const QSize size = pixel_size(this->size(), devicePixelRatioF());
+    const unsigned source = painter_.draw(size);
+    QOpenGLExtraFunctions& gl = *context()->extraFunctions();
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    const GLenum attachment = GL_COLOR_ATTACHMENT0;
+    gl.glDrawBuffers(1, &attachment);
+    gl.glReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl.glDisable(GL_SCISSOR_TEST);
+    gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    awaits_swap_ = for_screen_;
+}
+
+}  // namespace hepatica
