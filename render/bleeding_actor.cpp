@@ -28,6 +28,8 @@ vtkSmartPointer<vtkActor> new_pool() {
     const Colour& colour = palette::bleeding;
     pool->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     pool->GetProperty()->SetOpacity(pool_opacity);
+    pool->ForceOpaqueOn();  // blended over the vessels, which are drawn before, without a pass of
+                            // its own
     pool->GetProperty()->BackfaceCullingOn();
     pool->SetPickable(false);
     return pool;

@@ -116,17 +116,23 @@ void ToolActor::add_part() {
         vtkNew<vtkPolyDataMapper> mapper;
         actor->SetMapper(mapper);
         give_colour(*actor, palette::tool);
-        renderer_.AddActor(actor);
     }
+    renderer_.AddActor(part.solid);
     part.solid->GetProperty()->SetSpecular(0.5);
     part.solid->GetProperty()->SetSpecularPower(40.0);
     part.ghost->GetProperty()->SetOpacity(seen_through);
+    // Blended over what was drawn before it: the pass for translucent surfaces, which sorts them by
+    // itself, takes software as long as the vessels.
+    part.ghost->ForceOpaqueOn();
     part.ghost->GetProperty()->SetLighting(false);
     part.ghost->GetProperty()->BackfaceCullingOn();  // or it would be blended twice
     part.ghost->SetPickable(false);
     part.ghost->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
                                                                 before_vessels, false);
     parts_.push_back(part);
+    // Ghosts come last: they lie in front of all that is drawn after them.
+    for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);
+    for (const Part& each : parts_) renderer_.AddActor(each.ghost);
 }
 
 void ToolActor::remove_part() {
