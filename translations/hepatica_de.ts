@@ -7273,10 +7273,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>&amp;Name oder Nummer</translation>
     </message>
     <message>
-        <source>Pass marks, looked at in the end</source>
-        <translation>Bestehensgrenzen, am Ende geprüft</translation>
-    </message>
-    <message>
         <source>The lesson does not allow this</source>
         <translation>Die Lektion erlaubt das nicht</translation>
     </message>
@@ -8239,6 +8235,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Each step is solved directly</source>
         <translation>Jeder Schritt wird direkt gelöst</translation>
+    </message>
+    <message>
+        <source>Pass marks: so far, judged in the end</source>
+        <translation>Bestehensgrenzen: bisher, gewertet am Ende</translation>
+    </message>
+    <message>
+        <source>The lesson %1 is being played.</source>
+        <translation>Die Lektion %1 wird gerade gespielt.</translation>
+    </message>
+    <message>
+        <source>Who quits now ends it without a result; its recording is kept.</source>
+        <translation>Wer jetzt beendet, beendet sie ohne Ergebnis; die Aufzeichnung bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on playing</source>
+        <translation>&amp;Weiterspielen</translation>
     </message>
 </context>
 </TS>

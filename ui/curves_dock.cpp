@@ -38,7 +38,7 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
         std::move(callbacks));
 }
 
-void CurvesDock::follow_tear(const Frame& frame) {
+void CurvesDock::follow_tear(const Frame& frame, bool may_come) {
     const std::size_t before = tear_.events().size();
     if (!tear_.follow(frame)) return;
     if (tear_.empty()) return plots_->set_tear({}, {});
@@ -46,7 +46,8 @@ void CurvesDock::follow_tear(const Frame& frame) {
     for (const TearHistory::Event& event : tear_.events())
         events.push_back({event.time_s, translated(event.text)});
     plots_->set_tear(tear_.chart(), std::move(events));
-    if (before == 0 && !tear_.events().empty() && comes_by_itself_) show();
+    const bool first = before == 0 && !tear_.events().empty();
+    if (first && may_come && comes_by_itself_) show();
 }
 
 void CurvesDock::set_time(std::optional<double> time_s) {

@@ -26,8 +26,9 @@ class CurvesDock : public QDockWidget {
     // Follows the newest frame: computes the curves of an injection that it has not seen yet and
     // then shows them. What was being computed for an older one is given up.
     void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug);
-    // Takes over the newest frame's tear, and shows itself as soon as something is torn.
-    void follow_tear(const Frame& frame);
+    // Takes over the newest frame's tear, and where it `may_come` shows itself as soon as something
+    // is torn.
+    void follow_tear(const Frame& frame, bool may_come = true);
     // The drug's clock in the curves; none: nothing is injected.
     void set_time(std::optional<double> time_s);
     // Forgets all; nothing is computed any more.

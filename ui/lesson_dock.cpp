@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
@@ -255,8 +256,15 @@ void LessonDock::patient_corrected() {
     hide();
 }
 
+// Its writer may still have it open.
+void LessonDock::drop_what_is_empty() {
+    std::error_code ignored;
+    if (read_first_ && running() != nullptr) fs::remove(watch_->recording(), ignored);
+}
+
 void LessonDock::end_play() {
     keep_result();
+    drop_what_is_empty();
     watch_.reset();
     guard_.reset();
 }
@@ -286,6 +294,7 @@ void LessonDock::begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
     if (!lesson_ || patient == nullptr) return;
     keep_result();  // of the attempt before
+    drop_what_is_empty();
     try {
         Job job;
         LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
@@ -309,6 +318,7 @@ void LessonDock::begin() {
 
 void LessonDock::leave() {
     keep_result();
+    drop_what_is_empty();
     watch_.reset();
     guard_.reset();
     lesson_.reset();

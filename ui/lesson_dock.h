@@ -79,6 +79,8 @@ class LessonDock : public QDockWidget {
     bool playing() const { return watch_ != nullptr; }
     // The lesson that is being played and has not ended; null: none.
     const Lesson* running() const;
+    // One runs, and something was done in it.
+    bool begun() const { return running() != nullptr && !read_first_; }
     // Of the lesson that is being played or has ended.
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
@@ -104,7 +106,8 @@ class LessonDock : public QDockWidget {
     void ask_for_lesson();
     void ask_for_course();
     void open_case(const std::filesystem::path& place);
-    void end_play();  // the patient goes
+    void end_play();            // the patient goes
+    void drop_what_is_empty();  // a recording of an attempt in which nothing was done
     void begin();
     void leave();
     // Where lessons that are tried and their recordings are kept.

@@ -177,7 +177,7 @@ void LessonPanel::show_step(const LessonStanding& standing) {
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
                        .arg(with_units_beside(translated(step.text))));
-    pass_->setText(table_of(Words::tr("Pass marks, looked at in the end"), standing.pass,
+    pass_->setText(table_of(Words::tr("Pass marks: so far, judged in the end"), standing.pass,
                             lesson_.mark_names(), units_, "✓", "·"));
     goal_->setText(
         table_of(Words::tr("Goal"), standing.goal, lesson_.mark_names(), units_, "●", "○"));

@@ -123,8 +123,9 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     build_view();
     build_panels();
     build_tool_bar();
-    make_keeper(std::move(patients),
-                questions ? std::move(*questions) : questions_in_dialogs(*this, settings_));
+    if (!questions) questions = questions_in_dialogs(*this, settings_);
+    end_lesson_ = questions->end_lesson;
+    make_keeper(std::move(patients), std::move(*questions));
     dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
         if (patient_) patient_->simulation->use_dial(dial);
     });

@@ -259,6 +259,7 @@ class MainWindow : public QMainWindow {
     std::optional<OpenRequest> before_lesson_;
     std::optional<std::vector<LessonTool>> allowed_tools_;  // of the lesson that is played
     bool may_close_ = false;
+    std::function<bool(const std::string& lesson)> end_lesson_;  // asks; see Questions
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<Recovery> recovery_;

@@ -312,6 +312,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     const auto stay = [this] { begins_anew_ = false; };
+    if (!may_close_ && lessons_->begun() && !end_lesson_(lessons_->running()->name)) {
+        stay();
+        return event->ignore();
+    }
     if (lesson_editor_ && !may_close_ && !lesson_editor_->may_end()) {
         stay();
         return event->ignore();

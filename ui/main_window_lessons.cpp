@@ -230,8 +230,8 @@ void MainWindow::build_review() {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
     };
     ways.ask_for_other = [this] { return ask_for_recording(); };
-    ways.beside = [this](const std::shared_ptr<const Frame>& frame, const QString& first,
-                         const QString& other) {
+    ways.beside = [this](const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
+                         const QString& first, const QString& other) {
         // Nothing is asked of the patient then: he may be on his way out.
         if (frame == nullptr) {
             view_->scene().set_drug_scale(0.0);
@@ -243,7 +243,7 @@ void MainWindow::build_review() {
         second_view_->set_drug_scale(end_s);
         show_caption(first);
         view_->show_frame(this->frame());  // also where no other comes: on the new scale
-        second_view_->show_frame(frame, patient_->anatomy.vertex_systems(),
+        second_view_->show_frame(frame, std::move(marks), patient_->anatomy.vertex_systems(),
                                  theme_named(settings_.theme()).view, other);
     };
     ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {

@@ -217,7 +217,7 @@ void MainWindow::show_figures() {
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_tear(frame.tear);
-    curves_->follow_tear(frame);
+    curves_->follow_tear(frame, lessons_->running() == nullptr);  // a task has enough to look at
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;

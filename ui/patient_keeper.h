@@ -62,6 +62,10 @@ class PatientKeeper {
         // that it was made from; empty: nothing is known of either.
         std::function<std::optional<std::filesystem::path>(const std::filesystem::path& proposed)>
             where_to_save;
+        // A lesson of this name is being played: whether the window may close all the same.
+        std::function<bool(const std::string& lesson)> end_lesson = [](const std::string&) {
+            return true;
+        };
     };
     struct Screen {
         // To be seen from now on; `corrected`: it is the patient before, with other corrections.

@@ -51,6 +51,20 @@ StrokesAnswer ask_strokes(QWidget& parent, const std::string& title, std::size_t
                                           : StrokesAnswer::cancel;
 }
 
+bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
+    QMessageBox box(QMessageBox::Question, "Hepatica",
+                    Words::tr("The lesson %1 is being played.").arg(translated(lesson)),
+                    QMessageBox::NoButton, &parent);
+    box.setInformativeText(
+        Words::tr("Who quits now ends it without a result; its recording is kept."));
+    QPushButton* quit = box.addButton(Words::tr("&Quit"), QMessageBox::DestructiveRole);
+    QPushButton* stay = box.addButton(Words::tr("&Go on playing"), QMessageBox::RejectRole);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == quit;
+}
+
 bool ask_replace(QWidget& parent, const QString& name) {
     return QMessageBox::question(
                &parent, "Hepatica", Words::tr("There is a case %1 already. Replace it?").arg(name),
@@ -81,6 +95,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
             [&parent](const QString& name) { return ask_replace(parent, name); }, &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();
+    };
+    questions.end_lesson = [&parent](const std::string& lesson) {
+        return ask_end_lesson(parent, lesson);
     };
     return questions;
 }

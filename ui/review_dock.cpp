@@ -277,7 +277,7 @@ void ReviewDock::compare(const fs::path& other) {
     other_job_.reset();
     other_tape_.reset();
     other_frame_.reset();
-    ways_.beside(nullptr, {}, {});
+    ways_.beside(nullptr, {}, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
@@ -314,8 +314,12 @@ double ReviewDock::end_s() const {
 }
 
 std::vector<MarkView> ReviewDock::marks_in(const Frame& frame) const {
-    if (!reviewing() || places_ == nullptr) return {};
-    const std::vector<PlayEvent> events = tape_->events();
+    return reviewing() ? marks_in(frame, *tape_) : std::vector<MarkView>();
+}
+
+std::vector<MarkView> ReviewDock::marks_in(const Frame& frame, const ReviewTape& tape) const {
+    if (places_ == nullptr) return {};
+    const std::vector<PlayEvent> events = tape.events();
     const auto steps = std::ranges::count_if(events, [this](const PlayEvent& event) {
         return event.kind == PlayEventKind::lesson && event.at_s <= at_s_;
     });
@@ -327,7 +331,7 @@ void ReviewDock::show_other() {
     const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);
     if (frame == nullptr || frame == other_frame_) return;
     other_frame_ = frame;
-    ways_.beside(frame, name_, other_name_);
+    ways_.beside(frame, marks_in(*frame, *other_tape_), name_, other_name_);
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {
@@ -444,7 +448,7 @@ void ReviewDock::forget() {
     job_.reset();
     other_job_.reset();
     other_frame_.reset();
-    if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {}, {});
+    if (std::exchange(other_tape_, nullptr)) ways_.beside(nullptr, {}, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (screen_) screen_->gone = nullptr;
     screen_.reset();

@@ -44,9 +44,10 @@ class ReviewDock : public QDockWidget {
         std::function<void(std::unique_ptr<Simulation>)> use;
         // Another recording, to be shown beside; none: not after all.
         std::function<std::optional<std::filesystem::path>()> ask_for_other;
-        // A frame beside the first view, and what both are called; null: nothing any more.
-        std::function<void(const std::shared_ptr<const Frame>& frame, const QString& first,
-                           const QString& other)>
+        // A frame beside the first view, the lesson's marks in it, and what both are called; null:
+        // nothing any more.
+        std::function<void(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
+                           const QString& first, const QString& other)>
             beside;
         // Makes a film of it: `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
@@ -86,6 +87,7 @@ class ReviewDock : public QDockWidget {
     bool playing() const { return clock_.isActive(); }
 
   private:
+    std::vector<MarkView> marks_in(const Frame& frame, const ReviewTape& tape) const;
     struct Found;  // a recording that was read, with what it needs
     void build();
     QWidget* build_heading();

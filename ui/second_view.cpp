@@ -2,6 +2,7 @@
 #include "ui/second_view.h"
 
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/vtk_widget.h"
 
@@ -40,13 +41,15 @@ void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const
     show();
 }
 
-void SecondView::show_frame(const std::shared_ptr<const Frame>& frame,
+void SecondView::show_frame(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                             const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                             const QString& caption) {
     const bool is_new = view_ == nullptr;
     if (is_new) make_view(of_vertices, look, caption);
     view_->scene().set_drug_scale(drug_scale_s_);
+    const bool marks_moved = view_->scene().set_marks(std::move(marks));
     view_->show_frame(*frame);
+    if (marks_moved) view_->draw_again();
     if (is_new) follow_first();
 }
 

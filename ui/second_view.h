@@ -9,6 +9,7 @@
 
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
+#include "render/mark_actors.h"
 #include "render/view_look.h"
 
 namespace hepatica {
@@ -21,7 +22,7 @@ class SecondView : public QWidget {
     SecondView(VtkWidget& first, QWidget* parent);
 
     // Appears with the first frame, which is not null.
-    void show_frame(const std::shared_ptr<const Frame>& frame,
+    void show_frame(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                     const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                     const QString& caption);
     // See SceneView::set_drug_scale(); of the pictures to come.

@@ -112,6 +112,17 @@ void LessonRun::check_goal() {
         finish();
 }
 
+// How they stand while it runs; only who reaches the end is judged by them.
+void LessonRun::see_pass_marks() {
+    const bool running = standing_.outcome == LessonOutcome::running;
+    const bool reached = standing_.step == lesson_.steps.size();
+    if (reached) return;
+    for (BoundStanding& mark : standing_.pass) {
+        mark.value = running ? value_of(mark.predicate) : std::numeric_limits<double>::quiet_NaN();
+        mark.kept = running && mark.predicate.holds(mark.value);
+    }
+}
+
 void LessonRun::finish() {
     standing_.goal.clear();
     const std::vector<std::string> marks = lesson_.mark_names();
@@ -125,6 +136,11 @@ void LessonRun::finish() {
 
 void LessonRun::see(std::span<const Command> commands, const Frame& frame) {
     if (standing_.outcome != LessonOutcome::running) return;
+    see_step(commands, frame);
+    see_pass_marks();
+}
+
+void LessonRun::see_step(std::span<const Command> commands, const Frame& frame) {
     if (!begun_) {
         begun_ = true;
         check_setup(commands);
@@ -150,6 +166,7 @@ void LessonRun::end() {
     fail("step " + std::to_string(standing_.step + 1) + " of " +
          std::to_string(lesson_.steps.size()) +
          " was not reached: " + lesson_.steps[standing_.step].text);
+    see_pass_marks();
 }
 
 std::string reason_of_limit(const BoundStanding& limit, std::span<const std::string> mark_names) {

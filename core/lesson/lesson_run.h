@@ -19,8 +19,8 @@ namespace hepatica {
 
 enum class LessonOutcome { running, passed, failed };
 
-// How a bound stands. Of a goal `value` is the present one, of a limit the worst so far, of a pass
-// mark the last; NaN: not yet known.
+// How a bound stands. Of a goal and of a pass mark `value` is the present one, of a limit the worst
+// so far; NaN: not yet known, and of a pass mark that the attempt ended before it was asked for.
 struct BoundStanding {
     Predicate predicate;
     double value = 0.0;
@@ -81,6 +81,8 @@ class LessonRun {
     void check_tools(std::span<const Command> commands);
     void check_limits();
     void check_goal();
+    void see_step(std::span<const Command> commands, const Frame& frame);
+    void see_pass_marks();
     void begin_step();
     void finish();
     void fail(const std::string& reason);

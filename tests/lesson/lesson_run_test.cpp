@@ -94,6 +94,29 @@ TEST(LessonRun, PassMarksAreLookedAtInTheEndAlone) {
     EXPECT_THAT(missed.standing().reasons, ElementsAre(HasSubstr("pass mark missed")));
 }
 
+// Half a second each; what ends before its end is not judged by them.
+TEST(LessonRun, SaysHowPassMarksStandSoFar) {
+    Lesson lesson = pull_lesson();
+    lesson.pass = {at_most(Quantity::impulse_mn_s, 2.0)};
+    lesson.limits = {at_most(Quantity::force_mn, 8.0)};
+    const auto mark = [](const LessonRun& run) { return run.standing().pass.at(0); };
+    const LessonRun one = attempt(lesson, {3});
+    EXPECT_DOUBLE_EQ(mark(one).value, 1.5);
+    EXPECT_TRUE(mark(one).kept);
+    const LessonRun two = attempt(lesson, {3, 3});
+    EXPECT_DOUBLE_EQ(mark(two).value, 3.0);
+    EXPECT_FALSE(mark(two).kept);
+    const LessonRun broken = attempt(lesson, {3, 9});
+    ASSERT_EQ(broken.standing().outcome, LessonOutcome::failed);
+    EXPECT_TRUE(std::isnan(mark(broken).value));
+    EXPECT_FALSE(mark(broken).kept);
+    LessonRun given_up = attempt(lesson, {3});
+    given_up.end();
+    EXPECT_TRUE(std::isnan(mark(given_up).value));
+    const LessonRun done = attempt(lesson, {3, 3, 0});
+    EXPECT_DOUBLE_EQ(mark(done).value, 3.0) << "what it was judged by";
+}
+
 TEST(LessonRun, ACourseMayAskForMore) {
     LessonRun run(pull_lesson(), small_patient(), {at_most(Quantity::time_s, 1.0)});
     run.see({}, rest_frame());

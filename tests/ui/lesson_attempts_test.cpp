@@ -12,6 +12,9 @@
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/recording_guard.h"
+#include "ui/review_dock.h"
+#include "ui/second_view.h"
 
 namespace hepatica {
 namespace {
@@ -125,6 +128,45 @@ TEST_F(LessonAttemptsTest, the_next_lesson_of_the_course_is_one_click_away) {
 }
 
 // An instructor's table: everybody's attempts by the lessons of the course.
+TEST_F(LessonAttemptsTest, what_was_left_before_anything_was_done_leaves_no_recording) {
+    const auto recordings = [this] {
+        return recordings_in(to_path(settings_.recordings_folder())).size();
+    };
+    window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && recordings() == 1; }));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    ASSERT_TRUE(wait_for([&] { return !window_.lessons().playing(); }));
+    EXPECT_EQ(recordings(), 0u);
+    window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
+    start_clock();
+    paint();
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    ASSERT_TRUE(wait_for([&] { return !window_.lessons().playing(); }));
+    EXPECT_EQ(recordings(), 1u) << "the clock ran";
+}
+
+TEST_F(LessonAttemptsTest, what_is_compared_has_the_marks_of_the_lesson_too) {
+    play(short_lesson("Short"));
+    window_.lessons().findChild<QPushButton*>("lessonLookBack")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    window_.review().compare(only_recording());
+    ASSERT_TRUE(wait_for([&] { return window_.second_view().shown(); }));
+    EXPECT_EQ(window_.second_view().view().scene().marks().size(), 1u);
+}
+
+// Ctrl + Q is quickly pressed for Ctrl + W.
+TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_played) {
+    lesson_may_end_ = false;
+    window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing(); }));
+    start_clock();
+    EXPECT_FALSE(window_.close());
+    EXPECT_EQ(lesson_ends_asked_, 1);
+    EXPECT_TRUE(window_.lessons().running() != nullptr);
+    lesson_may_end_ = true;
+    EXPECT_TRUE(window_.close());
+}
+
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
     for (const auto& [file, name, time_s, passed] :
          {std::tuple("1.hrec", "Anna", 12.0, true), std::tuple("2.hrec", "Anna", 9.5, true),

@@ -82,6 +82,9 @@ TEST_F(LessonPanelTest, says_the_pass_marks_from_the_start) {
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPass")->isHidden());
     EXPECT_TRUE(text("lessonPass").contains("force over time at most 6000\u202fmN\u202fs"));
     EXPECT_FALSE(text("lessonPass").contains("none"));
+    standing_.pass[0].value = 1500.0;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonPass").contains("1500\u202fmN\u202fs")) << "how it stands so far";
     standing_.outcome = LessonOutcome::passed;
     standing_.pass[0].value = 1.0;
     panel_.show_standing(standing_);

@@ -60,6 +60,13 @@ TEST_F(PanelsTest, the_wheel_changes_what_has_the_focus_and_nothing_else) {
     EXPECT_NE(preset.currentIndex(), choice);
 }
 
+TEST_F(PanelsTest, curves_of_a_tear_stay_away_while_a_lesson_is_played) {
+    open_built_in();
+    curves().follow_tear(torn(0), false);
+    curves().follow_tear(torn(1), false);
+    EXPECT_FALSE(curves().isVisible());
+}
+
 TEST_F(PanelsTest, curves_that_were_closed_come_when_they_are_asked_for) {
     open_built_in();
     curves().follow_tear(torn(0));

@@ -92,6 +92,10 @@ class WindowTest : public ::testing::Test {
             proposed_place_ = proposed;
             return save_place_;
         };
+        answers.end_lesson = [this](const std::string&) {
+            ++lesson_ends_asked_;
+            return lesson_may_end_;
+        };
         return answers;
     }
 
@@ -99,6 +103,8 @@ class WindowTest : public ::testing::Test {
     UnsavedAnswer unsaved_answer_ = UnsavedAnswer::discard;
     std::size_t strokes_asked_ = 0;  // how many waited when it was asked last
     StrokesAnswer strokes_answer_ = StrokesAnswer::drop;
+    int lesson_ends_asked_ = 0;
+    bool lesson_may_end_ = true;
     std::optional<std::filesystem::path> save_place_;
     std::filesystem::path proposed_place_;  // when it was asked last
     QTemporaryDir folder_;
