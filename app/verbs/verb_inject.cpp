@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/flow/flow_export.h"
+#include "core/flow/flow_shares.h"
 #include "core/flow/injection.h"
 
 namespace hepatica {
@@ -155,7 +158,10 @@ Json run_inject(InjectChoices options, Job& job) {
     if (!options.svzerod.empty())
         write_svzerod_json(options.svzerod, result.network, result.conditions);
     if (!options.plot.empty()) write_chart(options.plot, chart_of(result));
-    return answer_of(tree, options, tip, result);
+    Json answer = answer_of(tree, options, tip, result);
+    answer["warnings"] = warnings_of_ends(tree, flow_shares(tree));
+    for (const Json& warning : answer["warnings"]) spdlog::warn("{}", warning.get<std::string>());
+    return answer;
 }
 
 }  // namespace

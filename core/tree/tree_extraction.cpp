@@ -103,8 +103,13 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
     result.opened_loops = opened.count;
     if (opened.count > 0)
         result.tree = directed(opened.graph, all_wishes(options, opened.graph, anchors));
-    result.blobs = remove_blobs(result.tree, options.seeds, graph);
-    if (result.blobs.count > 0) result.tree = directed(graph, all_wishes(options, graph, anchors));
+    // What hung on a piece that is gone may stand apart now.
+    while (true) {
+        const RemovedPieces blobs = remove_blobs(result.tree, options.seeds, graph);
+        if (blobs.count == 0) break;
+        add(result.blobs, blobs);
+        result.tree = directed(graph, all_wishes(options, graph, anchors));
+    }
 }
 
 }  // namespace

@@ -11,6 +11,9 @@ namespace {
 constexpr double least_radius_mm = 4.0;
 constexpr double least_widening = 1.5;
 constexpr double most_radii = 10.0;  // across
+// Of a tree that stands apart, which no neck tells from a vessel: the trunk of a vein may be cut
+// off.
+constexpr double most_radii_apart = 6.0;
 constexpr double seed_reach_mm = 3.0;
 
 // What a segment and all that hangs on it hold.
@@ -30,9 +33,16 @@ bool holds_seed(const VesselSegment& segment, const std::vector<VesselSeed>& see
     });
 }
 
-// Of each segment's descendants and of itself from its narrowest point on.
-std::vector<Subtree> beyond_necks(const VesselTree& tree, const std::vector<VesselSeed>& seeds) {
-    std::vector<Subtree> whole(tree.segments.size()), beyond(tree.segments.size());
+// By segment.
+struct Subtrees {
+    std::vector<Subtree> whole;   // of it and its descendants
+    std::vector<Subtree> beyond;  // of its descendants, and of itself from its narrowest point on
+};
+
+Subtrees subtrees_of(const VesselTree& tree, const std::vector<VesselSeed>& seeds) {
+    Subtrees subtrees{std::vector<Subtree>(tree.segments.size()),
+                      std::vector<Subtree>(tree.segments.size())};
+    auto& [whole, beyond] = subtrees;
     for (std::size_t i = tree.segments.size(); i-- > 0;) {
         const VesselSegment& s = tree.segments[i];
         const auto neck = std::ranges::min_element(s.radii_mm);
@@ -51,7 +61,7 @@ std::vector<Subtree> beyond_necks(const VesselTree& tree, const std::vector<Vess
         parent.radius_mm = std::max(parent.radius_mm, whole[i].radius_mm);
         parent.seeded = parent.seeded || whole[i].seeded;
     }
-    return beyond;
+    return subtrees;
 }
 
 bool is_blob(const VesselSegment& segment, const Subtree& beyond) {
@@ -59,6 +69,27 @@ bool is_blob(const VesselSegment& segment, const Subtree& beyond) {
     return segment.parent >= 0 && !beyond.seeded && beyond.radius_mm >= least_radius_mm &&
            beyond.radius_mm >= least_widening * neck_mm &&
            beyond.box_mm.diagonal().norm() < most_radii * beyond.radius_mm;
+}
+
+// Trees that stand apart from the longest one of their system: by their root's segment.
+std::vector<std::uint8_t> apart_from_main_tree(const VesselTree& tree) {
+    std::vector<double> below_mm(tree.segments.size(), 0.0);
+    for (std::size_t i = tree.segments.size(); i-- > 0;) {
+        below_mm[i] += length_mm(tree.segments[i]);
+        if (tree.segments[i].parent >= 0) below_mm[tree.segments[i].parent] += below_mm[i];
+    }
+    std::vector<std::uint8_t> apart(tree.segments.size(), 0);
+    for (const int root : roots(tree))
+        for (const int other : roots(tree))
+            if (tree.segments[root].system == tree.segments[other].system &&
+                below_mm[root] < below_mm[other])
+                apart[root] = 1;
+    return apart;
+}
+
+bool is_blob_apart(const Subtree& whole) {
+    return !whole.seeded && whole.radius_mm >= least_radius_mm &&
+           whole.box_mm.diagonal().norm() < most_radii_apart * whole.radius_mm;
 }
 
 // Cuts a link of the tree's graph off at its neck; false, and nothing changed, where that is at its
@@ -78,16 +109,18 @@ bool end_at_neck(VesselGraph& graph, int id) {
 
 RemovedPieces remove_blobs(const VesselTree& tree, const std::vector<VesselSeed>& seeds,
                            VesselGraph& graph) {
-    const std::vector<Subtree> beyond = beyond_necks(tree, seeds);
+    const Subtrees subtrees = subtrees_of(tree, seeds);
+    const std::vector<std::uint8_t> apart = apart_from_main_tree(tree);
     RemovedPieces removed;
     VesselGraph kept = to_graph(tree);
     std::vector<std::uint8_t> hangs_on_blob(tree.segments.size(), 0), gone = hangs_on_blob;
     for (std::size_t i = 0; i < tree.segments.size(); ++i) {
         const VesselSegment& s = tree.segments[i];
         const bool within = s.parent >= 0 && hangs_on_blob[s.parent] != 0;
-        if (!within && !is_blob(s, beyond[i])) continue;
+        const bool stands_apart = apart[i] != 0 && is_blob_apart(subtrees.whole[i]);
+        if (!within && !stands_apart && !is_blob(s, subtrees.beyond[i])) continue;
         hangs_on_blob[i] = 1;
-        gone[i] = within || !end_at_neck(kept, static_cast<int>(i));
+        gone[i] = within || stands_apart || !end_at_neck(kept, static_cast<int>(i));
         removed.count += !within;
         removed.length_mm += length_mm(s) - (gone[i] != 0 ? 0.0 : length_mm(kept.links[i]));
     }

@@ -33,6 +33,29 @@ std::optional<Place> nearest_portal_point(const Vec3& at_mm, const VesselGraph& 
     return nearest;
 }
 
+// A free end of the trunk beside the entry is where the mask ends, not a branch: most of what comes
+// in at the entry would leave by it at once. Of two such ends the farther one is the vessel.
+void remove_stump(VesselGraph& graph, int fork, double radius_mm) {
+    constexpr double least_share_of_radius = 0.5;  // a thinner one is a branch
+    const std::vector<std::vector<int>> at_node = links_of_nodes(graph);
+    int stump = -1;
+    double shortest_mm = trunk_reach_mm;
+    for (const int id : at_node[static_cast<std::size_t>(fork)]) {
+        const VesselLink& link = graph.links[static_cast<std::size_t>(id)];
+        const bool ends =
+            at_node[static_cast<std::size_t>(link.from == fork ? link.to : link.from)].size() == 1;
+        const double tip_mm = link.from == fork ? link.radii_mm.back() : link.radii_mm.front();
+        if (!ends || tip_mm < least_share_of_radius * radius_mm || length_mm(link) > shortest_mm)
+            continue;
+        shortest_mm = length_mm(link);
+        stump = id;
+    }
+    if (stump < 0 || at_node[static_cast<std::size_t>(fork)].size() < 2) return;
+    std::vector<std::uint8_t> removed(graph.links.size(), 0);
+    removed[static_cast<std::size_t>(stump)] = 1;
+    remove_links(graph, removed);
+}
+
 }  // namespace
 
 void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph) {
@@ -45,6 +68,7 @@ void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph) {
     const Vec3 from_mm = graph.nodes[fork].position_mm;
     const int steps = static_cast<int>(std::floor((entry_mm - from_mm).norm() / step_mm));
     if (steps < 1) return;
+    remove_stump(graph, fork, radius_mm);
     VesselLink trunk;
     trunk.from = fork;
     trunk.to = static_cast<int>(graph.nodes.size());

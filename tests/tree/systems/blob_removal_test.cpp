@@ -63,6 +63,38 @@ TEST(BlobRemoval, RemovesALumpWithManySpurs) {
     EXPECT_GT(removed.length_mm, 110.0);
 }
 
+// `wide_mm` in radius and `long_mm` in length, beside the tree of with_end().
+VesselTree with_piece_apart(double wide_mm, double long_mm) {
+    VesselGraph graph = to_graph(with_end(1.5, 30.0));
+    const int first = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({Vec3(0, 90, 0), wide_mm});
+    graph.nodes.push_back({Vec3(long_mm, 90, 0), wide_mm});
+    graph.links.push_back(straight_link(graph, first, first + 1, wide_mm, wide_mm));
+    return directed(graph);
+}
+
+TEST(BlobRemoval, RemovesAWideShortPieceThatStandsApart) {
+    VesselGraph graph;
+    const VesselTree tree = with_piece_apart(5.0, 28.0);
+    const RemovedPieces removed = removed_from(tree, graph);
+    EXPECT_EQ(removed.count, 1);
+    EXPECT_NEAR(removed.length_mm, 28.0, 1e-9);
+    EXPECT_EQ(roots(directed(graph)).size(), 1u);
+    const std::vector<VesselSeed> seeds{{Vec3(14, 92, 0), VascularSystem::portal}};
+    EXPECT_EQ(removed_from(tree, graph, seeds).count, 0) << "somebody says that it is a vessel";
+    for (const auto& [wide, length] : {std::pair(3.9, 20.0), std::pair(5.0, 31.0)})
+        EXPECT_EQ(removed_from(with_piece_apart(wide, length), graph).count, 0)
+            << wide << ", " << length;
+}
+
+// A short trunk that is all there is of its system stays.
+TEST(BlobRemoval, KeepsTheOnlyTreeOfASystem) {
+    VesselGraph graph;
+    graph.nodes = {{Vec3(0, 0, 0), 6}, {Vec3(30, 0, 0), 6}};
+    graph.links = {straight_link(graph, 0, 1, 6, 6)};
+    EXPECT_EQ(removed_from(directed(graph), graph).count, 0);
+}
+
 TEST(BlobRemoval, KeepsVessels) {
     VesselGraph graph;
     for (const auto& [wide, length] : {std::pair(3.9, 20.0),   // not wide

@@ -41,6 +41,17 @@ TEST(PortalTrunk, BranchesOffWhereThePortalVeinIsNearest) {
     EXPECT_EQ(trunk.points_mm.size(), trunk.radii_mm.size());
 }
 
+// 6 mm of the trunk lie beyond the place from which it is led on.
+TEST(PortalTrunk, LeavesNoWideEndBesideItsEntry) {
+    VesselGraph graph = two_veins();
+    lead_trunk_to(Vec3(54, 8, 0), graph);
+    EXPECT_NEAR(total_mm(graph), 54.0 + 8.0 + 60.0, 2.0) << "split where its nearest point is";
+    graph = two_veins();
+    graph.links[0].radii_mm.back() = 2.0;  // as thin as a branch
+    lead_trunk_to(Vec3(54, 8, 0), graph);
+    EXPECT_NEAR(total_mm(graph), 60.0 + 8.0 + 60.0, 2.0);
+}
+
 TEST(PortalTrunk, GoesOnFromAnEnd) {
     for (const Vec3& entry : {Vec3(70, 0, 0), Vec3(-10, 0, 0)}) {
         VesselGraph graph = two_veins();
