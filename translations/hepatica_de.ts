@@ -8240,5 +8240,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Each step is solved directly</source>
         <translation>Jeder Schritt wird direkt gelöst</translation>
     </message>
+    <message>
+        <source>would stand in an obstacle</source>
+        <translation>stünde in einem Hindernis</translation>
+    </message>
 </context>
 </TS>

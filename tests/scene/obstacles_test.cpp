@@ -289,5 +289,26 @@ TEST(ObstaclesOfAScene, AreSleptOn) {
     EXPECT_EQ(crossing_pairs(*world.deform()), 0);
 }
 
+// A probe that comes towards the vessel from behind the tumour is stopped by it; from the other
+// side it comes to the vessel. Led on into the tumour from there it stays out.
+TEST(ObstaclesOfAScene, StopATool) {
+    const Ball tumour = tumour_beside(1, 6.0, 5.0);
+    const auto patient = patient_with(organs_with({tumour}, Vec3::Constant(0.8)));
+    Job job;
+    World world(patient, scene_with(R"({"tools": true, "obstacles": true})"), job);
+    DeformPart& body = *world.deform();
+    const Vec3 place = test::middle_of(patient->tree, 1);
+    const Vec3 way = (place - tumour.centre_mm).normalized();
+    body.add_tool({"sphere", 1.0, 0.0, way, {}}, place);
+    EXPECT_NEAR((body.tool()->centre_mm() - tumour.centre_mm).dot(way), -6.1, 0.5);
+    EXPECT_EQ(body.tool_view()->force_un, Vec3(Vec3::Zero()));
+    for (int k = 0; k < 60; ++k) {
+        body.lead_tool(tumour.centre_mm + 0.1 * k * way);
+        world.step();
+        ASSERT_GT((body.tool()->centre_mm() - tumour.centre_mm).norm(), 5.5) << k;
+        EXPECT_LT(body.tool_view()->force_un.dot(way), 0.0) << k;
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -51,8 +51,9 @@ class PotentialList {
     // The vertices of all patches that the tool may come near on its way to its target.
     std::vector<int> vertices_near_tool(std::span<const Vec3> positions_mm) const;
     bool free_of_tool(std::span<const Vec3> positions_mm) const;
-    // Friction is there until end_step().
-    ToolLoad tool_load(std::span<const Vec3> positions_mm) const;
+    bool tool_in_obstacle() const;
+    // Friction is there until end_step(). The impulse is that of the body over dt_s.
+    ToolLoad tool_load(std::span<const Vec3> positions_mm, double dt_s = 0.0) const;
 
     // The body's surfaces among each other; null where they do not touch.
     SelfContact* self() const { return self_; }
